@@ -1,0 +1,61 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The form that every cycle shares: what it is given besides its parameters and what it answers.
+
+A cycle is a frozen pydantic model of parameters with one method,
+
+    cut(setup, table) -> Answer
+
+which appends its moves to a `TableBuilder` in WORK coordinates (z = 0 is the top of the stock) and
+leaves the tool at clearance height. It raises `CycleError` before it has added any row.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Protocol
+
+from shapely.geometry.base import BaseGeometry
+
+from CNCStepper.machine.tool import Tool
+from CNCStepper.toolpath import TableBuilder
+
+
+@dataclass(frozen=True)
+class Setup:
+    """What the job gives every cycle; heights are above the stock's top, feeds are the tool's."""
+
+    tool: Tool
+    clearance_mm: float
+    retract_mm: float
+
+
+@dataclass(frozen=True)
+class Removal:
+    """What a cycle wants removed: the plane region from `top_mm` down to `bottom_mm`, exactly.
+
+    region: shapely polygon(s) whose boundary lies within 0.0005 mm of the true shape. An engraving
+    wants its line at its depth: there `region` is the line itself (no area) and the tool makes the width.
+    """
+
+    region: BaseGeometry
+    top_mm: float
+    bottom_mm: float
+
+
+@dataclass(frozen=True)
+class Answer:
+    """What a cycle reports: the wanted removals and its figures (recalculated ae, ap, passes) by name."""
+
+    removals: list[Removal]
+    figures: dict[str, float] = field(default_factory=dict)
+
+
+class Cycle(Protocol):
+    """What a job asks of a cycle."""
+
+    cycle: str
+    tool: int
+
+    def cut(self, setup: Setup, table: TableBuilder) -> Answer:
+        """Append the moves to `table` and return what they are to remove."""
+        ...

@@ -1,0 +1,238 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The one table of moves: a stream of chunks of columns, with states, events and spans beside it.
+
+    chunk 0            chunk 1            ...      each at most CHUNK_ROWS rows
+    +----------------+ +----------------+
+    | kind           | | kind           |         states: list of State, row -> chunk.state[row]
+    | end            | | end            |         events: what happens BEFORE row `index` is run
+    | centre ...     | | centre ...     |         spans:  rows [first, last) that belong together
+    +----------------+ +----------------+
+
+A row is one move: from the end of the row before (the first from `start.position_mm`) to `end`.
+Lengths are mm in machine coordinates (`state.py` says how they relate to work coordinates).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from CNCStepper.state import Start, State
+
+CHUNK_ROWS = 65_536
+
+RAPID, LINE, ARC_CW, ARC_CCW = 0, 1, 2, 3  # kinds; the sense of an arc is seen from the positive normal
+XY, ZX, YZ = 0, 1, 2  # planes: G17, G18, G19
+PLANE_NAMES = ("XY", "ZX", "YZ")
+PLANE_AXES = ((0, 1, 2), (2, 0, 1), (1, 2, 0))  # first and second axis of the plane, then the normal
+
+
+@dataclass(frozen=True)
+class Chunk:
+    """At most CHUNK_ROWS moves as columns of equal length n.
+
+    first: execution index of row 0. kind: uint8[n]. end: float64[n, axes], mm. centre: float64[n, 3],
+    mm, absolute, 0 on rows that are no arcs (the normal axis' value is not used). plane: uint8[n].
+    turns: uint16[n], 0 on lines, else the number of times the arc passes or reaches its end angle
+    (P word; 1 for a plain arc and for one full circle). feed: float64[n], mm/min, 0 on rapids.
+    state: int32[n], index into the states. line: int32[n], source line from 1, 0 where there is none.
+    """
+
+    first: int
+    kind: np.ndarray
+    end: np.ndarray
+    centre: np.ndarray
+    plane: np.ndarray
+    turns: np.ndarray
+    feed: np.ndarray
+    state: np.ndarray
+    line: np.ndarray
+
+    def __len__(self) -> int:
+        return len(self.kind)
+
+
+@dataclass(frozen=True)
+class Event:
+    """Something that happens before the row with execution index `index` is run.
+
+    kind: "dwell" (value in s), "message", "comment", "pause" (M0), "optional_pause" (M1),
+    "tool_change" (value: the tool), "tool_select", "end" (M2, M30), "probe", "output".
+    state: index of the state in force at that moment. line: source line from 1, 0 where there is none.
+    """
+
+    index: int
+    kind: str
+    value: float = 0.0
+    text: str = ""
+    state: int = 0
+    line: int = 0
+
+
+@dataclass(frozen=True)
+class Span:
+    """Rows [first, last) that belong together: an operation, contour, pass, entry or canned cycle."""
+
+    kind: str  # "operation", "level", "pass", "entry", "link", "contour", "cycle"
+    name: str
+    first: int
+    last: int
+    words: dict[str, float] = field(default_factory=dict)
+
+
+@dataclass
+class Toolpath:
+    """The table of moves kept whole, for analysis; streams hand on `chunks` one by one instead."""
+
+    start: Start
+    chunks: list[Chunk]
+    states: list[State]
+    events: list[Event] = field(default_factory=list)
+    spans: list[Span] = field(default_factory=list)
+
+    def __len__(self) -> int:
+        return sum(len(chunk) for chunk in self.chunks)
+
+    def table(self) -> Chunk:
+        """Return all rows as one chunk (a copy when there are several)."""
+        if len(self.chunks) == 1:
+            return self.chunks[0]
+        return join_chunks(self.chunks)
+
+    def begins(self) -> np.ndarray:
+        """Return the start point of every row, float64[n, axes]."""
+        return begins_of(self.table(), np.asarray(self.start.position_mm, float))
+
+    def offsets_mm(self) -> np.ndarray:
+        """Return the work offset in force on every row, float64[n, 3]: work = machine - offset."""
+        per_state = np.array([state.offset_mm for state in self.states], float).reshape(-1, 3)
+        return per_state[self.table().state]
+
+
+def join_chunks(chunks: list[Chunk]) -> Chunk:
+    """Return consecutive chunks as one."""
+    columns = ("kind", "end", "centre", "plane", "turns", "feed", "state", "line")
+    if not chunks:
+        return TableBuilder(Start()).empty()
+    return Chunk(chunks[0].first, *(np.concatenate([getattr(c, name) for c in chunks]) for name in columns))
+
+
+def begins_of(chunk: Chunk, before: np.ndarray) -> np.ndarray:
+    """Return the start points of a chunk's rows, given the position `before` its first row."""
+    return np.vstack([before[None, :], chunk.end[:-1]]) if len(chunk) else chunk.end.copy()
+
+
+class TableBuilder:
+    """Grows a table row by row: the one way in which cycles and the interpreter make moves.
+
+    `take()` hands out what is complete and forgets it, so that a stream stays flat in memory;
+    `toolpath()` ends the building and returns the whole.
+    """
+
+    def __init__(self, start: Start, state: State | None = None):
+        self.start = start
+        self.axes = len(start.position_mm)
+        self.states: list[State] = [state or State()]
+        self.events: list[Event] = []
+        self.spans: list[Span] = []
+        self.index = 0  # execution index of the next row
+        self._open_spans: list[tuple[str, str, int, dict[str, float]]] = []
+        self._rows: list[tuple] = []
+        self._chunks: list[Chunk] = []
+
+    @property
+    def state(self) -> State:
+        """The state that the next row will name."""
+        return self.states[-1]
+
+    def set_state(self, state: State) -> None:
+        """Let the rows from here on name `state`; nothing happens when it is the one in force."""
+        if state != self.states[-1]:
+            self.states.append(state)
+
+    def rapid(self, end_mm: Iterable[float], line: int = 0) -> None:
+        """Add a rapid to `end_mm` (all axes)."""
+        self._row(RAPID, end_mm, (0.0, 0.0, 0.0), XY, 0, 0.0, line)
+
+    def feed(self, end_mm: Iterable[float], feed_mm_min: float, line: int = 0) -> None:
+        """Add a straight feed move to `end_mm` (all axes)."""
+        self._row(LINE, end_mm, (0.0, 0.0, 0.0), XY, 0, feed_mm_min, line)
+
+    def arc(
+        self,
+        kind: int,
+        end_mm: Iterable[float],
+        centre_mm: Iterable[float],
+        feed_mm_min: float,
+        plane: int = XY,
+        turns: int = 1,
+        line: int = 0,
+    ) -> None:
+        """Add an arc or helix; `kind` is ARC_CW or ARC_CCW, `centre_mm` absolute in all three axes."""
+        self._row(kind, end_mm, centre_mm, plane, turns, feed_mm_min, line)
+
+    def event(self, kind: str, value: float = 0.0, text: str = "", line: int = 0) -> None:
+        """Note what happens before the next row."""
+        self.events.append(Event(self.index, kind, value, text, len(self.states) - 1, line))
+
+    def open_span(self, kind: str, name: str, **words: float) -> None:
+        """Begin a span at the next row; spans nest."""
+        self._open_spans.append((kind, name, self.index, words))
+
+    def close_span(self) -> None:
+        """End the innermost open span."""
+        kind, name, first, words = self._open_spans.pop()
+        self.spans.append(Span(kind, name, first, self.index, words))
+
+    def take(self) -> list[Chunk]:
+        """Return the rows made since the last call, as chunks, and forget them."""
+        self._flush()
+        chunks, self._chunks = self._chunks, []
+        return chunks
+
+    def toolpath(self) -> Toolpath:
+        """Return all rows not yet taken as a Toolpath."""
+        while self._open_spans:
+            self.close_span()
+        chunks = self.take() or [self.empty()]
+        return Toolpath(self.start, chunks, self.states, self.events, self.spans)
+
+    def empty(self) -> Chunk:
+        """Return a chunk without rows."""
+        return self._chunk(0, [])
+
+    def _row(self, kind, end_mm, centre_mm, plane, turns, feed_mm_min, line) -> None:
+        self._rows.append(
+            (kind, tuple(end_mm), tuple(centre_mm), plane, turns, feed_mm_min, len(self.states) - 1, line)
+        )
+        self.index += 1
+        if len(self._rows) == CHUNK_ROWS:
+            self._flush()
+
+    def _flush(self) -> None:
+        if self._rows:
+            self._chunks.append(self._chunk(self.index - len(self._rows), self._rows))
+            self._rows = []
+
+    def _chunk(self, first: int, rows: list[tuple]) -> Chunk:
+        kind, end, centre, plane, turns, feed, state, line = zip(*rows) if rows else ((),) * 8
+        return Chunk(
+            first,
+            np.array(kind, np.uint8),
+            np.array(end, float).reshape(-1, self.axes),
+            np.array(centre, float).reshape(-1, 3),
+            np.array(plane, np.uint8),
+            np.array(turns, np.uint16),
+            np.array(feed, float),
+            np.array(state, np.int32),
+            np.array(line, np.int32),
+        )
+
+
+def iterate_rows(chunks: Iterable[Chunk]) -> Iterator[tuple[Chunk, int]]:
+    """Yield (chunk, row) for every row; for tests and small tables, never for hot paths."""
+    for chunk in chunks:
+        for row in range(len(chunk)):
+            yield chunk, row
