@@ -1,0 +1,57 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Makes the third-party packages reachable from FreeCAD's Python.
+
+Their folders are appended to sys.path, never inserted: FreeCAD's own numpy and matplotlib must win.
+"""
+
+from __future__ import annotations
+
+import importlib.util
+import os
+import sys
+from pathlib import Path
+
+from CNCStepper.errors import MissingPackage
+
+ROOT = Path(__file__).resolve().parents[2]
+NEEDED = ("numpy", "shapely", "pydantic", "platformdirs", "matplotlib")  # what making a program takes
+
+
+def make_available() -> None:
+    """Append the folders that may hold third-party packages to sys.path; loads none of them."""
+    known = set(sys.path)
+    sys.path.extend(folder for folder in map(str, folders()) if folder not in known)
+
+
+def folders() -> list[Path]:
+    """Return the folders with packages for this Python that exist: the user's choice, the checkout's, FreeCAD's."""
+    version = f"python{sys.version_info[0]}.{sys.version_info[1]}"
+    chosen = [Path(part) for part in os.environ.get("CNCSTEPPER_PACKAGES", "").split(os.pathsep) if part]
+    checkout = [ROOT / ".venv" / "lib" / version / "site-packages"]
+    return [folder for folder in chosen + checkout + _addon_manager_folders() if folder.is_dir()]
+
+
+def _addon_manager_folders() -> list[Path]:
+    """Return where FreeCAD's Addon Manager puts packages; newer versions keep one folder for each Python."""
+    try:
+        import FreeCAD
+    except ImportError:
+        return []
+    if not hasattr(FreeCAD, "getUserAppDataDir"):
+        return []
+    base = Path(FreeCAD.getUserAppDataDir()) / "AdditionalPythonPackages"
+    return [base / f"py{sys.version_info[0]}{sys.version_info[1]}", base]
+
+
+def require(*names: str) -> None:
+    """Raise MissingPackage, which says how to get them, when one of the packages cannot be found."""
+    make_available()
+    missing = [name for name in names or NEEDED if importlib.util.find_spec(name) is None]
+    if missing:
+        raise MissingPackage(
+            "package-missing",
+            f"FreeCAD's Python lacks {', '.join(missing)}",
+            advice="run 'make setup' beside the workbench, or let Tools > Addon Manager install them, or "
+            f"install them for Python {sys.version_info[0]}.{sys.version_info[1]} into a folder of their own "
+            "(pip install --target FOLDER) and name it in the environment variable CNCSTEPPER_PACKAGES",
+        )

@@ -1,0 +1,6 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""FreeCAD runs this at every start, with and without a window: nothing heavy may be imported here."""
+
+from CNCStepper.workbench import packages
+
+packages.make_available()

@@ -1,0 +1,24 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""FreeCAD runs this when its window starts: it only makes the workbench known by name and icon."""
+
+import FreeCADGui
+
+from CNCStepper.workbench import packages
+
+
+class CNCStepperWorkbench(FreeCADGui.Workbench):
+    """The entry in FreeCAD's list of workbenches."""
+
+    MenuText = "CNCStepper"
+    ToolTip = "From a drawing to a cut part on stepper-driven tables"
+    Icon = str(packages.ROOT / "resources" / "icons" / "CNCStepper.svg")
+
+    def Initialize(self) -> None:
+        """Load what the workbench shows, when it is opened for the first time."""
+
+    def GetClassName(self) -> str:
+        """Return FreeCAD's own class for workbenches in Python."""
+        return "Gui::PythonWorkbench"
+
+
+FreeCADGui.addWorkbench(CNCStepperWorkbench())

@@ -1,0 +1,42 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# `make demo` and `make test` do all their set-up alone; see tools/setup.sh for what that is.
+# Only relative paths here: make cannot hold a path with spaces, this folder may have them.
+SHELL := /bin/bash
+.SHELLFLAGS := -euo pipefail -c
+.DEFAULT_GOAL := help
+.PHONY: help setup demo test quick bench lint clean
+
+help:
+	@echo "make demo    draw, cut and check the demonstration part in headless FreeCAD and on the virtual grbl"
+	@echo "make test    everything: lint, types, all tests, those inside FreeCAD too"
+	@echo "make quick   the tests that take under 60 s together and need no FreeCAD"
+	@echo "make bench   measure speed, beside the programs we compare ourselves with"
+	@echo "make lint    style and types only"
+	@echo "make setup   only what the others need: system packages and .venv"
+	@echo "make clean   remove what tests, demo and benchmarks have made (.venv stays)"
+
+setup:
+	@tools/setup.sh all
+
+demo: setup
+	@.venv/bin/python examples/demo.py
+
+test: setup lint
+	@.venv/bin/python -m pytest
+
+quick:
+	@tools/setup.sh python
+	@.venv/bin/python -m pytest -m "not slow and not freecad"
+
+bench: setup
+	@for script in bench/bench_*.py; do .venv/bin/python "$$script"; done
+
+lint:
+	@tools/setup.sh python
+	@.venv/bin/python -m ruff check .
+	@.venv/bin/python -m ruff format --check .
+	@.venv/bin/python -m mypy
+
+clean:
+	@rm -rf build .cache .pytest_cache .mypy_cache .ruff_cache .hypothesis
+	@find . -name .venv -prune -o -name __pycache__ -type d -prune -exec rm -rf {} +

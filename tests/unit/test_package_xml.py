@@ -1,0 +1,73 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""package.xml is what FreeCAD's Addon Manager reads: complete, and in step with the rest of the project."""
+
+from __future__ import annotations
+
+import datetime
+import re
+import tomllib
+from pathlib import Path
+from xml.etree import ElementTree
+
+import CNCStepper
+
+ROOT = Path(__file__).parents[2]
+NAMESPACE = "{https://wiki.freecad.org/Package_Metadata}"
+
+
+def package() -> ElementTree.Element:
+    return ElementTree.parse(ROOT / "package.xml").getroot()
+
+
+def workbench() -> ElementTree.Element:
+    found = package().find(f"{NAMESPACE}content/{NAMESPACE}workbench")
+    assert found is not None
+    return found
+
+
+def text(element: ElementTree.Element, name: str) -> str:
+    found = element.find(NAMESPACE + name)
+    assert found is not None, f"<{name}> is missing"
+    return (found.text or "").strip()
+
+
+def test_the_required_elements_are_there() -> None:
+    root = package()
+    assert root.tag == f"{NAMESPACE}package"
+    assert root.get("format") == "1"
+    assert text(root, "name") == "CNCStepper"
+    assert len(text(root, "description")) > 20
+    assert datetime.date.fromisoformat(text(root, "date"))
+    assert [person.get("email") for person in root.iter(f"{NAMESPACE}maintainer")]
+    urls = {url.get("type"): url for url in root.iter(f"{NAMESPACE}url")}
+    assert {"repository", "readme"} <= set(urls)
+    assert urls["repository"].get("branch") == "main"
+
+
+def test_the_version_is_the_package_s() -> None:
+    assert text(package(), "version") == CNCStepper.__version__
+
+
+def test_files_that_it_names_exist() -> None:
+    license_element = package().find(f"{NAMESPACE}license")
+    assert license_element is not None
+    assert license_element.text == "LGPL-2.1-or-later"
+    assert "Version 2.1, February 1999" in (ROOT / str(license_element.get("file"))).read_text("utf-8")
+    for element in (package(), workbench()):
+        ElementTree.parse(ROOT / text(element, "icon"))
+
+
+def test_the_workbench_is_the_one_that_initgui_adds() -> None:
+    assert text(workbench(), "subdirectory") == "./"
+    assert text(workbench(), "freecadmin") == "0.20.2"
+    assert f"class {text(workbench(), 'classname')}(" in (ROOT / "InitGui.py").read_text("utf-8")
+
+
+def test_the_packages_are_those_of_pyproject() -> None:
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["project"]
+    wanted = {re.split(r"[<>=~ ]", requirement)[0] for requirement in project["dependencies"]}
+    depends = list(workbench().iter(f"{NAMESPACE}depend"))
+    assert all(depend.get("type") == "python" for depend in depends)
+    optional = {depend.text for depend in depends if depend.get("optional") == "true"}
+    assert {depend.text for depend in depends} - optional == wanted
+    assert optional == {"numba", "cadquery"}

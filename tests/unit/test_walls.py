@@ -1,0 +1,225 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The two walls of the house: imports go downwards only, and the core needs neither FreeCAD nor Unix."""
+
+from __future__ import annotations
+
+import ast
+import subprocess
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[2]
+PACKAGE = ROOT / "CNCStepper"
+
+FLOORS = [  # from the top; rooms on one line do not know each other
+    {"workbench", "cli"},
+    {"job"},
+    {"control", "virtual"},
+    {"simulation"},
+    {"motion"},
+    {"gcode", "cycles", "drawing"},
+    {"toolpath"},
+    {"geometry", "machine", "state"},
+    {"errors", "units", "kernels"},
+]
+FLOOR_OF = {room: floor for floor, rooms in enumerate(FLOORS) for room in rooms}
+
+QT = {"PySide", "PySide2", "PySide6", "PyQt5", "PyQt6", "shiboken2", "shiboken6", "pivy"}
+FREECAD = {"FreeCAD", "FreeCADGui", "Part", "PartDesign", "Sketcher", "Draft", "Path", "Mesh", "Import"}
+LINES = {"serial", "socket", "socketserver"}
+UNIX = {"pty", "tty", "termios", "fcntl"}
+
+
+def imported(source: str, package: str) -> Iterator[tuple[str, bool]]:
+    """Yield every dotted name that `source` imports and whether that happens when the module is loaded."""
+    tree = ast.parse(source)
+    functions = (ast.FunctionDef, ast.AsyncFunctionDef, ast.Lambda)
+    late = {id(node) for function in ast.walk(tree) if isinstance(function, functions) for node in ast.walk(function)}
+    for node in ast.walk(tree):
+        for name in names_of(node, package):
+            yield name, id(node) not in late
+
+
+def names_of(node: ast.AST, package: str) -> Iterator[str]:
+    """Yield the dotted names that one statement imports."""
+    if isinstance(node, ast.Import):
+        yield from (alias.name for alias in node.names)
+    elif isinstance(node, ast.ImportFrom):
+        outer = package.split(".")[: len(package.split(".")) - node.level + 1] if node.level else []
+        base = ".".join([*outer, *([node.module] if node.module else [])])
+        yield from (f"{base}.{alias.name}" for alias in node.names)
+    elif isinstance(node, ast.Call) and ast.unparse(node.func) in ("importlib.import_module", "__import__"):
+        for argument in node.args[:1]:
+            if isinstance(argument, ast.Constant):
+                yield str(argument.value)
+            elif isinstance(argument, ast.JoinedStr):  # f"CNCStepper.cli.{name}" names its room at the front
+                yield ast.unparse(argument)[2:].split("{")[0]
+
+
+def room_of(module: str) -> str:
+    """Return the room of a module of ours, "" for the package itself."""
+    return ([*module.split("."), ""])[1]
+
+
+def faults(module: str, source: str, package: str) -> list[str]:
+    """Return what in `source` breaks the first wall, one sentence each."""
+    room, found = room_of(module), []
+    for name, at_load in imported(source, package):
+        top = name.partition(".")[0]
+        if top == "CNCStepper" and room_of(name) in FLOOR_OF and not may_know(room, room_of(name)):
+            found.append(f"{module} imports {name}: {room} may not know {room_of(name)}")
+        elif top in QT | FREECAD and room != "workbench":
+            found.append(f"{module} imports {name}: only the workbench may")
+        elif top in LINES and room not in ("control", "virtual"):
+            found.append(f"{module} imports {name}: only control and virtual may")
+        elif top in UNIX and (at_load or room not in ("control", "virtual")):
+            found.append(f"{module} imports {name}: only control and virtual may, inside a function")
+        elif top == "numba" and room != "kernels":
+            found.append(f"{module} imports {name}: only kernels may")
+    return found
+
+
+def may_know(room: str, other: str) -> bool:
+    """Return whether `room` may import `other`."""
+    if room == "virtual" and other == "gcode":
+        return False  # it must be able to disagree with what the sender's side believes
+    return room == other or (room in FLOOR_OF and FLOOR_OF[room] < FLOOR_OF[other])
+
+
+def modules() -> dict[str, Path]:
+    """Return all modules of the package by dotted name."""
+    found = {}
+    for path in sorted(PACKAGE.rglob("*.py")):
+        parts = path.relative_to(ROOT).with_suffix("").parts
+        found[".".join(parts[:-1] if parts[-1] == "__init__" else parts)] = path
+    return found
+
+
+def package_of(module: str, path: Path) -> str:
+    """Return the package to which a module's relative imports refer."""
+    return module if path.name == "__init__.py" else module.rpartition(".")[0]
+
+
+def test_imports_go_downwards_only() -> None:
+    found = [
+        fault
+        for module, path in modules().items()
+        for fault in faults(module, path.read_text("utf-8"), package_of(module, path))
+    ]
+    assert not found, "\n".join(found)
+
+
+def test_every_room_has_a_floor() -> None:
+    rooms = {room_of(module) for module in modules()} - {""}
+    assert rooms <= set(FLOOR_OF), f"rooms without a floor: {sorted(rooms - set(FLOOR_OF))}"
+
+
+@pytest.mark.parametrize(
+    ("module", "statement"),
+    [
+        ("CNCStepper.geometry.curve", "from CNCStepper.toolpath import Toolpath"),
+        ("CNCStepper.geometry.curve", "from CNCStepper import toolpath"),
+        ("CNCStepper.geometry.curve", "from .. import toolpath"),
+        ("CNCStepper.geometry.curve", "from ..machine.tool import Tool"),
+        ("CNCStepper.gcode.write", "def f():\n    from CNCStepper.cycles import form"),
+        ("CNCStepper.control.sender", "import CNCStepper.virtual.grbl"),
+        ("CNCStepper.virtual.grbl.reader", "from CNCStepper.gcode.dialects import dialect"),
+        ("CNCStepper.motion.plan", "import importlib\nimportlib.import_module('CNCStepper.simulation.stock')"),
+        ("CNCStepper.motion.plan", "import importlib\nimportlib.import_module(f'CNCStepper.cli.{verb}')"),
+        ("CNCStepper.job.make", "import FreeCAD"),
+        ("CNCStepper.cli.run", "from PySide2 import QtCore"),
+        ("CNCStepper.simulation.check", "import serial.tools.list_ports"),
+        ("CNCStepper.virtual.grbl.ports", "import termios"),
+        ("CNCStepper.motion.plan", "def f():\n    import pty"),
+        ("CNCStepper.gcode.parse", "import numba"),
+    ],
+)
+def test_the_wall_sees_a_planted_import(module: str, statement: str) -> None:
+    assert faults(module, statement, module.rpartition(".")[0])
+
+
+@pytest.mark.parametrize(
+    ("module", "statement"),
+    [
+        ("CNCStepper.cli.main", "from CNCStepper import __version__"),
+        ("CNCStepper.geometry.curve", "from CNCStepper.geometry.arc import Arc"),
+        ("CNCStepper.virtual.grbl.ports", "def f():\n    import termios"),
+        ("CNCStepper.workbench.api", "import FreeCAD"),
+        ("CNCStepper.control.transport", "import serial"),
+    ],
+)
+def test_the_wall_lets_the_allowed_through(module: str, statement: str) -> None:
+    assert not faults(module, statement, module.rpartition(".")[0])
+
+
+AS_ON_WINDOWS = """
+import sys
+for name in {blocked!r}:
+    sys.modules[name] = None
+"""
+
+
+def run_as_on_windows(code: str, *arguments: str) -> subprocess.CompletedProcess[str]:
+    """Run `code` in a Python that has neither FreeCAD, Qt nor the Unix terminal modules."""
+    blocked = sorted(QT | FREECAD | UNIX)
+    return subprocess.run(
+        [sys.executable, "-c", AS_ON_WINDOWS.format(blocked=blocked) + code, *arguments],
+        capture_output=True,
+        text=True,
+        cwd=ROOT,
+        timeout=120,
+    )
+
+
+IMPORT_ALL = """
+import importlib, traceback
+failed = 0
+for module in sys.argv[1:]:
+    try:
+        importlib.import_module(module)
+    except Exception:
+        failed += 1
+        print("---", module)
+        traceback.print_exc(limit=-2, file=sys.stdout)
+sys.exit(min(failed, 1))
+"""
+
+
+def test_the_core_and_the_command_line_import_without_freecad_and_unix() -> None:
+    core = [name for name in modules() if room_of(name) != "workbench" and not name.endswith("__main__")]
+    result = run_as_on_windows(IMPORT_ALL, *core)
+    assert result.returncode == 0, result.stdout + result.stderr
+
+
+def test_the_second_wall_sees_a_unix_import() -> None:
+    assert run_as_on_windows(IMPORT_ALL, "pty").returncode == 1
+
+
+def test_the_command_line_answers_without_unix() -> None:
+    result = run_as_on_windows("sys.argv[:] = ['cncstepper', '--help']\nfrom CNCStepper.cli.main import main\nmain()\n")
+    assert result.returncode == 0, result.stderr
+    assert "Usage: cncstepper" in result.stdout
+
+
+FREECAD_START = """
+import sys, types
+gui = types.ModuleType("FreeCADGui")
+gui.Workbench = object
+gui.addWorkbench = lambda workbench: print(workbench.MenuText, workbench.Icon, sep="\\n")
+sys.modules["FreeCADGui"] = sys.modules["FreeCAD"] = gui
+for name in ("Init.py", "InitGui.py"):  # FreeCAD runs their text: __file__ is not defined in it
+    exec(compile(open(name, encoding="utf-8").read(), name, "exec"), {"__name__": "__main__"})
+print(sorted({"numpy", "numba", "shapely", "matplotlib", "pydantic", "scipy", "serial"} & set(sys.modules)))
+"""
+
+
+def test_starting_freecad_loads_nothing_heavy() -> None:
+    result = subprocess.run([sys.executable, "-c", FREECAD_START], capture_output=True, text=True, cwd=ROOT, timeout=60)
+    assert result.returncode == 0, result.stderr
+    name, icon, heavy = result.stdout.splitlines()
+    assert name == "CNCStepper"
+    assert Path(icon).is_file()
+    assert heavy == "[]"

@@ -1,0 +1,120 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Set up what the Makefile's targets need; a second run costs a few milliseconds.
+#
+#   tools/setup.sh python   only .venv: the package, numba, and the tools for tests
+#   tools/setup.sh all      .venv, and the programs of the system: FreeCAD, LinuxCNC's rs274, locale sources
+#
+# On Debian and its family as root, missing system packages are installed; otherwise they are named.
+# .venv uses the system's Python, which is FreeCAD's own on Linux: its compiled packages load in FreeCAD too.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+stamp=.venv/setup-done
+locale_sources=/usr/share/i18n/locales/pt_BR
+
+say() { printf 'setup: %s\n' "$*" >&2; }
+fail() { say "$*"; exit 1; }
+has() { command -v "$1" >/dev/null 2>&1; }
+
+# One set-up at a time in this folder (where flock is missing, as on macOS, start only one yourself).
+lock() {
+    mkdir -p .cache
+    exec 9>.cache/setup.lock
+    if has flock; then flock 9; fi
+}
+
+find_python() {
+    local candidate
+    for candidate in "${CNCSTEPPER_PYTHON:-}" /usr/bin/python3 python3 python; do
+        if [ -n "$candidate" ] && "$candidate" -c 'import sys; sys.exit(sys.version_info < (3, 11))' 2>/dev/null; then
+            echo "$candidate"
+            return
+        fi
+    done
+}
+
+missing_packages() {
+    if [ -z "$(find_python)" ]; then echo python3; fi
+    if ! [ -e "$stamp" ] && ! /usr/bin/python3 -c 'import ensurepip' 2>/dev/null; then echo python3-venv; fi
+    if [ "$1" = python ]; then return; fi
+    if ! has freecadcmd && ! has FreeCADCmd; then echo freecad; fi
+    if ! has rs274; then echo linuxcnc-uspace; fi
+    if ! [ -e "$locale_sources" ]; then echo locales; fi
+}
+
+install_packages() {
+    if [ "$(id -u)" != 0 ]; then
+        fail "missing system packages: $*. Get them with:" \
+            "sudo apt-get update && sudo apt-get install -y --no-install-recommends $*"
+    fi
+    say "installing system packages: $*"
+    export DEBIAN_FRONTEND=noninteractive
+    apt-get update -qq || say "apt-get update failed; trying with the lists that are there"
+    apt-get install -y -qq -o DPkg::Lock::Timeout=300 --no-install-recommends "$@" >&2 ||
+        fail "apt-get could not install: $*. Install them yourself and run make again"
+}
+
+# Outside the Debian family nothing is installed: say how to get it, and stop only where nothing would work.
+name_missing() {
+    local package
+    for package in "$@"; do
+        case "$package" in
+        python3 | python3-venv) fail "Python 3.11 or newer with venv is missing: get it from https://www.python.org/downloads/ or your system's packages" ;;
+        freecad) say "FreeCAD is missing: get it from https://www.freecad.org/downloads.php (macOS: brew install --cask freecad) and put its freecadcmd on PATH" ;;
+        linuxcnc-uspace) say "LinuxCNC's rs274 is missing: get it from https://linuxcnc.org/downloads/ (there is none for macOS and Windows; run the comparison with it on Linux)" ;;
+        locales) ;; # other systems bring pt_BR.UTF-8 with them or as glibc-locale-source
+        esac
+    done
+    case " $* " in
+    *" freecad "*) fail "demo and test need FreeCAD; 'make quick' works without it" ;;
+    esac
+}
+
+system_packages() {
+    local packages
+    packages=$(missing_packages "$1")
+    if [ -z "$packages" ]; then return; fi
+    # shellcheck disable=SC2086  # names of packages hold no spaces
+    if has apt-get; then install_packages $packages; else name_missing $packages; fi
+}
+
+# What .venv was made for: it is made anew when Python or the folder's place differ, refreshed when pyproject does.
+wanted_place() { "$1" -c 'import os, sys; print("place", sys.version.split()[0], ascii(os.getcwd()))'; }
+wanted_content() { echo "content $(cksum <pyproject.toml)"; }
+
+make_venv() {
+    local python=$1 place content
+    place=$(wanted_place "$python")
+    content=$(wanted_content)
+    if [ -e "$stamp" ] && [ "$(cat "$stamp")" = "$place"$'\n'"$content" ]; then return; fi
+    if ! [ -e "$stamp" ] || [ "$(head -n 1 "$stamp")" != "$place" ]; then
+        say "making .venv with $python"
+        "$python" -m venv --clear .venv ||
+            fail "$python cannot make a virtual environment: install its venv module (Debian: apt-get install python3-venv)"
+    fi
+    rm -f "$stamp"
+    say "installing the Python packages into .venv (the first time takes a minute or two)"
+    PIP_DISABLE_PIP_VERSION_CHECK=1 .venv/bin/python -m pip install --quiet --editable '.[fast,dev]' >&2 ||
+        fail "pip could not install the packages that pyproject.toml names: check the network and run make again"
+    make_locale
+    printf '%s\n%s\n' "$place" "$content" >"$stamp.part"
+    mv "$stamp.part" "$stamp"
+}
+
+# A locale with a decimal comma for the tests, whatever the machine has: LOCPATH=.venv/locale LC_ALL=pt_BR.UTF-8
+make_locale() {
+    if ! has localedef || ! [ -e "$locale_sources" ]; then return; fi
+    mkdir -p .venv/locale
+    localedef --no-archive -i pt_BR -f UTF-8 .venv/locale/pt_BR.UTF-8 >&2 ||
+        fail "localedef could not make pt_BR.UTF-8"
+}
+
+case "$(uname -s)" in
+MINGW* | MSYS* | CYGWIN*)
+    fail "on Windows run: py -m venv .venv, then .venv\\Scripts\\pip install -e .[fast,dev], then .venv\\Scripts\\cncstepper --help"
+    ;;
+esac
+lock
+system_packages "${1:-all}"
+make_venv "$(find_python)"
