@@ -1,0 +1,199 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The grammar of one line, checked once for each shape.
+
+The *shape* of a line is its text without the numbers of all words but G and M ("G1XYF" for "G1 X2 Y3 F100"). All
+that can be said without those numbers (modal groups, missing and unused words, who uses the axis words) is
+decided when a shape is first met and kept as a `Plan`; the lines after it cost two regular expressions.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+
+from CNCStepper.errors import ProgramError
+from CNCStepper.gcode.codes import (
+    ARC_WORDS,
+    AXES,
+    MOTION_NAMES,
+    NO_MOTION,
+    NOT_YET,
+    ORDER,
+    RS274,
+    WORDS_THAT_ACT,
+    Code,
+)
+from CNCStepper.gcode.dialects import Dialect
+from CNCStepper.gcode.words import NUMBER, Word, words_of
+from CNCStepper.toolpath import ARC_CCW, ARC_CW, LINE, RAPID
+
+PLAIN_NUMBER = re.compile(f"(?<=[A-FH-LN-Z]){NUMBER}")  # the number of any word but G and M
+ALWAYS_ALLOWED = frozenset("FSTN")
+MOST_PLANS = 4096  # hostile text can have endless shapes; then the plans are forgotten
+
+
+@dataclass(frozen=True, slots=True)
+class Plan:
+    """What a line of one shape does.
+
+    slots: letter -> place among the line's plain numbers. codes: in order of execution, the motion's own code
+    included. motion: the kind of move made, or NO_MOTION. moves: it has axis (or arc) words for that motion.
+    axes: places of X, Y, Z, -1 where absent. machine: G53. simple: nothing but a motion, its words, F and N.
+    """
+
+    slots: dict[str, int]
+    codes: tuple[Code, ...]
+    motion: int
+    moves: bool
+    axes: tuple[int, int, int]
+    machine: bool
+    simple: bool
+    feed: int
+    number: int
+
+    def has(self, letters: str) -> bool:
+        """Whether one of `letters` is among the words."""
+        return any(letter in self.slots for letter in letters)
+
+
+class Grammar:
+    """Reads lines of one dialect; keeps the plan of every shape met, by the modal motion in force."""
+
+    def __init__(self, dialect: Dialect):
+        self.dialect = dialect
+        self._plans: dict[int, dict[str, Plan]] = {motion: {} for motion in range(NO_MOTION + 1)}
+
+    def plans(self, motion: int) -> dict[str, Plan]:
+        """Return the plans by shape that hold while `motion` is modal."""
+        return self._plans[motion]
+
+    def read(self, code: str, motion: int) -> tuple[Plan, list[float], list[Word]]:
+        """Return plan, plain numbers and words of a line without comments; raises ProgramError."""
+        words = words_of(code)
+        text = "".join(word.text for word in words)
+        values = [float(word.number) for word in words if word.letter not in "GM"]
+        shape = PLAIN_NUMBER.sub("", text)
+        plans = self._plans[motion]
+        if shape not in plans:
+            if len(plans) >= MOST_PLANS:
+                plans.clear()
+            plans[shape] = self._plan(words, motion)
+        return plans[shape], values, words
+
+    def _plan(self, words: list[Word], motion: int) -> Plan:
+        slots = self._slots(words)
+        codes = self._codes(words)
+        codes, moving, moves = self._with_motion(codes, slots, motion)
+        self._check_words(codes, slots)
+        machine = any(code.name == "G53" for code in codes)
+        if machine and moving not in (RAPID, LINE):
+            raise ProgramError("machine-move", "G53 needs a G0 or G1 move", value="G53", advice="add G0 or G1")
+        acting = [WORDS_THAT_ACT[letter] for letter in "FST" if letter in slots]
+        return Plan(
+            slots=slots,
+            codes=tuple(sorted([*codes, *acting], key=lambda code: ORDER.index(code.step))),
+            motion=moving,
+            moves=moves,
+            axes=tuple(slots.get(axis, -1) for axis in AXES),  # type: ignore[arg-type]
+            machine=machine,
+            simple=moves and not machine and all(self._is_simple(code) for code in codes) and not {"S", "T"} & {*slots},
+            feed=slots.get("F", -1),
+            number=slots.get("N", -1),
+        )
+
+    @staticmethod
+    def _is_simple(code: Code) -> bool:
+        return code.group == "motion" and not code.sets and not code.act
+
+    def _slots(self, words: list[Word]) -> dict[str, int]:
+        """Return letter -> place among the plain numbers, each letter known and once."""
+        slots: dict[str, int] = {}
+        for position, word in enumerate(words):
+            if word.letter in "GM":
+                continue
+            if word.letter not in self.dialect.letters:
+                raise self._refused(word.letter, f"{self.dialect.title} has no word {word.letter}", "unknown-word")
+            if word.letter in slots:
+                raise ProgramError("repeated-word", f"{word.letter} stands twice on the line", value=word.letter)
+            if word.letter == "N" and self.dialect.line_number_first and position:
+                raise ProgramError("line-number", "the N word must be the first of its line", value="N")
+            slots[word.letter] = len(slots)
+        return slots
+
+    def _codes(self, words: list[Word]) -> list[Code]:
+        """Return the codes of the G and M words, each known and alone in its modal group."""
+        codes: dict[str, Code] = {}
+        for word in words:
+            if word.letter not in "GM":
+                continue
+            code = self.dialect.codes.get(word.name) or self._unknown(word.name)
+            if code.group in codes:
+                what = f"{codes[code.group].name} and {code.name} may not share a line: they set the same mode"
+                raise ProgramError("modal-conflict", what, value=word.name, advice="write them on two lines")
+            codes[code.group] = code
+        return list(codes.values())
+
+    def _unknown(self, name: str) -> Code:
+        """Say why a code is refused."""
+        if name in NOT_YET and name not in self.dialect.refused:
+            what = f"{name} ({NOT_YET[name]}) is not read yet"
+            raise ProgramError("not-supported", what, value=name, advice="expand it into plain moves")
+        what = f"{self.dialect.title} does not accept {name}"
+        raise self._refused(name, what, "refused-code" if name in RS274 else "unknown-code")
+
+    def _refused(self, name: str, what: str, code: str) -> ProgramError:
+        advice = self.dialect.refused.get(name, "take it out")
+        return ProgramError(code, what, value=name, advice=advice)
+
+    def _with_motion(self, codes: list[Code], slots: dict[str, int], modal: int) -> tuple[list[Code], int, bool]:
+        """Return the codes with the motion that the axis words belong to, its kind, and whether it moves."""
+        users = [code for code in codes if code.axes]
+        if len(users) > 1:
+            what = f"{users[0].name} and {users[1].name} would both use the axis words"
+            raise ProgramError("axis-conflict", what, value=users[1].name, advice="write them on two lines")
+        explicit = next((code for code in codes if code.motion is not None), None)
+        has_axes = any(axis in slots for axis in AXES)
+        has_centre = any(letter in slots for letter in ARC_WORDS)
+        if users and users[0].group != "motion":
+            return codes, NO_MOTION, False
+        if users:
+            arc = users[0].motion in (ARC_CW, ARC_CCW)
+            return codes, users[0].motion or RAPID, has_axes or arc
+        if explicit:  # G80
+            if has_axes:
+                raise ProgramError("axis-unused", "G80 leaves no motion for the axis words", value=_first_axis(slots))
+            return codes, NO_MOTION, False
+        repeats_arc = has_centre and modal in (ARC_CW, ARC_CCW) and self.dialect.centre_repeats_arc
+        if has_axes or repeats_arc:
+            return [*codes, self._repeated(slots, modal)], modal, True
+        return codes, modal if any(code.name == "G53" for code in codes) else NO_MOTION, False
+
+    def _repeated(self, slots: dict[str, int], modal: int) -> Code:
+        """Return the code of the modal motion that coordinates alone repeat."""
+        code = self.dialect.motion_code(modal)
+        if code is None or modal == NO_MOTION:
+            what = "there is no motion that the coordinates could belong to"
+            raise ProgramError("no-motion", what, value=_first_axis(slots), advice="write G0, G1, G2 or G3")
+        if modal not in self.dialect.repeats:
+            what = f"coordinates alone may not follow {MOTION_NAMES[modal]}"
+            raise ProgramError("no-motion", what, value=_first_axis(slots), advice="write the motion word again")
+        return code
+
+    def _check_words(self, codes: list[Code], slots: dict[str, int]) -> None:
+        """Refuse missing and unused words."""
+        allowed = set(ALWAYS_ALLOWED)
+        for code in codes:
+            allowed |= set(code.takes) | (set(AXES) if code.axes else set())
+            for letter in code.needs:
+                if letter not in slots:
+                    raise ProgramError("missing-word", f"{code.name} needs a {letter} word", value=code.name)
+            if code.axes == "must" and not any(axis in slots for axis in AXES):
+                raise ProgramError("missing-axis", f"{code.name} needs X, Y or Z", value=code.name)
+        for letter in slots:
+            if letter not in allowed:
+                what = f"no code on this line uses the word {letter}"
+                raise ProgramError("unused-word", what, value=letter, advice="take it out or add its code")
+
+
+def _first_axis(slots: dict[str, int]) -> str:
+    return next((letter for letter in slots if letter in AXES + ARC_WORDS), "")

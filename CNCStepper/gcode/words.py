@@ -1,0 +1,167 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""From a line of text to its words: comments, block delete, and words with the column of each.
+
+Blanks may stand anywhere, also inside a number, and letters may be lower case (RS274/NGC). Errors name the
+column; who reads a whole program adds file and line.
+"""
+
+from __future__ import annotations
+
+import re
+from typing import NamedTuple
+
+from CNCStepper.errors import Place, ProgramError
+
+NUMBER = r"[+-]?(?:[0-9]{1,15}(?:\.[0-9]*)?|\.[0-9]+)(?![0-9])"
+_WORD = re.compile(f"([A-Z])({NUMBER})")
+_BLANKS = " \t\r\n"
+_RUN = re.compile(r"[^A-Z]?[^A-Z]*")  # what stands up to the next letter
+
+_NOT_YET = {
+    "#": "parameters (#) are not read yet",
+    "[": "expressions in brackets are not read yet",
+    "<": "named parameters are not read yet",
+    "O": "O-words (subroutines and loops) are not read yet",
+}
+_MISPLACED = {
+    "$": "a line that begins with $ is a setting or command for the controller, not part of a program",
+    "%": "% may stand only alone on a line",
+    ")": "a comment is closed that was not opened",
+    "/": "/ (block delete) may stand only at the beginning of a line",
+    "*": "checksums are not part of this dialect",
+    "!": "! is a command to the controller (feed hold), not part of a program",
+    "?": "? is a command to the controller (status), not part of a program",
+    "~": "~ is a command to the controller (cycle start), not part of a program",
+}
+
+
+class Word(NamedTuple):
+    """A letter and its number as written (without blanks); the column counts from 1."""
+
+    letter: str
+    number: str
+    column: int
+
+    @property
+    def text(self) -> str:
+        """The word as written, in upper case."""
+        return self.letter + self.number
+
+    @property
+    def name(self) -> str:
+        """The code that a G or M word names: "G1" for G01; any other word is named by its letter."""
+        return f"{self.letter}{float(self.number):g}" if self.letter in "GM" else self.letter
+
+
+class Comment(NamedTuple):
+    """What stands between parentheses, or (`to_end`) after a semicolon; `message` is set for (MSG, ...)."""
+
+    text: str
+    column: int
+    message: bool
+    to_end: bool
+
+
+class Line(NamedTuple):
+    """A line whose comments are replaced by blanks, so that columns stay; `deleted`: it begins with "/"."""
+
+    code: str
+    comments: tuple[Comment, ...]
+    deleted: bool
+
+
+def program_lines(text: str) -> list[str]:
+    """Return the lines of a program as an editor counts them: LF, CRLF or CR end a line, nothing else does."""
+    lines = text.removeprefix("\ufeff").replace("\r\n", "\n").replace("\r", "\n").split("\n")
+    if not lines[-1]:
+        lines.pop()
+    return lines
+
+
+def split_line(text: str, strict_comments: bool = False) -> Line:
+    """Return code and comments of one line; `strict_comments` refuses unclosed and nested ones."""
+    code, comments = _without_comments(text, strict_comments)
+    deleted = code.lstrip(_BLANKS).startswith("/")
+    return Line(code.replace("/", " ", 1) if deleted else code, tuple(comments), deleted)
+
+
+def is_tape_mark(text: str) -> bool:
+    """Whether the line is a "%", which begins or ends a program."""
+    return text.strip(_BLANKS) == "%"
+
+
+def words_of(code: str) -> list[Word]:
+    """Return the words of a line without comments; raises ProgramError (with its column) where there is none."""
+    packed = "".join(character for character in code if character not in _BLANKS)
+    packed = packed.upper() if packed.isascii() else packed
+    columns = [column for column, character in enumerate(code, 1) if character not in _BLANKS]
+    words: list[Word] = []
+    position = 0
+    while position < len(packed):
+        match = _WORD.match(packed, position)
+        if match is None or match[1] == "O":
+            raise _not_a_word(packed, position, columns)
+        words.append(Word(match[1], match[2], columns[position]))
+        position = match.end()
+    return words
+
+
+def _without_comments(text: str, strict: bool) -> tuple[str, list[Comment]]:
+    """Return `text` with its comments blanked, and the comments."""
+    comments: list[Comment] = []
+    code, position = "", 0
+    while position < len(text):
+        begin = min((at for at in (text.find("(", position), text.find(";", position)) if at >= 0), default=-1)
+        if begin < 0:
+            break
+        end = _comment_end(text, begin, strict)
+        comments.append(_comment(text[begin + 1 : end], begin + 1, text[begin] == ";"))
+        code += text[position:begin] + " " * (min(end + 1, len(text)) - begin)
+        position = end + 1
+    return code + text[position:], comments
+
+
+def _comment_end(text: str, begin: int, strict: bool) -> int:
+    """Return where the comment that opens at `begin` closes."""
+    if text[begin] == ";":
+        return len(text)
+    end = text.find(")", begin)
+    if end < 0 and strict:
+        raise _error("comment", "the comment is not closed", begin + 1, "(", "close it with )")
+    end = len(text) if end < 0 else end
+    nested = text.find("(", begin + 1, end)
+    if nested >= 0 and strict:
+        raise _error("comment", "a comment may not hold another one", nested + 1, "(", "take out the inner (")
+    return end
+
+
+def _comment(inner: str, column: int, to_end: bool) -> Comment:
+    stripped = inner.lstrip(" \t")
+    for mark in ("MSG,", "DEBUG,"):
+        if stripped[: len(mark)].upper() == mark:
+            return Comment(stripped[len(mark) :], column, True, to_end)
+    return Comment(stripped, column, False, to_end)
+
+
+def _not_a_word(packed: str, position: int, columns: list[int]) -> ProgramError:
+    """Say what stands at `position` instead of a word."""
+    letter = packed[position]
+    run = letter + (_RUN.match(packed, position + 1) or [""])[0]
+    after = packed[position + 1 : position + 2]
+    for character in (letter, after if letter.isascii() and letter.isalpha() else ""):
+        if character in _NOT_YET:
+            return _error(
+                "not-supported", _NOT_YET[character], columns[position], run, "write the words with plain numbers"
+            )
+    if letter in _MISPLACED:
+        return _error("misplaced", _MISPLACED[letter], columns[position], run)
+    if letter.isascii() and letter.isalpha():
+        what = f"the word {letter} has no number that can be read"
+        return _error("bad-number", what, columns[position], run, "write a decimal number after the letter")
+    if letter in "+-.0123456789":
+        return _error("bad-number", "a number that no letter begins", columns[position], run, "correct the word before")
+    return _error("unknown-character", "a word is a letter and a number", columns[position], run, "take it out")
+
+
+def _error(code: str, what: str, column: int, value: str, advice: str = "") -> ProgramError:
+    return ProgramError(code, what, advice=advice, value=value[:40], place=Place(column=column))
