@@ -1,0 +1,171 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What all document objects share: a table of properties, and a proxy that survives save and reopen.
+
+A property has two names: `key`, by which job files, cycles and scripts know it, with the unit as its
+suffix ("depth_mm"), and `name`, by which FreeCAD's property editor shows it ("Depth"), with a unit of
+its own. Everything that crosses between the two passes `value_of` and `set_value` here.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Any
+
+from CNCStepper.errors import JobError
+from CNCStepper.units import mm_min_from_mm_s, mm_s_from_mm_min
+
+OUTPUT = 8  # FreeCAD's Prop_Output: a change of it makes nothing out of date
+SPEED = "App::PropertySpeed"  # FreeCAD keeps speeds in mm/s, everything of ours is mm/min
+DISTANCE = "App::PropertyDistance"  # not PropertyLength: that turns a negative value into 0 without a word
+ANGLE = "App::PropertyAngle"
+POSITION = "App::PropertyVectorDistance"
+POINTS = "App::PropertyVectorList"
+ENUMERATION = "App::PropertyEnumeration"
+INTEGER = "App::PropertyInteger"
+BOOL = "App::PropertyBool"
+TEXT = "App::PropertyString"
+LINK = "App::PropertyLink"
+DRAWING = "App::PropertyLinkGlobal"  # a drawing may lie inside a part or body, the operation outside
+CONTAINERS = "App::PropertyLinkListGlobal"
+NUMBERS = (SPEED, DISTANCE, ANGLE, "App::PropertyFloat")
+
+
+@dataclass(frozen=True)
+class Property:
+    """One property of a document object; `default` is a value for `key`, in the unit that its suffix names.
+
+    choices: of an enumeration. output: shown, saved, and set by the object alone.
+    """
+
+    key: str
+    name: str
+    type: str
+    group: str
+    text: str
+    default: Any = None
+    choices: tuple[str, ...] = ()
+    output: bool = False
+
+
+class Feature:
+    """The proxy that all our document objects have in common."""
+
+    Type = ""
+    PROPERTIES: tuple[Property, ...] = ()
+
+    def __init__(self, obj: Any):
+        obj.Proxy = self
+        self.add_properties(obj)
+
+    def add_properties(self, obj: Any) -> None:
+        """Add the properties that `obj` lacks, which in a document of an older version may be some."""
+        for entry in self.PROPERTIES:
+            if entry.name not in obj.PropertiesList:
+                obj.addProperty(entry.type, entry.name, entry.group, entry.text, OUTPUT if entry.output else 0)
+                if entry.choices:
+                    setattr(obj, entry.name, list(entry.choices))
+                if entry.default is not None:
+                    set_value(obj, entry, entry.default)
+                if entry.output:
+                    obj.setEditorMode(entry.name, 1)
+
+    def onDocumentRestored(self, obj: Any) -> None:
+        """Let a document of an older version catch up; FreeCAD calls this after opening it."""
+        self.add_properties(obj)
+
+    def __getstate__(self) -> None:
+        """Keep nothing in the proxy: all state is in properties (FreeCAD before 0.21)."""
+
+    def __setstate__(self, state: Any) -> None:
+        """Restore nothing (FreeCAD before 0.21)."""
+
+    def dumps(self) -> None:
+        """Keep nothing in the proxy: all state is in properties (FreeCAD from 0.21 on)."""
+
+    def loads(self, state: Any) -> None:
+        """Restore nothing (FreeCAD from 0.21 on)."""
+
+
+def proxy_type(obj: Any) -> str:
+    """Return which of our document objects `obj` is, as "CNCStepper_Job", or "" for one that is not ours."""
+    return getattr(getattr(obj, "Proxy", None), "Type", "")
+
+
+def value_of(obj: Any, entry: Property) -> Any:
+    """Return a property's value in the unit that its key names."""
+    value = getattr(obj, entry.name)
+    if entry.type in NUMBERS:
+        number = float(getattr(value, "Value", value))
+        return round(mm_min_from_mm_s(number), 6) if entry.type == SPEED else number
+    if entry.type == POSITION:
+        return tuple(value)
+    return value
+
+
+def set_value(obj: Any, entry: Property, value: Any) -> None:
+    """Set a property from a value in the unit that its key names; raises JobError and changes nothing."""
+    if entry.type in NUMBERS:
+        value = _finite(entry, value)
+        value = mm_s_from_mm_min(value) if entry.type == SPEED else value
+    elif entry.choices and value not in entry.choices:
+        raise JobError(
+            "bad-value", f"{entry.key} cannot be '{value}'", advice=f"choose one of: {', '.join(entry.choices)}"
+        )
+    elif entry.type == POSITION:
+        value = _vector(entry, value)
+    elif entry.type == POINTS:
+        value = [_vector(entry, row) for row in value]
+    try:
+        setattr(obj, entry.name, value)
+    except (TypeError, ValueError) as error:
+        raise JobError("bad-value", f"{entry.key} cannot be {value!r}: {error}", advice="correct that value") from error
+
+
+def values(obj: Any) -> dict[str, Any]:
+    """Return what the properties of one of our objects hold, by key, outputs left out."""
+    return {entry.key: value_of(obj, entry) for entry in obj.Proxy.PROPERTIES if not entry.output}
+
+
+def show(obj: Any, figures: dict[str, float]) -> None:
+    """Set those outputs of an object that are figures: to the one of their key, or to 0."""
+    for entry in obj.Proxy.PROPERTIES:
+        if entry.output and entry.type in (*NUMBERS, INTEGER):
+            set_value(obj, entry, figures.get(entry.key, 0))
+
+
+def edit(obj: Any, **changes: Any) -> None:
+    """Set properties by key; raises JobError for an unknown key or a bad value, and then changes nothing."""
+    entries = {entry.key: entry for entry in obj.Proxy.PROPERTIES if not entry.output}
+    unknown = sorted(set(changes) - set(entries))
+    if unknown:
+        raise JobError(
+            "unknown-key", f"{obj.Label} has no '{unknown[0]}'", advice=f"it has: {', '.join(sorted(entries))}"
+        )
+    before = {key: getattr(obj, entries[key].name) for key in changes}
+    try:
+        for key, value in changes.items():
+            set_value(obj, entries[key], value)
+    except JobError:
+        for key, old in before.items():
+            setattr(obj, entries[key].name, old)
+        raise
+
+
+def _finite(entry: Property, value: Any) -> float:
+    try:
+        number = float(value)
+    except (TypeError, ValueError):
+        number = math.nan
+    if not math.isfinite(number):
+        raise JobError("bad-value", f"{entry.key} must be a number", value=repr(value), advice="give a finite number")
+    return number
+
+
+def _vector(entry: Property, row: Any) -> Any:
+    import FreeCAD
+
+    numbers = [_finite(entry, number) for number in row]
+    if len(numbers) not in (2, 3):
+        raise JobError("bad-value", f"{entry.key} needs X, Y or X, Y, Z", value=repr(row), advice="give 2 or 3 numbers")
+    return FreeCAD.Vector(*numbers)

@@ -1,0 +1,65 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""CNCStepper_EllipticalPocket: from a drawing that holds one ellipse, or from numbers."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from CNCStepper.workbench.features.base import ANGLE, DISTANCE, ENUMERATION, POSITION, Property, edit
+from CNCStepper.workbench.features.operation import OPERATION, Operation, drawn, parameters
+
+SHAPE = ("Centre", "RadiusX", "RadiusY", "Rotation")
+
+
+class EllipticalPocket(Operation):
+    """The proxy of an elliptical pocket; with a drawing its centre, radii and rotation follow the ellipse in it."""
+
+    Type = "CNCStepper_EllipticalPocket"
+    CYCLE = "elliptical_pocket"
+    PROPERTIES = (
+        *OPERATION,
+        *drawn("Ellipse", "A sketch or wire that holds one ellipse; without it the numbers count"),
+        Property("centre_mm", "Centre", POSITION, "Ellipse", "The centre, from the work zero", (0.0, 0.0, 0.0)),
+        Property("radius_x_mm", "RadiusX", DISTANCE, "Ellipse", "Half the width along the ellipse's first axis", 40.0),
+        Property("radius_y_mm", "RadiusY", DISTANCE, "Ellipse", "Half the width along its second axis", 25.0),
+        Property("rotation_deg", "Rotation", ANGLE, "Ellipse", "From X to the ellipse's first axis", 0.0),
+        Property("depth_mm", "Depth", DISTANCE, "Cut", "The depth of the pocket, ap_total", 10.0),
+        Property("stepdown_mm", "Stepdown", DISTANCE, "Cut", "The depth of one pass at most, ap", 2.0),
+        Property("stepover_mm", "Stepover", DISTANCE, "Cut", "The width of one pass at most, ae", 2.4),
+        Property("finish_stepdown_mm", "FinishStepdown", DISTANCE, "Cut", "The last pass in depth, ap_acab", 0.2),
+        Property("finish_stepover_mm", "FinishStepover", DISTANCE, "Cut", "The last pass at the wall, ae_acab", 0.3),
+        Property("method", "Method", ENUMERATION, "Path", "Arcs within a tolerance, or the published points",
+                 "tolerance", choices=("tolerance", "dda")),
+        Property("tolerance_mm", "Tolerance", DISTANCE, "Path", "How far the wall may be off the ellipse", 0.01),
+        Property("resolution_mm", "Resolution", DISTANCE, "Path", "The step of the published method", 0.05),
+        Property("entry", "Entry", ENUMERATION, "Path", "How the tool goes down", "helix",
+                 choices=("helix", "ramp", "plunge")),
+    )  # fmt: skip
+
+    def cycle_values(self, obj: Any, origin_mm: tuple[float, ...]) -> dict[str, Any]:
+        """Return the parameters, the ellipse taken from the drawing where there is one."""
+        if obj.Drawing is not None:
+            self._follow(obj, origin_mm)
+        content = parameters(obj)
+        content["centre_mm"] = content["centre_mm"][:2]
+        return content
+
+    def _follow(self, obj: Any, origin_mm: tuple[float, ...]) -> None:
+        from CNCStepper.workbench.ellipses import ellipse_of
+
+        ellipse = ellipse_of(obj.Drawing)
+        x, y = ellipse.centre_mm
+        edit(
+            obj,
+            centre_mm=(x - origin_mm[0], y - origin_mm[1]),
+            radius_x_mm=ellipse.radius_x_mm,
+            radius_y_mm=ellipse.radius_y_mm,
+            rotation_deg=ellipse.rotation_deg,
+        )
+
+    def onChanged(self, obj: Any, name: str) -> None:
+        """Let the numbers be typed only where no drawing gives them; FreeCAD calls this at every change."""
+        super().onChanged(obj, name)
+        if name == "Drawing":
+            for shape in set(SHAPE) & set(obj.PropertiesList):
+                obj.setEditorMode(shape, 1 if obj.Drawing is not None else 0)

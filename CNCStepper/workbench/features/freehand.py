@@ -1,0 +1,36 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""CNCStepper_Freehand: points in drawing order become a wire, simplified within a tolerance."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from CNCStepper.workbench import packages
+from CNCStepper.workbench.features.base import BOOL, DISTANCE, INTEGER, POINTS, Feature, Property
+
+
+class Freehand(Feature):
+    """The proxy of a freehand line; its points lie in the object's own plane, which `Placement` sets."""
+
+    Type = "CNCStepper_Freehand"
+    PROPERTIES = (
+        Property("points_mm", "Points", POINTS, "Line", "The points as they were drawn", ()),
+        Property("tolerance_mm", "Tolerance", DISTANCE, "Line",
+                 "The wire stays this close to every drawn point; 0 keeps every point that bends the line", 0.0),
+        Property("closed", "Closed", BOOL, "Line", "Whether the last point joins the first", False),
+        Property("kept", "Kept", INTEGER, "Line", "How many points the wire has", 0, output=True),
+    )  # fmt: skip
+
+    def execute(self, obj: Any) -> None:
+        """Make the wire from the points; raises GeometryError when they make no line."""
+        packages.require("numpy", "shapely")
+        import FreeCAD
+        import Part
+
+        from CNCStepper.workbench.lines import simplified
+
+        height_mm, xy = simplified([tuple(point) for point in obj.Points], float(obj.Tolerance), bool(obj.Closed))
+        placement = obj.Placement
+        obj.Shape = Part.makePolygon([FreeCAD.Vector(x, y, height_mm) for x, y in xy])
+        obj.Placement = placement
+        obj.Kept = len(xy)

@@ -1,0 +1,78 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""CNCStepper_Job: stock, work zero, machine and operations; it holds the program that they make."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from CNCStepper.state import WORK_SYSTEMS
+from CNCStepper.workbench import packages, program_file
+from CNCStepper.workbench.features.base import DISTANCE, ENUMERATION, POSITION, TEXT, Feature, Property, proxy_type
+
+LINKS = "App::PropertyLinkList"
+ORIGINS = ("top-centre", "top-left-front")
+SETUP = {"Clearance", "Retract", "WorkOrigin", "Operations"}  # what an operation's own figures depend on
+
+
+class Job(Feature):
+    """The proxy of a job; `Operations` are cut in their order, heights are above the top of the stock."""
+
+    Type = "CNCStepper_Job"
+    PROPERTIES = (
+        Property("machine", "Machine", TEXT, "Machine", "A shipped profile's name, or a profile's file", "table-a"),
+        Property("dialect", "Dialect", TEXT, "Machine", "The program's dialect; empty: the machine's own", ""),
+        Property("units", "Units", ENUMERATION, "Machine", "Of the written program", "mm", choices=("mm", "inch")),
+        Property("work_offset", "WorkOffset", ENUMERATION, "Machine", "The work coordinate system", "G54",
+                 choices=WORK_SYSTEMS),
+        Property("coolant", "Coolant", ENUMERATION, "Machine", "What is switched on while cutting", "none",
+                 choices=("none", "mist", "flood")),
+        Property("stock_size_mm", "StockSize", POSITION, "Stock", "Length, width and height", (100.0, 70.0, 20.0)),
+        Property("stock_origin", "StockOrigin", ENUMERATION, "Stock", "Where on the stock the work zero lies",
+                 "top-centre", choices=ORIGINS),
+        Property("work_origin_mm", "WorkOrigin", POSITION, "Stock", "Where the work zero lies in this document",
+                 (0.0, 0.0, 0.0)),
+        Property("clearance_mm", "Clearance", DISTANCE, "Heights", "Where rapids travel across the work", 10.0),
+        Property("retract_mm", "Retract", DISTANCE, "Heights", "From here down the tool feeds", 2.0),
+        Property("operations", "Operations", LINKS, "Job", "What is cut, in this order", ()),
+        Property("tools", "Tools", LINKS, "Job", "The tools that operations may choose from", ()),
+        Property("program", "Program", "App::PropertyFileIncluded", "Job", "The program, kept in this document",
+                 output=True),
+        Property("message", "Message", TEXT, "Job", "Why there is no program", "", output=True),
+    )  # fmt: skip
+
+    def execute(self, obj: Any) -> None:
+        """Make the program from all active operations; a refusal leaves none, and says why."""
+        try:
+            self._make(obj)
+        except Exception as error:
+            self.invalidate(obj, str(error))
+            raise
+
+    def _make(self, obj: Any) -> None:
+        packages.require()
+        if not active_operations(obj):
+            self.invalidate(obj, "the job has no operations")
+            return
+        from CNCStepper.workbench.making import program
+
+        program_file.store(obj, program(obj))
+        obj.Message = ""
+
+    def invalidate(self, obj: Any, why: str) -> None:
+        """Take the program and its picture back, so that nobody cuts what the drawing no longer says."""
+        program_file.store(obj, "")
+        obj.Message = why
+        for preview in obj.InList:
+            if proxy_type(preview) == "CNCStepper_Preview":
+                preview.Proxy.clear(preview)
+
+    def onChanged(self, obj: Any, name: str) -> None:
+        """Let operations be figured again when what they depend on in the job changes."""
+        if name in SETUP and "Operations" in obj.PropertiesList and "Restore" not in obj.State:
+            for operation in obj.Operations:
+                operation.touch()
+
+
+def active_operations(job: Any) -> list[Any]:
+    """Return the operations that the program holds, in order."""
+    return [operation for operation in job.Operations if operation.Active]

@@ -1,0 +1,100 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What all operations share: a tool, a cycle made from their properties, and a job that cuts them in order."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from CNCStepper.errors import CycleError
+from CNCStepper.workbench import packages
+from CNCStepper.workbench.features.base import (
+    BOOL,
+    CONTAINERS,
+    DRAWING,
+    LINK,
+    Feature,
+    Property,
+    proxy_type,
+    show,
+    values,
+)
+from CNCStepper.workbench.shapes import containers_of
+
+JOB = "CNCStepper_Job"
+OPERATION = (
+    Property("tool", "Tool", LINK, "Operation", "The tool that cuts it"),
+    Property("active", "Active", BOOL, "Operation", "Whether the program holds it", True),
+)
+
+
+def drawn(group: str, text: str) -> tuple[Property, ...]:
+    """Return the properties of an operation that follows a drawing."""
+    return (
+        Property("drawing", "Drawing", DRAWING, group, text),
+        Property("containers", "Containers", CONTAINERS, group, "The parts and bodies that the drawing moves with",
+                 (), output=True),
+    )  # fmt: skip
+
+
+class Operation(Feature):
+    """The proxy of an operation: its properties are its cycle's parameters, under the same keys."""
+
+    CYCLE = ""
+
+    def cycle_values(self, obj: Any, origin_mm: tuple[float, ...]) -> dict[str, Any]:
+        """Return the cycle's parameters; `origin_mm` is where the work zero lies in the document."""
+        raise NotImplementedError
+
+    def cycle(self, obj: Any, origin_mm: tuple[float, ...]) -> Any:
+        """Return the checked cycle of `obj` in work coordinates; raises CycleError, GeometryError or JobError."""
+        packages.require()
+        from CNCStepper.cycles.catalogue import cycle_class
+        from CNCStepper.machine.profile import validated
+
+        content = {"cycle": self.CYCLE, "tool": _tool(obj).Number, **self.cycle_values(obj, origin_mm)}
+        return validated(cycle_class(self.CYCLE), content, obj.Label)
+
+    def execute(self, obj: Any) -> None:
+        """Cut it for trial, as its job would, and show the figures; a refusal takes the job's program back.
+
+        FreeCAD does not recompute what stands on a failed object: without this the job would keep an old program.
+        """
+        try:
+            show(obj, self.figures(obj))
+        except Exception as error:
+            for job in jobs_of(obj):
+                job.Proxy.invalidate(job, f"{obj.Label}: {error}")
+            raise
+
+    def onChanged(self, obj: Any, name: str) -> None:
+        """Stand on what the drawing moves with, too; FreeCAD calls this at every change."""
+        if name == "Drawing" and "Containers" in obj.PropertiesList and "Restore" not in obj.State:
+            obj.Containers = containers_of(obj.Drawing)
+
+    def figures(self, obj: Any) -> dict[str, float]:
+        """Return what the cycle reports (recalculated ae and ap, passes); nothing while it belongs to no job."""
+        jobs = jobs_of(obj)
+        origin_mm = tuple(jobs[0].WorkOrigin) if jobs else (0.0, 0.0, 0.0)
+        cycle = self.cycle(obj, origin_mm)
+        if not jobs:
+            return {}
+        from CNCStepper.workbench.making import trial
+
+        return trial(jobs[0], _tool(obj), cycle).figures
+
+
+def parameters(obj: Any, *without: str) -> dict[str, Any]:
+    """Return the values of `obj` that are its cycle's own parameters."""
+    apart = {"tool", "active", "drawing", *without}
+    return {key: value for key, value in values(obj).items() if key not in apart}
+
+
+def jobs_of(obj: Any) -> list[Any]:
+    """Return the jobs that hold an operation (one, unless a user linked it twice)."""
+    return [other for other in obj.InList if proxy_type(other) == JOB]
+
+
+def _tool(obj: Any) -> Any:
+    if proxy_type(obj.Tool) != "CNCStepper_Tool":
+        raise CycleError("tool-missing", f"{obj.Label} has no tool", advice="choose one of the job's tools for it")
+    return obj.Tool

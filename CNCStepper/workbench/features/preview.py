@@ -1,0 +1,42 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""CNCStepper_Preview: FreeCAD's own Path object, showing what a job's program text says.
+
+It is only looked at: nothing ever reads the program back from it.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from CNCStepper.workbench import packages, program_file
+from CNCStepper.workbench.features.base import LINK, Feature, Property
+
+
+class Preview(Feature):
+    """The proxy of a preview; it stands on its job and is placed at the job's work zero."""
+
+    Type = "CNCStepper_Preview"
+    PROPERTIES = (Property("job", "Job", LINK, "Preview", "The job whose program is shown"),)
+
+    def execute(self, obj: Any) -> None:
+        """Read the program text and show it."""
+        text = program_file.load(obj.Job) if obj.Job is not None else ""
+        if not text:
+            self.clear(obj)
+            return
+        packages.require()
+        import Path
+
+        from CNCStepper.workbench.making import read_back
+        from CNCStepper.workbench.picture import commands
+
+        obj.Path = Path.Path([Path.Command(name, words) for name, words in commands(read_back(obj.Job, text))])
+        placement = obj.Placement
+        placement.Base = obj.Job.WorkOrigin
+        obj.Placement = placement
+
+    def clear(self, obj: Any) -> None:
+        """Show nothing."""
+        import Path
+
+        obj.Path = Path.Path()

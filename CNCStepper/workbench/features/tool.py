@@ -1,0 +1,38 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""CNCStepper_Tool: a cutter and what it may do, linked by the operations that use it."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from CNCStepper.workbench import packages
+from CNCStepper.workbench.features.base import DISTANCE, ENUMERATION, INTEGER, SPEED, Feature, Property, values
+
+SHAPES = ("flat", "ball", "bullnose", "v", "drill", "engraver")
+
+
+class Tool(Feature):
+    """The proxy of a tool; its keys are those of a job file's `[[tool]]`."""
+
+    Type = "CNCStepper_Tool"
+    PROPERTIES = (
+        Property("number", "Number", INTEGER, "Tool", "The T word of the program", 1),
+        Property("shape", "ToolShape", ENUMERATION, "Tool", "The form of the cutter", "flat", choices=SHAPES),
+        Property("diameter_mm", "Diameter", DISTANCE, "Tool", "The diameter of the cutter", 6.0),
+        Property("feed_mm_min", "Feed", SPEED, "Cutting", "The speed of cutting moves", 800.0),
+        Property("plunge_mm_min", "Plunge", SPEED, "Cutting", "The speed straight down", 200.0),
+        Property("spindle_rpm", "SpindleSpeed", "App::PropertyFloat", "Cutting", "Spindle turns a minute", 10000.0),
+    )
+
+    def execute(self, obj: Any) -> None:
+        """Check the values; raises JobError that names the one that cannot be."""
+        model_of(obj)
+
+
+def model_of(obj: Any) -> Any:
+    """Return a tool object as `machine.tool.Tool`; raises JobError."""
+    packages.require()
+    from CNCStepper.machine.profile import validated
+    from CNCStepper.machine.tool import Tool as Model
+
+    return validated(Model, values(obj), obj.Label)

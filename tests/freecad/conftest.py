@@ -1,0 +1,30 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""These tests run inside FreeCAD (see run.py); tests/test_in_freecad.py starts them there."""
+
+from __future__ import annotations
+
+import importlib.util
+
+INSIDE = importlib.util.find_spec("FreeCAD") is not None
+collect_ignore_glob = [] if INSIDE else ["test_*.py"]
+
+if INSIDE:
+    import locale
+    from collections.abc import Iterator
+    from typing import Any
+
+    import FreeCAD
+    import pytest
+
+    @pytest.fixture(autouse=True, scope="session")
+    def environment_s_locale() -> None:
+        """Let the C library write numbers as the user's locale does; FreeCAD starts with a decimal point."""
+        locale.setlocale(locale.LC_ALL, "")
+
+    @pytest.fixture
+    def document() -> Iterator[Any]:
+        """A new document, closed afterwards."""
+        made = FreeCAD.newDocument("Test")
+        yield made
+        if made.Name in FreeCAD.listDocuments():
+            FreeCAD.closeDocument(made.Name)

@@ -1,0 +1,36 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Runs this folder's tests inside FreeCAD's own process: `freecadcmd tests/freecad/run.py -M CHECKOUT`.
+
+FreeCAD has then run Init.py, which makes pytest reachable too. freecadcmd swallows an uncaught
+exception and runs the script once more, so the process is ended here, whatever happens. Arguments for
+pytest come in the environment variable CNCSTEPPER_PYTEST, separated by newlines.
+"""
+
+import os
+import sys
+import traceback
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+
+
+def main() -> int:
+    """Return pytest's exit status."""
+    import FreeCAD
+    import pytest
+
+    sys.argv = ["pytest"]
+    print("FreeCAD", ".".join(FreeCAD.Version()[:3]), "Python", sys.version.split()[0], flush=True)
+    extra = [argument for argument in os.environ.get("CNCSTEPPER_PYTEST", "").split("\n") if argument]
+    return int(pytest.main(["-p", "no:cacheprovider", *(extra or [str(HERE)])]))
+
+
+status = 1
+try:
+    status = main()
+except BaseException:
+    traceback.print_exc()
+finally:
+    sys.stdout.flush()
+    sys.stderr.flush()
+    os._exit(status)
