@@ -35,11 +35,13 @@ class Removal:
 
     region: shapely polygon(s) whose boundary lies within 0.0005 mm of the true shape. An engraving
     wants its line at its depth: there `region` is the line itself (no area) and the tool makes the width.
+    tolerance_mm: how far from it the cycle promises to stay; a check refuses what leaves it.
     """
 
     region: BaseGeometry
     top_mm: float
     bottom_mm: float
+    tolerance_mm: float = 0.01
 
 
 @dataclass(frozen=True)
