@@ -1,0 +1,125 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The axes of the virtual machine: the planner's live object, positions, and the switches at the ends."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from CNCStepper.machine.profile import AXIS_NAMES
+from CNCStepper.motion.limits import Limits
+from CNCStepper.motion.live import Motion
+from CNCStepper.virtual.grbl.settings import STEPS, TRAVEL, Settings
+from CNCStepper.virtual.grbl.words import f32
+
+
+class Axes:
+    """Where the machine is, in steps, and what it is doing.
+
+    `_lost`: true place minus reported place, steps: at power-up the table stands in the middle of its
+    travel and reports 0, until homing finds the truth.
+    """
+
+    def __init__(self, settings: Settings):
+        self._settings = settings
+        self._steps_per_mm = self._resolutions()
+        self._motion = Motion(Limits.of(settings.profile()))
+        self._lost = [
+            round(-travel / 2 * steps) for travel, steps in zip(self._travels(), self._steps_per_mm, strict=True)
+        ]
+
+    @property
+    def room(self) -> int:
+        """Free blocks of the planner."""
+        return self._motion.room
+
+    @property
+    def idle(self) -> bool:
+        """Whether no move is left to make."""
+        return self._motion.idle
+
+    @property
+    def stopped(self) -> bool:
+        """Whether a hold has come to its end."""
+        return self._motion.idle or self._motion.state == "held"
+
+    @property
+    def rate_mm_min(self) -> float:
+        """The speed along the path."""
+        return self._motion.rate_mm_min
+
+    @property
+    def position_steps(self) -> tuple[int, ...]:
+        """Machine position in steps."""
+        return tuple(int(steps) for steps in self._motion.position_steps)
+
+    @property
+    def position_mm(self) -> list[float]:
+        """Machine position in mm, as 32-bit floats."""
+        return self.mm_of(self.position_steps)
+
+    def mm_of(self, steps: Iterable[int]) -> list[float]:
+        """Return a position in mm."""
+        return [f32(count / per_mm) for count, per_mm in zip(steps, self._steps_per_mm, strict=True)]
+
+    def step_mm(self, axis: int) -> float:
+        """Return the length of one step."""
+        return 1 / self._steps_per_mm[axis]
+
+    def line(self, target_mm: list[float], feed_mm_min: float, rapid: bool) -> None:
+        """Queue a straight move; there must be room."""
+        self._motion.line(target_mm, feed_mm_min, rapid)
+
+    def advance(self, dt_s: float) -> None:
+        """Move on by `dt_s` seconds."""
+        self._motion.advance(dt_s)
+
+    def hold(self) -> None:
+        """Begin to slow down to a stop on the path."""
+        self._motion.hold()
+
+    def resume(self) -> None:
+        """Go on after a hold."""
+        self._motion.resume()
+
+    def reset(self) -> None:
+        """Stop at once and forget all moves."""
+        self._motion.reset()
+
+    def override(self, feed_percent: int, rapid_percent: int) -> None:
+        """Change the speeds, also of moves under way."""
+        self._motion.override(feed_percent / 100, rapid_percent / 100)
+
+    def adopt_settings(self) -> None:
+        """Take over resolutions, rates and accelerations; the position in steps stays. No move may be queued."""
+        self._steps_per_mm = self._resolutions()
+        self._stand_at(self.position_steps)
+
+    def set_position(self, axis: int, position_mm: float) -> None:
+        """Declare where an axis is; it does not move."""
+        steps = list(self.position_steps)
+        before = steps[axis]
+        steps[axis] = round(position_mm * self._steps_per_mm[axis])
+        self._lost[axis] += before - steps[axis]
+        self._stand_at(tuple(steps))
+
+    def to_switch_mm(self, axis: int, low: bool) -> float:
+        """Return the way from here to the switch at the low or the high end of an axis, signed."""
+        end_steps = -self._travels()[axis] * self._steps_per_mm[axis] if low else 0.0
+        return (end_steps - self.position_steps[axis] - self._lost[axis]) / self._steps_per_mm[axis]
+
+    def pressed_switches(self) -> list[str]:
+        """Return the names of the axes that stand on or beyond one of their switches."""
+        return [
+            name.upper()
+            for axis, name in enumerate(AXIS_NAMES)
+            if self.to_switch_mm(axis, low=True) >= 0 or self.to_switch_mm(axis, low=False) <= 0
+        ]
+
+    def _stand_at(self, steps: tuple[int, ...]) -> None:
+        self._motion = Motion(Limits.of(self._settings.profile()), steps)
+
+    def _resolutions(self) -> list[float]:
+        return [self._settings[STEPS + axis] for axis in range(3)]
+
+    def _travels(self) -> list[float]:
+        return [self._settings[TRAVEL + axis] for axis in range(3)]

@@ -1,0 +1,100 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The real-time bytes: they act where they stand, also in the middle of a line or of a comment."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+from CNCStepper.virtual.grbl.codes import ALARM_HOMING_DOOR
+from CNCStepper.virtual.grbl.overrides import (
+    FEED_CHANGES,
+    FEED_NORMAL,
+    RAPID_VALUES,
+    SPINDLE_CHANGES,
+    SPINDLE_NORMAL,
+)
+from CNCStepper.virtual.grbl.states import State
+
+if TYPE_CHECKING:
+    from CNCStepper.virtual.grbl.machine import Grbl
+
+FIRST_EXTENDED = 0x80  # from here on a byte that is no command is thrown away
+RESET, STATUS, START, HOLD, DOOR, JOG_CANCEL, SPINDLE_STOP, FLOOD = 0x18, 0x3F, 0x7E, 0x21, 0x84, 0x85, 0x9E, 0xA0
+
+
+def _reset(machine: Grbl, byte: int) -> None:
+    machine.reset()
+
+
+def _status(machine: Grbl, byte: int) -> None:
+    machine.send(machine.status.line(machine))
+
+
+def _start(machine: Grbl, byte: int) -> None:
+    if machine.suspension.active:
+        machine.suspension.resume(machine)
+    else:
+        machine.start_cycle()
+
+
+def _hold(machine: Grbl, byte: int) -> None:
+    state = machine.state
+    if state in (State.IDLE, State.RUN, State.JOG):
+        machine.suspension.hold(machine)
+        if state is not State.JOG:
+            machine.state = State.HOLD
+
+
+def _jog_cancel(machine: Grbl, byte: int) -> None:
+    if machine.state is State.JOG:
+        machine.suspension.hold(machine)
+
+
+def _door(machine: Grbl, byte: int) -> None:
+    if machine.state is State.HOME:
+        machine.stop_at_once()
+        machine.alarm(ALARM_HOMING_DOOR)
+        machine.reset()
+    elif machine.state not in (State.ALARM, State.CHECK, State.SLEEP):
+        machine.send("[MSG:Check Door]")
+        suspension = machine.suspension
+        suspension.restoring_s = None
+        suspension.door = True
+        suspension.hold(machine)
+        if machine.state is not State.JOG:
+            machine.state = State.DOOR
+        if suspension.stopped:
+            suspension.switch_off(machine)
+
+
+def _override(machine: Grbl, byte: int) -> None:
+    if machine.overrides.apply(byte):
+        machine.status.overrides_changed()
+        machine.override_motion()
+
+
+def _spindle_stop(machine: Grbl, byte: int) -> None:
+    if machine.state is State.HOLD and machine.suspension.stopped:
+        machine.suspension.toggle_spindle(machine)
+
+
+def _flood(machine: Grbl, byte: int) -> None:
+    if machine.state in (State.IDLE, State.RUN, State.HOLD, State.JOG):
+        machine.flood = machine.parser.modal.flood = not machine.parser.modal.flood
+        machine.status.overrides_changed()
+
+
+Command = Callable[["Grbl", int], None]
+OVERRIDES = (FEED_NORMAL, *FEED_CHANGES, *RAPID_VALUES, SPINDLE_NORMAL, *SPINDLE_CHANGES)
+COMMANDS: dict[int, Command] = {
+    RESET: _reset,
+    STATUS: _status,
+    START: _start,
+    HOLD: _hold,
+    DOOR: _door,
+    JOG_CANCEL: _jog_cancel,
+    SPINDLE_STOP: _spindle_stop,
+    FLOOD: _flood,
+    **dict.fromkeys(OVERRIDES, _override),
+}

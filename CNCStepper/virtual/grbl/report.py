@@ -1,0 +1,147 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What the firmware prints: status, parameters, parser state, messages."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import TYPE_CHECKING
+
+from CNCStepper.units import inch_from_mm
+from CNCStepper.virtual.grbl.block import PROBE_TOWARD, Modal, Parser, Z
+from CNCStepper.virtual.grbl.memory import Memory
+from CNCStepper.virtual.grbl.settings import INCHES, REPORTS_BUFFER, REPORTS_MPOS, Settings
+from CNCStepper.virtual.grbl.states import BUSY
+from CNCStepper.virtual.grbl.words import f32
+
+if TYPE_CHECKING:
+    from CNCStepper.virtual.grbl.machine import Grbl
+
+BANNER = "\r\nGrbl 1.1h ['$' for help]"
+HELP = "[HLP:$$ $# $G $I $N $x=val $Nx=line $J=line $SLP $C $X $H ~ ! ? ctrl-x]"
+BUILD = ("[VER:1.1h.20190830:{}]", "[OPT:V,15,128]")
+OFFSET_EVERY_BUSY, OFFSET_EVERY_IDLE = 30, 10  # reports between two WCO fields
+OVERRIDES_EVERY_BUSY, OVERRIDES_EVERY_IDLE = 20, 10
+
+
+def fixed(value: float, decimals: int) -> str:
+    """Return a number as the firmware prints it: halves up, in 32-bit steps, a minus even before zero."""
+    scaled = f32(abs(value))
+    for _ in range(decimals // 2):
+        scaled = f32(scaled * 100)
+    if decimals % 2:
+        scaled = f32(scaled * 10)
+    digits = str(int(f32(scaled + 0.5))).rjust(decimals + 1, "0")
+    text = f"{digits[:-decimals]}.{digits[-decimals:]}" if decimals else digits
+    return "-" + text if value < 0 else text
+
+
+def coordinates(values_mm: Iterable[float], settings: Settings) -> str:
+    """Return positions as the firmware prints them: three decimals, or four in inches."""
+    if settings.on(INCHES):
+        return ",".join(fixed(inch_from_mm(value), 4) for value in values_mm)
+    return ",".join(fixed(value, 3) for value in values_mm)
+
+
+def rate(value_mm_min: float, settings: Settings) -> str:
+    """Return a speed as the firmware prints it: whole mm/min, or a decimal of an inch."""
+    return fixed(inch_from_mm(value_mm_min), 1) if settings.on(INCHES) else fixed(value_mm_min, 0)
+
+
+def work_offset(parser: Parser) -> list[float]:
+    """Return machine minus work position, mm."""
+    offset = [system + g92 for system, g92 in zip(parser.system_offset, parser.g92, strict=True)]
+    offset[Z] += parser.tool_length
+    return offset
+
+
+def parser_state(parser: Parser, settings: Settings) -> str:
+    """Return the answer to `$G`."""
+    modal = parser.modal
+    words = (
+        _motion_word(modal),
+        f"G{modal.system} G{modal.plane} G{modal.units} G{modal.distance} G{modal.feed_mode} M{modal.spindle}",
+        f"{'M8' if modal.flood else 'M9'} T{parser.tool} F{rate(parser.feed, settings)} S{fixed(parser.rpm, 0)}",
+    )
+    return f"[GC:{' '.join(words)}]"
+
+
+def _motion_word(modal: Modal) -> str:
+    return f"G38.{modal.motion % 10}" if modal.motion >= PROBE_TOWARD else f"G{modal.motion}"
+
+
+def probe_result(position_mm: Iterable[float], found: bool, settings: Settings) -> str:
+    """Return the `[PRB:]` line."""
+    return f"[PRB:{coordinates(position_mm, settings)}:{int(found)}]"
+
+
+def parameters(machine: Grbl) -> list[str]:
+    """Return the answer to `$#`."""
+    settings, parser = machine.memory.settings, machine.parser
+    lines = [f"[G{place}:{coordinates(values, settings)}]" for place, values in machine.memory.places.items()]
+    lines.append(f"[G92:{coordinates(parser.g92, settings)}]")
+    lines.append(f"[TLO:{coordinates([parser.tool_length], settings)}]")
+    lines.append(probe_result(machine.axes.mm_of(machine.probe.contact_steps), machine.probe.found, settings))
+    return lines
+
+
+def build_info(memory: Memory) -> list[str]:
+    """Return the answer to `$I`."""
+    return [line.format(memory.build_text) for line in BUILD]
+
+
+class StatusReport:
+    """The answer to `?`; it counts reports, because offsets and overrides come only now and then."""
+
+    def __init__(self) -> None:
+        self._reports_to_offset = 0
+        self._reports_to_overrides = 0
+
+    def offset_changed(self) -> None:
+        """Let the next report carry WCO."""
+        self._reports_to_offset = 0
+
+    def overrides_changed(self) -> None:
+        """Let the next report carry Ov."""
+        self._reports_to_overrides = 0
+
+    def line(self, machine: Grbl) -> str:
+        """Return one status report."""
+        fields = [machine.state_text(), _position(machine)]
+        if machine.memory.settings.reports(REPORTS_BUFFER):
+            fields.append(f"Bf:{machine.axes.room},{machine.ring.free}")
+        speed_mm_min = machine.axes.rate_mm_min if machine.state in BUSY else 0.0
+        fields.append(f"FS:{rate(speed_mm_min, machine.memory.settings)},{fixed(machine.spindle.rpm, 0)}")
+        pins = machine.pins()
+        if pins:
+            fields.append(f"Pn:{pins}")
+        return f"<{'|'.join(fields + self._occasional(machine))}>"
+
+    def _occasional(self, machine: Grbl) -> list[str]:
+        busy = machine.state in BUSY
+        fields = []
+        if self._reports_to_offset:
+            self._reports_to_offset -= 1
+        else:
+            self._reports_to_offset = (OFFSET_EVERY_BUSY if busy else OFFSET_EVERY_IDLE) - 1
+            self._reports_to_overrides = self._reports_to_overrides or 1  # one of the two a report
+            fields.append(f"WCO:{coordinates(work_offset(machine.parser), machine.memory.settings)}")
+        if self._reports_to_overrides:
+            self._reports_to_overrides -= 1
+        else:
+            self._reports_to_overrides = (OVERRIDES_EVERY_BUSY if busy else OVERRIDES_EVERY_IDLE) - 1
+            fields += _overrides(machine)
+        return fields
+
+
+def _position(machine: Grbl) -> str:
+    settings, position = machine.memory.settings, machine.axes.position_mm
+    if settings.reports(REPORTS_MPOS):
+        return f"MPos:{coordinates(position, settings)}"
+    offset = work_offset(machine.parser)
+    return f"WPos:{coordinates((here - off for here, off in zip(position, offset, strict=True)), settings)}"
+
+
+def _overrides(machine: Grbl) -> list[str]:
+    overrides = machine.overrides
+    outputs = {3: "S", 4: "C"}.get(machine.spindle.direction, "") + ("F" if machine.flood else "")
+    return [f"Ov:{overrides.feed},{overrides.rapid},{overrides.spindle}", *([f"A:{outputs}"] if outputs else [])]

@@ -1,0 +1,149 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The virtual grbl as a program: a board, its serial line and its clock behind a port.
+
+The board is powered up when the first client comes, so that the client reads the greeting. Later
+clients find it as the last one left it: opening the port does not reset it (a real board does, where
+the serial adapter's DTR line is wired to its reset).
+
+Simulated time runs `speed` times as fast as the clock on the wall, in small steps with a look at the
+port between them. A server that was kept waiting by the system does not make up for the time lost,
+or its client could not follow.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import signal
+import threading
+import time
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+from CNCStepper.errors import LinkError
+from CNCStepper.machine.profile import Machine
+from CNCStepper.virtual.grbl.link import Link
+from CNCStepper.virtual.grbl.machine import Grbl
+from CNCStepper.virtual.grbl.ports import Port, PtyPort, TcpPort
+from CNCStepper.virtual.grbl.trace import Trace
+
+STEP_S, LONGEST_STEP_S = 0.001, 0.002  # of simulated time: at normal speed, and above
+QUIET_WAIT_S = 0.02
+POWER_UP_S = 0.1  # a client that opens a port throws away what came before
+LONGEST_LAG_S = 0.02  # of real time, made up for at once
+
+
+class Server:
+    """Runs a board behind a port until `stop` is called."""
+
+    def __init__(self, link: Link, port: Port, speed: float = 1.0, trace: Trace | None = None):
+        self._link = link
+        self._port = port
+        self._speed = speed
+        self._trace = trace
+        self._stopping = False
+        self._step_s = STEP_S if speed <= 1 else LONGEST_STEP_S
+
+    def stop(self) -> None:
+        """Let `run` return; may be called from a signal handler or another thread."""
+        self._stopping = True
+
+    def run(self) -> None:
+        """Serve until stopped."""
+        self._wait_for_first_client()
+        due_s, last = 0.0, time.monotonic()
+        while not self._stopping:
+            self._exchange(QUIET_WAIT_S if self._link.quiet else max(self._step_s - due_s, 0.0) / self._speed)
+            now = time.monotonic()
+            due_s += min(now - last, LONGEST_LAG_S) * self._speed
+            last = now
+            due_s = self._advance(due_s)
+
+    def _wait_for_first_client(self) -> None:
+        while not self._stopping and not self._port.connected and not self._port.wait(QUIET_WAIT_S):
+            pass
+        time.sleep(POWER_UP_S)
+
+    def _advance(self, due_s: float) -> float:
+        """Let the time due pass; return what is left, less than a step."""
+        while due_s >= self._step_s and not self._stopping:
+            step_s = due_s if self._link.quiet else self._step_s
+            self._link.advance(step_s)
+            if self._trace:
+                self._trace.note(self._link.board)
+            due_s -= step_s
+            self._exchange(0.0)
+        return due_s
+
+    def _exchange(self, timeout_s: float) -> None:
+        """Send what has come from the board, then take what the client has for it."""
+        output = self._link.receive()
+        if output:
+            self._port.write(output)
+        room = self._link.room
+        if not room:
+            time.sleep(timeout_s)
+        elif self._port.wait(timeout_s):
+            self._link.send(self._port.read(room))
+
+
+def serve(
+    machine: Machine,
+    *,
+    pty: str | Path | None = None,
+    tcp: str | None = None,
+    speed: float = 1.0,
+    baud: int = 115200,
+    trace: str | Path | None = None,
+    homing: bool = False,
+    probe_height_mm: float | None = None,
+    ready: Callable[[str], None] | None = None,
+) -> None:
+    """Be a grbl 1.1h on `machine` until SIGTERM or SIGINT comes.
+
+    pty: path that becomes a link to a pseudo-terminal. tcp: "HOST:PORT", port 0 for any that is free.
+    speed: simulated seconds in a real one. baud: of the serial line, in simulated time. trace: CSV file
+    for the path of the axes. homing: $22=1, locked at power-up. probe_height_mm: machine height of a
+    probe plate. ready: called with the address (path, or socket://HOST:PORT) once clients may come.
+    Raises LinkError when the port cannot be opened or a value makes no sense; nothing is left behind.
+    """
+    _check(speed, baud, pty, tcp)
+    with contextlib.ExitStack() as stack:
+        record = stack.enter_context(contextlib.closing(Trace(trace))) if trace else None
+        port: Port = PtyPort(str(pty)) if pty else _tcp_port(str(tcp))
+        stack.callback(port.close)
+        link = Link(Grbl(machine, homing=homing, probe_height_mm=probe_height_mm), baud)
+        server = Server(link, port, speed, record)
+        stack.enter_context(_stopped_by_signals(server))
+        if ready:
+            ready(port.address)
+        server.run()
+
+
+def _check(speed: float, baud: int, pty: object, tcp: object) -> None:
+    if (pty is None) == (tcp is None):
+        raise LinkError("port-choice", "the virtual machine needs one port", advice="give either --pty or --tcp")
+    if not 0 < speed <= 1000:
+        raise LinkError("speed", "the speed is out of range", value=f"{speed:g}", limit="above 0, up to 1000")
+    if not 300 <= baud <= 10_000_000:
+        raise LinkError("baud", "the baud rate is out of range", value=str(baud), limit="300 to 10000000")
+
+
+def _tcp_port(address: str) -> TcpPort:
+    host, _, port = address.rpartition(":")
+    if not port.isdecimal() or int(port) > 65535:
+        raise LinkError("tcp-address", f"'{address}' is not an address", advice="write HOST:PORT, as 127.0.0.1:2300")
+    return TcpPort(host or "127.0.0.1", int(port))
+
+
+@contextlib.contextmanager
+def _stopped_by_signals(server: Server) -> Iterator[None]:
+    """Let SIGTERM and SIGINT stop the server; signals reach only the main thread."""
+    if threading.current_thread() is not threading.main_thread():
+        yield
+        return
+    before = {number: signal.signal(number, lambda *_: server.stop()) for number in (signal.SIGTERM, signal.SIGINT)}
+    try:
+        yield
+    finally:
+        for number, handler in before.items():
+            signal.signal(number, handler)

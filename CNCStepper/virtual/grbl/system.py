@@ -1,0 +1,153 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The `$` commands."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+from CNCStepper.virtual.grbl import execute, homing, report
+from CNCStepper.virtual.grbl.codes import refused
+from CNCStepper.virtual.grbl.settings import HOMING
+from CNCStepper.virtual.grbl.states import State
+from CNCStepper.virtual.grbl.words import read_number
+
+if TYPE_CHECKING:
+    from CNCStepper.virtual.grbl.machine import Grbl, Waiting
+
+LARGEST_SETTING = 255
+
+
+def run(machine: Grbl, line: str) -> Waiting:
+    """Carry out a `$` line; raises MachineRefusal."""
+    state = machine.state
+    if line.startswith("$J"):
+        if state not in (State.IDLE, State.JOG):
+            raise refused(8)
+        if not line.startswith("$J="):
+            raise refused(3)
+        yield from execute.jog(machine, line)
+    elif line[:2] in AT_ANY_TIME:
+        if len(line) > 2:
+            raise refused(3)
+        AT_ANY_TIME[line[:2]](machine)
+    elif line == "$":
+        machine.send(report.HELP)
+    elif state not in (State.IDLE, State.ALARM):
+        raise refused(8)
+    elif line.startswith("$H"):
+        yield from _home(machine, line)
+    elif line.startswith("$N") and len(line) > 2:
+        yield from _store_startup_line(machine, line)
+    else:
+        _run_at_rest(machine, line)
+
+
+def _list_settings(machine: Grbl) -> None:
+    if machine.state in (State.RUN, State.HOLD):
+        raise refused(8)
+    for line in machine.memory.settings.lines():
+        machine.send(line)
+
+
+def _show_parser(machine: Grbl) -> None:
+    machine.send(report.parser_state(machine.parser, machine.memory.settings))
+
+
+def _toggle_check(machine: Grbl) -> None:
+    if machine.state is State.CHECK:
+        machine.afterwards(machine.reset)
+        machine.send("[MSG:Disabled]")
+    elif machine.state is State.IDLE:
+        machine.state = State.CHECK
+        machine.send("[MSG:Enabled]")
+    else:
+        raise refused(8)
+
+
+def _unlock(machine: Grbl) -> None:
+    if machine.state is State.ALARM:
+        machine.state = State.IDLE
+        machine.send("[MSG:Caution: Unlocked]")
+
+
+AT_ANY_TIME: dict[str, Callable[[Grbl], None]] = {
+    "$$": _list_settings,
+    "$G": _show_parser,
+    "$C": _toggle_check,
+    "$X": _unlock,
+}
+
+
+def _home(machine: Grbl, line: str) -> Waiting:
+    if not machine.memory.settings.on(HOMING):
+        raise refused(5)
+    if line != "$H":
+        raise refused(3)
+    yield from homing.run(machine)
+    yield from machine.run_startup_lines()
+
+
+def _run_at_rest(machine: Grbl, line: str) -> None:
+    """Commands that need the machine idle or locked."""
+    if line.startswith("$RST="):
+        _restore(machine, line)
+    elif line.startswith("$I="):
+        machine.memory.build_text = line[3:]
+    elif line in LISTS:
+        for answer in LISTS[line](machine):
+            machine.send(answer)
+    elif line == "$SLP":
+        machine.afterwards(machine.sleep)
+    elif line[1].isalpha() or line[1] == "#":
+        raise refused(3)
+    else:
+        _store_setting(machine, line)
+
+
+LISTS: dict[str, Callable[[Grbl], list[str]]] = {
+    "$#": report.parameters,
+    "$I": lambda machine: report.build_info(machine.memory),
+    "$N": lambda machine: [f"$N{number}={line}" for number, line in enumerate(machine.memory.startup_lines)],
+}
+
+
+def _restore(machine: Grbl, line: str) -> None:
+    memory = machine.memory
+    whats = {"$": memory.settings.restore, "#": memory.clear_places, "*": memory.clear_all}
+    what = line[len("$RST=") :]
+    if what not in whats:
+        raise refused(3)
+    whats[what]()
+    machine.send("[MSG:Restoring defaults]")
+    machine.afterwards(machine.reset)
+
+
+def _store_startup_line(machine: Grbl, line: str) -> Waiting:
+    """`$N0=` and `$N1=`: the line is run to see that it is valid, then kept."""
+    if machine.state is not State.IDLE:
+        raise refused(8)
+    number, value_at = _number_before_equals(line, 2)
+    if number >= len(machine.memory.startup_lines):
+        raise refused(3)
+    if line[value_at:]:
+        yield from execute.run(machine, line[value_at:])
+    machine.memory.startup_lines[int(number)] = line[value_at:]
+
+
+def _store_setting(machine: Grbl, line: str) -> None:
+    number, value_at = _number_before_equals(line, 1)
+    value, end = read_number(line, value_at)
+    if end < len(line) or number > LARGEST_SETTING:
+        raise refused(3)
+    machine.memory.settings.store(int(number), value)
+    machine.axes.adopt_settings()
+    machine.override_motion()
+    machine.status.offset_changed()
+
+
+def _number_before_equals(line: str, position: int) -> tuple[float, int]:
+    number, position = read_number(line, position)
+    if line[position : position + 1] != "=":
+        raise refused(3)
+    return number, position + 1

@@ -1,0 +1,194 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The virtual grbl behind a TCP port and a pseudo-terminal, in a process of its own."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import re
+import signal
+import socket
+import subprocess
+import sys
+import time
+from collections.abc import Iterator
+from itertools import pairwise
+from pathlib import Path
+
+import pytest
+import serial
+
+from CNCStepper.errors import LinkError
+from CNCStepper.machine.profile import Machine
+from CNCStepper.virtual.grbl.server import serve
+
+LIMIT_S = 10.0
+PROGRAM = """
+import sys
+from CNCStepper.machine.profile import load_machine
+from CNCStepper.virtual.grbl.server import serve
+serve(load_machine("table-a"), ready=lambda address: print(address, flush=True), **eval(sys.argv[1]))
+"""
+
+
+@contextlib.contextmanager
+def serving(**options: object) -> Iterator[tuple[str, subprocess.Popen]]:
+    """Yield the address of a virtual grbl and its process; it must have ended well afterwards."""
+    process = subprocess.Popen(
+        [sys.executable, "-c", PROGRAM, repr(options)], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
+    )
+    try:
+        assert process.stdout
+        address = process.stdout.readline().strip()
+        assert address, process.stderr and process.stderr.read()
+        yield address, process
+    finally:
+        process.send_signal(signal.SIGTERM)
+        _, errors = process.communicate(timeout=LIMIT_S)
+        assert (process.returncode, errors) == (0, "")
+
+
+def read_until(link: serial.SerialBase, last: str) -> str:
+    """Read until a line begins with `last`; return all that came."""
+    said, end_s = "", time.monotonic() + LIMIT_S
+    while not any(line.startswith(last) for line in said.splitlines()) or not said.endswith("\n"):
+        assert time.monotonic() < end_s, said
+        said += link.read(link.in_waiting or 1).decode("ascii")
+    return said
+
+
+def opened(address: str) -> serial.SerialBase:
+    return serial.serial_for_url(address, baudrate=115200, timeout=0.05)
+
+
+def test_one_conversation_over_both_kinds_of_port(tmp_path: Path) -> None:
+    for options in ({"tcp": "127.0.0.1:0"}, {"pty": str(tmp_path / "port")}):
+        with serving(speed=20, **options) as (address, _), opened(address) as link:
+            read_until(link, "Grbl 1.1h")
+            link.write(b"G10 L20 P1 X5\n")
+            assert read_until(link, "ok") == "ok\r\n"
+            link.write(b"?$I\n")
+            assert re.fullmatch(r"<Idle\|MPos:.*>\r\n\[VER.*\r\n\[OPT:V,15,128]\r\nok\r\n", read_until(link, "ok"))
+
+
+def test_pty_link_is_made_and_removed(tmp_path: Path) -> None:
+    path = tmp_path / "port nº 1"
+    with serving(pty=str(path)) as (address, _):
+        assert address == str(path)
+        assert os.readlink(path).startswith("/dev/pts/")
+    assert not path.is_symlink()
+
+
+def test_a_stale_link_is_replaced_and_a_file_is_not(tmp_path: Path, machine: Machine) -> None:
+    (tmp_path / "stale").symlink_to("/dev/pts/987654")
+    with serving(pty=str(tmp_path / "stale")):
+        assert os.readlink(tmp_path / "stale") != "/dev/pts/987654"
+    (tmp_path / "file").write_text("mine")
+    with pytest.raises(LinkError, match="no link can be made"):
+        serve(machine, pty=tmp_path / "file")
+    assert (tmp_path / "file").read_text() == "mine"
+
+
+@pytest.mark.parametrize("kind", ["tcp", "pty"])
+def test_the_machine_goes_on_while_its_client_is_away(tmp_path: Path, kind: str) -> None:
+    where = {"tcp": "127.0.0.1:0"} if kind == "tcp" else {"pty": str(tmp_path / "port")}
+    with serving(speed=10, **where) as (address, _):
+        with opened(address) as link:
+            read_until(link, "Grbl")
+            link.write(b"G1 X10 F600\n")
+            read_until(link, "ok")
+        time.sleep(0.3)  # 3 s of the machine's time
+        with opened(address) as link:
+            link.write(b"?")
+            said = read_until(link, "<")
+            assert said.startswith("<Idle|MPos:10.000,")  # no greeting: opening does not reset
+
+
+def test_a_second_client_is_turned_away() -> None:
+    with serving(tcp="127.0.0.1:0") as (address, _):
+        place = address.removeprefix("socket://").split(":")
+        with opened(address) as link:
+            read_until(link, "Grbl")
+            with socket.create_connection((place[0], int(place[1])), timeout=LIMIT_S) as second:
+                assert second.recv(100) == b""
+            link.write(b"?")
+            read_until(link, "<Idle")
+
+
+def test_bytes_take_their_time_on_the_line() -> None:
+    with serving(tcp="127.0.0.1:0", baud=1200) as (address, _), opened(address) as link:
+        read_until(link, "Grbl")
+        begin_s = time.monotonic()
+        link.write(b"(" + b"c" * 30 + b")\n")  # 33 bytes and 4 back at 120 a second
+        read_until(link, "ok")
+        assert 0.28 < time.monotonic() - begin_s < 1.5
+
+
+def test_speed_scales_time() -> None:
+    with serving(tcp="127.0.0.1:0", speed=20) as (address, _), opened(address) as link:
+        read_until(link, "Grbl")
+        begin_s = time.monotonic()
+        link.write(b"G4 P10\n")
+        read_until(link, "ok")
+        assert 0.45 < time.monotonic() - begin_s < 2.0
+
+
+def test_trace_is_complete_after_the_end(tmp_path: Path) -> None:
+    path = tmp_path / "trace.csv"
+    with serving(tcp="127.0.0.1:0", speed=20, trace=str(path)) as (address, _), opened(address) as link:
+        read_until(link, "Grbl")
+        link.write(b"G1 X3 Y4 F600\nG4 P0\n")
+        read_until(link, "ok")
+        read_until(link, "ok")
+    lines = path.read_text("ascii").splitlines()
+    assert lines[0] == "t_s,x_mm,y_mm,z_mm"
+    rows = [tuple(map(float, line.split(","))) for line in lines[1:]]
+    assert rows[0][1:] == (0.0, 0.0, 0.0)
+    assert rows[-1][1:] == (3.0, 4.0, 0.0)
+    assert all(abs(4 * x - 3 * y) / 5 < 0.0125 for _, x, y, _ in rows)
+    assert all(before[0] <= after[0] for before, after in pairwise(rows))
+
+
+@pytest.mark.parametrize(
+    ("options", "what"),
+    [
+        ({}, "needs one port"),
+        ({"pty": "a", "tcp": "b"}, "needs one port"),
+        ({"tcp": "nowhere"}, "not an address"),
+        ({"tcp": "127.0.0.1:99999"}, "not an address"),
+        ({"tcp": "127.0.0.1:0", "speed": 0}, "speed"),
+        ({"tcp": "127.0.0.1:0", "speed": float("nan")}, "speed"),
+        ({"tcp": "127.0.0.1:0", "baud": 1}, "baud"),
+        ({"tcp": "127.0.0.1:0", "trace": "/no/such/folder/x.csv"}, "cannot be written"),
+        ({"pty": "/no/such/folder/port"}, "no link can be made"),
+    ],
+)
+def test_bad_options_are_refused(machine: Machine, options: dict, what: str) -> None:
+    with pytest.raises(LinkError, match=what):
+        serve(machine, **options)
+
+
+def test_a_port_in_use_is_refused(machine: Machine) -> None:
+    with socket.create_server(("127.0.0.1", 0)) as taken, pytest.raises(LinkError, match="cannot listen"):
+        serve(machine, tcp=f"127.0.0.1:{taken.getsockname()[1]}")
+
+
+def test_without_terminals_the_pty_is_refused(machine: Machine, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(sys.modules, "pty", None)
+    with pytest.raises(LinkError, match="--tcp"):
+        serve(machine, pty="x")
+
+
+def test_imports_without_terminals() -> None:
+    code = (
+        "import sys; sys.modules.update(pty=None, tty=None, termios=None, fcntl=None); "
+        "import CNCStepper.virtual.grbl.server"
+    )
+    subprocess.run([sys.executable, "-c", code], check=True)
+
+
+def test_interrupt_from_the_keyboard_ends_it_without_a_word(tmp_path: Path) -> None:
+    with serving(pty=str(tmp_path / "port")) as (_, process):
+        process.send_signal(signal.SIGINT)
+        assert process.wait(LIMIT_S) == 0
+    assert not (tmp_path / "port").is_symlink()
