@@ -100,6 +100,7 @@ def _add_operation(job: Any, kind: type[Feature], values: dict[str, Any]) -> Any
 
 def _add(document: Any, freecad_type: str, kind: type[Feature], values: dict[str, Any]) -> Any:
     obj = document.addObject(freecad_type, kind.Type)
+    obj.Label = kind.Type.removeprefix("CNCStepper_")
     try:
         kind(obj)
         edit(obj, **values)

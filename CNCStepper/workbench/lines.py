@@ -7,11 +7,11 @@ import numpy as np
 
 from CNCStepper.errors import GeometryError
 from CNCStepper.geometry.curve import from_points
-from CNCStepper.geometry.simplify import simplify
+from CNCStepper.geometry.simplify import simplified
 from CNCStepper.workbench.shapes import FLAT_MM
 
 
-def simplified(points: list[tuple[float, ...]], tolerance_mm: float, closed: bool) -> tuple[float, np.ndarray]:
+def simplified_line(points: list[tuple[float, ...]], tolerance_mm: float, closed: bool) -> tuple[float, np.ndarray]:
     """Return the height of a line's points (X, Y, Z) and those it keeps, float64[n, 2], within the tolerance.
 
     Raises GeometryError for a negative tolerance, points at different heights, or fewer than two places.
@@ -28,4 +28,4 @@ def simplified(points: list[tuple[float, ...]], tolerance_mm: float, closed: boo
             advice="give all points one Z and tilt the line by its Placement",
         )
     curve = from_points(rows[:, :2], closed)
-    return float(rows[0, 2]), simplify(curve, tolerance_mm).xy
+    return float(rows[0, 2]), simplified(curve, tolerance_mm).xy

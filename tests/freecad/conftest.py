@@ -23,8 +23,7 @@ if INSIDE:
 
     @pytest.fixture
     def document() -> Iterator[Any]:
-        """A new document, closed afterwards."""
-        made = FreeCAD.newDocument("Test")
-        yield made
-        if made.Name in FreeCAD.listDocuments():
-            FreeCAD.closeDocument(made.Name)
+        """A new document; all that are open are closed afterwards."""
+        yield FreeCAD.newDocument("Test")
+        for name in list(FreeCAD.listDocuments()):
+            FreeCAD.closeDocument(name)

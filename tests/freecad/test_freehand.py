@@ -91,4 +91,3 @@ def test_it_survives_save_and_reopen(document: Any, tmp_path: Path) -> None:
     api.edit(line, tolerance_mm=0.5)
     again.recompute()
     assert 1 < line.Kept < kept
-    FreeCAD.closeDocument(again.Name)

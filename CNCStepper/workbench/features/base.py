@@ -131,7 +131,8 @@ def show(obj: Any, figures: dict[str, float]) -> None:
     """Set those outputs of an object that are figures: to the one of their key, or to 0."""
     for entry in obj.Proxy.PROPERTIES:
         if entry.output and entry.type in (*NUMBERS, INTEGER):
-            set_value(obj, entry, figures.get(entry.key, 0))
+            figure = figures.get(entry.key, 0)
+            set_value(obj, entry, int(figure) if entry.type == INTEGER else figure)
 
 
 def edit(obj: Any, **changes: Any) -> None:

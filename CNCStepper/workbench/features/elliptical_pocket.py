@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from CNCStepper.workbench.features.base import ANGLE, DISTANCE, ENUMERATION, POSITION, Property, edit
+from CNCStepper.workbench.features.base import ANGLE, DISTANCE, ENUMERATION, INTEGER, POSITION, SPEED, Property, edit
 from CNCStepper.workbench.features.operation import OPERATION, Operation, drawn, parameters
 
 SHAPE = ("Centre", "RadiusX", "RadiusY", "Rotation")
@@ -28,23 +28,28 @@ class EllipticalPocket(Operation):
         Property("stepover_mm", "Stepover", DISTANCE, "Cut", "The width of one pass at most, ae", 2.4),
         Property("finish_stepdown_mm", "FinishStepdown", DISTANCE, "Cut", "The last pass in depth, ap_acab", 0.2),
         Property("finish_stepover_mm", "FinishStepover", DISTANCE, "Cut", "The last pass at the wall, ae_acab", 0.3),
+        Property("finish_feed_mm_min", "FinishFeed", SPEED, "Cut", "At the wall; 0: the tool's own feed", 0.0),
+        Property("direction", "Direction", ENUMERATION, "Cut", "How the cutter turns against the feed", "climb",
+                 choices=("climb", "conventional")),
         Property("method", "Method", ENUMERATION, "Path", "Arcs within a tolerance, or the published points",
                  "tolerance", choices=("tolerance", "dda")),
         Property("tolerance_mm", "Tolerance", DISTANCE, "Path", "How far the wall may be off the ellipse", 0.01),
         Property("resolution_mm", "Resolution", DISTANCE, "Path", "The step of the published method", 0.05),
         Property("entry", "Entry", ENUMERATION, "Path", "How the tool goes down", "helix",
                  choices=("helix", "ramp", "plunge")),
+        Property("entry_angle_deg", "EntryAngle", ANGLE, "Path", "How steeply a helix or ramp goes down", 3.0),
+        Property("ap_mm", "StepdownUsed", DISTANCE, "Result", "ap, recalculated to whole passes", 0.0, output=True),
+        Property("ae_mm", "StepoverUsed", DISTANCE, "Result", "ae, recalculated to whole passes", 0.0, output=True),
+        Property("levels", "Levels", INTEGER, "Result", "How many passes in depth", 0, output=True),
+        Property("passes", "Passes", INTEGER, "Result", "How many passes at each depth", 0, output=True),
+        Property("unreachable_mm", "Unreachable", DISTANCE, "Result",
+                 "What the round tool must leave at the ends of the long axis", 0.0, output=True),
     )  # fmt: skip
 
-    def cycle_values(self, obj: Any, origin_mm: tuple[float, ...]) -> dict[str, Any]:
-        """Return the parameters, the ellipse taken from the drawing where there is one."""
-        if obj.Drawing is not None:
-            self._follow(obj, origin_mm)
-        content = parameters(obj)
-        content["centre_mm"] = content["centre_mm"][:2]
-        return content
-
-    def _follow(self, obj: Any, origin_mm: tuple[float, ...]) -> None:
+    def follow(self, obj: Any, origin_mm: tuple[float, ...]) -> None:
+        """Take centre, radii and rotation from the drawing where there is one."""
+        if obj.Drawing is None:
+            return
         from CNCStepper.workbench.ellipses import ellipse_of
 
         ellipse = ellipse_of(obj.Drawing)
@@ -56,6 +61,10 @@ class EllipticalPocket(Operation):
             radius_y_mm=ellipse.radius_y_mm,
             rotation_deg=ellipse.rotation_deg,
         )
+
+    def cycle_values(self, obj: Any, origin_mm: tuple[float, ...]) -> dict[str, Any]:
+        """Return the parameters; the centre is one in the plane."""
+        return {**parameters(obj), "centre_mm": tuple(obj.Centre)[:2]}
 
     def onChanged(self, obj: Any, name: str) -> None:
         """Let the numbers be typed only where no drawing gives them; FreeCAD calls this at every change."""

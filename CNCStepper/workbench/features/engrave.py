@@ -6,8 +6,8 @@ from __future__ import annotations
 from typing import Any
 
 from CNCStepper.errors import CycleError
-from CNCStepper.workbench.features.base import DISTANCE, Property
-from CNCStepper.workbench.features.operation import OPERATION, Operation, drawn
+from CNCStepper.workbench.features.base import DISTANCE, INTEGER, Property
+from CNCStepper.workbench.features.operation import OPERATION, Operation, drawn, parameters
 
 
 class Engrave(Operation):
@@ -21,10 +21,14 @@ class Engrave(Operation):
         Property("tolerance_mm", "Tolerance", DISTANCE, "Lines",
                  "How far the path may be off an ellipse or a B-spline; lines and arcs are exact", 0.01),
         Property("depth_mm", "Depth", DISTANCE, "Cut", "The depth below the top of the stock", 1.0),
+        Property("stepdown_mm", "Stepdown", DISTANCE, "Cut", "The depth of one pass at most; 0: all at once", 0.0),
+        Property("ap_mm", "StepdownUsed", DISTANCE, "Result", "ap, recalculated to whole passes", 0.0, output=True),
+        Property("levels", "Levels", INTEGER, "Result", "How many passes in depth", 0, output=True),
+        Property("length_mm", "LineLength", DISTANCE, "Result", "The length of all lines", 0.0, output=True),
     )  # fmt: skip
 
     def cycle_values(self, obj: Any, origin_mm: tuple[float, ...]) -> dict[str, Any]:
-        """Return the depth and the drawing's curves."""
+        """Return the parameters and the drawing's curves."""
         from CNCStepper.workbench.curves import curves_of
 
         if obj.Drawing is None:
@@ -34,4 +38,4 @@ class Engrave(Operation):
                 advice="choose a sketch, wire, B-spline or freehand line for it",
             )
         curves = curves_of(obj.Drawing, origin_mm, float(obj.Tolerance))
-        return {"depth_mm": float(obj.Depth), "curves": curves}
+        return {**parameters(obj), "curves": curves}

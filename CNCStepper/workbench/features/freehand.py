@@ -27,9 +27,9 @@ class Freehand(Feature):
         import FreeCAD
         import Part
 
-        from CNCStepper.workbench.lines import simplified
+        from CNCStepper.workbench.lines import simplified_line
 
-        height_mm, xy = simplified([tuple(point) for point in obj.Points], float(obj.Tolerance), bool(obj.Closed))
+        height_mm, xy = simplified_line([tuple(point) for point in obj.Points], float(obj.Tolerance), bool(obj.Closed))
         placement = obj.Placement
         obj.Shape = Part.makePolygon([FreeCAD.Vector(x, y, height_mm) for x, y in xy])
         obj.Placement = placement

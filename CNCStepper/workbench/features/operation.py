@@ -41,6 +41,9 @@ class Operation(Feature):
 
     CYCLE = ""
 
+    def follow(self, obj: Any, origin_mm: tuple[float, ...]) -> None:
+        """Take those parameters from the drawing that it gives; only while `obj` itself is recomputed."""
+
     def cycle_values(self, obj: Any, origin_mm: tuple[float, ...]) -> dict[str, Any]:
         """Return the cycle's parameters; `origin_mm` is where the work zero lies in the document."""
         raise NotImplementedError
@@ -75,6 +78,7 @@ class Operation(Feature):
         """Return what the cycle reports (recalculated ae and ap, passes); nothing while it belongs to no job."""
         jobs = jobs_of(obj)
         origin_mm = tuple(jobs[0].WorkOrigin) if jobs else (0.0, 0.0, 0.0)
+        self.follow(obj, origin_mm)
         cycle = self.cycle(obj, origin_mm)
         if not jobs:
             return {}
