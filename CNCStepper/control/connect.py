@@ -1,0 +1,173 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Meeting a controller: wait until it is awake, learn what it is and how it is set, change nothing."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+from CNCStepper.control.codes import alarm_code, error_code
+from CNCStepper.control.grbl import Answered, Grbl, Received
+from CNCStepper.control.grbl_report import Alarm, Feedback, Greeting, Vector, vector
+from CNCStepper.control.readiness import check_state
+from CNCStepper.control.timing import Timing
+from CNCStepper.errors import LinkError, MachineRefusal
+
+ASK_AGAIN_S = 0.25
+OFFSETS = ("G54", "G55", "G56", "G57", "G58", "G59", "G59.1", "G59.2", "G59.3", "G28", "G30", "G92")
+OLD_VERSIONS = ("0.", "1.0")
+
+
+@dataclass(frozen=True)
+class Found:
+    """What answered: version ("1.1h.20190830"), settings by number, offsets by name, `$G` words.
+
+    greeted: it restarted when the port was opened, so its position counts from where it stands now.
+    """
+
+    version: str
+    settings: dict[int, float] = field(default_factory=dict)
+    offsets: dict[str, Vector] = field(default_factory=dict)
+    modes: str = ""
+    greeted: bool = False
+
+
+def meet(driver: Grbl, timing: Timing) -> Found:
+    """Wake the controller up, refuse it unless it is idle, and read what it is (`$I $$ $# $G`).
+
+    Raises LinkError when nothing there speaks grbl 1.1, MachineRefusal when it is not idle.
+    """
+    woken = wake_up(driver, timing)
+    check_state(driver.status)
+    discard_half_line(driver, timing)
+    version = _version(driver, ask(driver, "$I", timing))
+    ask(driver, "$$", timing)
+    offsets = _offsets(ask(driver, "$#", timing))
+    modes = [report.text for report in _feedback(ask(driver, "$G", timing)) if report.tag == "GC"]
+    greeted = any(isinstance(report, Greeting) for report in woken)
+    return Found(version, dict(driver.settings), offsets, " ".join(modes), greeted)
+
+
+def wake_up(driver: Grbl, timing: Timing) -> list[Received]:
+    """Ask `?` until a status comes and the chatter after it ends; return all that was said.
+
+    Nothing but `?` is sent: a controller that still moves must not be disturbed.
+    """
+    said: list[Received] = []
+    end_s = driver.clock() + timing.wake_s
+    next_s = driver.clock()
+    while driver.status is None:
+        if driver.clock() >= next_s:
+            driver.ask_status()
+            next_s = driver.clock() + ASK_AGAIN_S
+        said += _checked(driver, driver.receive(ASK_AGAIN_S / 5))
+        if driver.clock() > end_s and driver.status is None:
+            raise _not_grbl(driver, timing, said)
+    while received := driver.receive(timing.quiet_s):
+        said += _checked(driver, received)
+        if driver.clock() > end_s:
+            break
+    return said
+
+
+def discard_half_line(driver: Grbl, timing: Timing) -> None:
+    """Make a line refused that an earlier sender left unfinished in the controller.
+
+    A `$` at its end spoils the whole line, so that nothing of it is run; alone it asks for help.
+    """
+    driver.send("$")
+    _answer(driver, timing)
+
+
+def ask(driver: Grbl, line: str, timing: Timing) -> list[Received]:
+    """Send one line alone and return what was said until its `ok`; an error is a MachineRefusal."""
+    driver.send(line)
+    said = _answer(driver, timing)
+    error = next(report.error for report in said if isinstance(report, Answered))
+    if error:
+        code = error_code(error)
+        raise MachineRefusal(
+            f"grbl-error-{error}", f"the controller refused {line}: {code.meaning} (error:{error})", advice=code.advice
+        )
+    return said
+
+
+def alarm_refusal(alarm: Alarm) -> MachineRefusal:
+    """Return the refusal that ALARM:n stands for, in words; -1 is an alarm without a number."""
+    code = alarm_code(alarm.code)
+    number = str(alarm.code) if alarm.code >= 0 else "?"
+    return MachineRefusal(f"grbl-alarm-{number}", f"{code.meaning} (ALARM:{number})", advice=code.advice)
+
+
+def restart_refusal(greeting: Greeting) -> MachineRefusal:
+    """Return what a greeting in the middle of a job means."""
+    return MachineRefusal(
+        "controller-restarted",
+        "the controller restarted in the middle of the job",
+        value=greeting.text,
+        advice="check its supply and the reset button; home the machine or set its zero before the next cut",
+    )
+
+
+def _answer(driver: Grbl, timing: Timing) -> list[Received]:
+    """Return what was said until the one line under way was answered."""
+    driver.flush()
+    said: list[Received] = []
+    end_s = driver.clock() + timing.answer_s
+    while not any(isinstance(report, Answered) for report in said):
+        if driver.clock() > end_s:
+            line = driver.unanswered[0].text
+            raise LinkError(
+                "answer-missing",
+                f"{driver.link.name} does not answer {line}",
+                value=f"{timing.answer_s:g} s",
+                advice="check that it is a grbl 1.1 controller and that the baud rate is right",
+            )
+        received = _checked(driver, driver.receive(ASK_AGAIN_S / 5))
+        if any(isinstance(report, Greeting) for report in received):
+            raise LinkError(
+                "controller-restarted",
+                f"{driver.link.name} restarted while it was asked",
+                advice="check its supply and cable, then send again",
+            )
+        said += received
+    return said
+
+
+def _checked(driver: Grbl, received: Sequence[Received]) -> Sequence[Received]:
+    """Return `received` unless an alarm is in it, which is refused in words."""
+    for report in received:
+        if isinstance(report, Alarm):
+            raise alarm_refusal(report)
+    return received
+
+
+def _not_grbl(driver: Grbl, timing: Timing, said: list[Received]) -> LinkError:
+    heard = "something else than grbl answers" if said else "nothing answers"
+    return LinkError(
+        "not-grbl",
+        f"{heard} at {driver.link.name}",
+        value=f"{timing.wake_s:g} s",
+        advice="check power, cable, port and baud rate of the controller",
+    )
+
+
+def _feedback(said: Sequence[Received]) -> list[Feedback]:
+    return [report for report in said if isinstance(report, Feedback)]
+
+
+def _version(driver: Grbl, said: Sequence[Received]) -> str:
+    version = next((report.text.rstrip(":") for report in _feedback(said) if report.tag == "VER"), "")
+    if version.startswith(OLD_VERSIONS):
+        raise LinkError(
+            "grbl-too-old", f"{driver.link.name} runs grbl {version}", limit="1.1", advice="update its firmware"
+        )
+    return version
+
+
+def _offsets(said: Sequence[Received]) -> dict[str, Vector]:
+    """Return the offsets of `$#`; raises LinkError on a damaged one."""
+    try:
+        return {report.tag: vector(report.text) for report in _feedback(said) if report.tag in OFFSETS}
+    except ValueError as error:
+        raise LinkError("link-noise", f"an offset came damaged: {error}", advice="check cable and baud rate") from error

@@ -1,0 +1,87 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Which line goes out next, which were acknowledged, and which one the controller is working on."""
+
+from __future__ import annotations
+
+from CNCStepper.control.codes import error_code
+from CNCStepper.control.grbl import Answered, Grbl
+from CNCStepper.control.lines import dwell_s, needs_idle, pauses, stores
+from CNCStepper.control.send_job import SendJob
+from CNCStepper.errors import MachineRefusal, ProgramError
+
+
+class Feeder:
+    """Hands a job's lines to the driver as the window allows.
+
+    Lines that write permanent memory, `$` commands and pauses go alone: they wait for every answer
+    before them, and the lines after them wait for theirs. So nothing follows an M0 until it is over.
+    """
+
+    def __init__(self, job: SendJob):
+        self.job = job
+        self.sent = 0
+        self.acknowledged = 0
+        self.total = len(job.lines)
+        self._alone = False  # the last line sent must be answered before the next goes out
+
+    @property
+    def complete(self) -> bool:
+        """Whether every line was sent and acknowledged."""
+        return self.acknowledged == self.total
+
+    def feed(self, driver: Grbl, idle: bool) -> int:
+        """Send what fits and return how many lines; `idle` says that the machine was just seen idle."""
+        before = self.sent
+        while self.sent < self.total and self._may_go(self.job.lines[self.sent], driver, idle):
+            driver.send(self.job.lines[self.sent], self.sent)
+            self.sent += 1
+        driver.flush()
+        return self.sent - before
+
+    def take(self, answered: Answered) -> None:
+        """Count the answer to a line of the job."""
+        if answered.sent.index >= 0 and not answered.error:
+            self.acknowledged += 1
+
+    def refusal(self, answered: Answered) -> MachineRefusal:
+        """Return what `error:n` says about its line, in words and with its place in the file."""
+        code = error_code(answered.error)
+        return MachineRefusal(
+            f"grbl-error-{answered.error}",
+            f"the controller refused '{answered.sent.text}': {code.meaning} (error:{answered.error})",
+            advice=code.advice,
+            place=self.job.place(answered.sent.index),
+        )
+
+    def pause_index(self, driver: Grbl) -> int | None:
+        """Return the index of the M0 that the controller is at, or None."""
+        if driver.unanswered and pauses(driver.unanswered[0].text):
+            return driver.unanswered[0].index
+        return None
+
+    def dwell_s(self, driver: Grbl) -> float:
+        """Return how long the oldest line under way may keep its answer back on purpose."""
+        return dwell_s(driver.unanswered[0].text) if driver.unanswered else 0.0
+
+    def _may_go(self, text: str, driver: Grbl, idle: bool) -> bool:
+        alone = stores(text) or needs_idle(text) or pauses(text)
+        if driver.unanswered and (alone or self._alone):
+            return False
+        if needs_idle(text) and not idle:
+            return False
+        if not driver.fits(text):
+            self._check_window(text, driver)
+            return False
+        self._alone = alone
+        return True
+
+    def _check_window(self, text: str, driver: Grbl) -> None:
+        if not driver.unanswered:
+            raise ProgramError(
+                "line-too-long",
+                "the line does not fit into the controller's buffer",
+                value=f"{len(text) + 1} bytes",
+                limit=f"{driver.window} bytes",
+                advice="split that line",
+                place=self.job.place(self.sent),
+            )

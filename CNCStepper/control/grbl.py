@@ -1,0 +1,212 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The protocol driver of grbl 1.1: what is written, what is answered, and how much may be under way.
+
+Character counting: the controller keeps `window` bytes of lines that it has not read. Every line
+sent is remembered with its length until its answer comes; answers come in the order of the lines.
+
+    unanswered   | G1X10 | G1X20Y5 | G1X30 |            sum of (length + 1) <= window
+                   ^ the next answer is for this one
+
+Real-time bytes are no lines: they are written at once, are never counted and may pass lines by.
+"""
+
+from __future__ import annotations
+
+import time
+from collections import deque
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from CNCStepper.control import grbl_report
+from CNCStepper.control.grbl_report import Answer, Feedback, Greeting, Report, Setting, Status, Vector
+from CNCStepper.control.transport import Link
+from CNCStepper.errors import LinkError
+from CNCStepper.units import mm_from_inch
+
+HOLD, RESUME, RESET, STATUS = b"!", b"~", b"\x18", b"?"
+WINDOW_BYTES = 127  # of grbl's 128 one stays free
+NOISE_LIMIT_BYTES = 4096  # without a line end
+REPORT_INCHES = 13  # the setting that switches reports to inches
+
+
+@dataclass(frozen=True)
+class Sent:
+    """A line under way; index: its place in the job from 0, or -1."""
+
+    text: str
+    index: int
+
+
+@dataclass(frozen=True)
+class Answered:
+    """The answer to one line; error 0 is `ok`."""
+
+    sent: Sent
+    error: int
+
+
+Received = Report | Answered
+
+
+class Grbl:
+    """A conversation with one controller over `link`.
+
+    listen: called after every `receive` with what came, on the same thread.
+    status: the last answer to `?`. status_asked_s: when it was asked for, by `clock`; a status may
+    have been on its way before whatever was written later. mpos_mm, wpos_mm: None until reported.
+    """
+
+    def __init__(
+        self,
+        link: Link,
+        clock: Callable[[], float] = time.monotonic,
+        listen: Callable[[list[Received]], None] = lambda received: None,
+    ):
+        self.link = link
+        self.clock = clock
+        self.window = WINDOW_BYTES
+        self.unanswered: deque[Sent] = deque()
+        self.status: Status | None = None
+        self.status_asked_s = float("-inf")
+        self.settings: dict[int, float] = {}
+        self._listen = listen
+        self._bytes_under_way = 0
+        self._to_write = bytearray()
+        self._tail = b""
+        self._asked_s: float | None = None
+        self._spoken = False
+        self._free_bytes = 0  # with nothing under way: what the controller says of its whole buffer
+        self._mpos: Vector | None = None
+        self._wpos: Vector | None = None
+        self._wco: Vector | None = None
+
+    # --- writing -------------------------------------------------------------------------------
+
+    def fits(self, text: str) -> bool:
+        """Return whether the receive buffer has room for one more line."""
+        return self._bytes_under_way + len(text) + 1 <= self.window
+
+    def send(self, text: str, index: int = -1) -> None:
+        """Count a line and queue it for `flush`; the caller has asked `fits`."""
+        self._spoken = True
+        self.unanswered.append(Sent(text, index))
+        self._bytes_under_way += len(text) + 1
+        self._to_write += text.encode("ascii") + b"\n"
+
+    def flush(self) -> None:
+        """Write the queued lines in one go."""
+        if self._to_write:
+            self.link.write(bytes(self._to_write))
+            self._to_write.clear()
+
+    def realtime(self, byte: bytes) -> None:
+        """Write a real-time byte now, before anything queued."""
+        self.link.write(byte)
+
+    def reset(self) -> None:
+        """Soft reset: the controller forgets its lines, so nothing is under way any more."""
+        self.realtime(RESET)
+        self._forget_lines()
+        self._spoken = False  # answers may be on their way still
+
+    def ask_status(self) -> None:
+        """Write `?`."""
+        self.realtime(STATUS)
+        if self._asked_s is None:
+            self._asked_s = self.clock()
+
+    def question_age_s(self) -> float | None:
+        """Return how long a `?` has been without answer, or None."""
+        return None if self._asked_s is None else self.clock() - self._asked_s
+
+    # --- reading -------------------------------------------------------------------------------
+
+    def receive(self, wait_s: float) -> list[Received]:
+        """Return what the controller said, waiting up to `wait_s` for the first byte of it.
+
+        Raises LinkError when the link broke or an answer comes to which there is no line.
+        """
+        received = [self._taken(report) for report in map(grbl_report.parse, self._lines(wait_s))]
+        self._listen(received)
+        return received
+
+    @property
+    def mpos_mm(self) -> Vector | None:
+        """The machine position last reported."""
+        return self._mm(self._mpos or _sum(self._wpos, self._wco, 1))
+
+    @property
+    def wpos_mm(self) -> Vector | None:
+        """The work position last reported: machine position minus the offset last reported."""
+        return self._mm(self._wpos or _sum(self._mpos, self._wco, -1))
+
+    def _lines(self, wait_s: float) -> list[str]:
+        data = self._tail + self.link.read(wait_s)
+        *lines, self._tail = data.replace(b"\r", b"\n").split(b"\n")
+        if len(self._tail) > NOISE_LIMIT_BYTES:
+            self._tail = b""
+            raise LinkError(
+                "link-noise", f"{self.link.name} sends no line ends", advice="check the baud rate and what is connected"
+            )
+        texts = (line.decode("ascii", "replace").strip() for line in lines)
+        return [text for text in texts if text]
+
+    def _taken(self, report: Report) -> Received:
+        if isinstance(report, Answer):
+            return self._answered(report)
+        if isinstance(report, Status):
+            self._take_status(report)
+        elif isinstance(report, Setting):
+            self.settings[report.number] = report.value
+        elif isinstance(report, Greeting):
+            self._forget_lines()
+        elif isinstance(report, Feedback) and report.tag == "OPT":
+            self._take_options(report.text)
+        return report
+
+    def _answered(self, answer: Answer) -> Received:
+        if not self._spoken:  # to a line of an earlier sender, or of before a reset
+            return answer
+        if not self.unanswered:
+            self._spoken = False  # said once: what follows must not disturb the stopping
+            raise LinkError(
+                "answer-stray",
+                f"{self.link.name} answered '{answer.text}' to no line",
+                advice="close other programs on this port and check the cable; then set the zero again",
+            )
+        sent = self.unanswered.popleft()
+        self._bytes_under_way -= len(sent.text) + 1
+        return Answered(sent, answer.error)
+
+    def _take_status(self, status: Status) -> None:
+        self.status = status
+        if self._asked_s is not None:
+            self.status_asked_s, self._asked_s = self._asked_s, None
+        self._mpos, self._wpos = status.mpos, status.wpos
+        self._wco = status.wco or self._wco
+        if status.buffer and not self.unanswered:
+            self._free_bytes = status.buffer[1]
+            self.window = max(self.window, self._free_bytes - 1)
+
+    def _take_options(self, text: str) -> None:
+        """Take the receive buffer's size from `[OPT:letters,blocks,bytes]`."""
+        size = text.split(",")[2:3]
+        if size and size[0].isdecimal() and int(size[0]) > 1:
+            self.window = max(int(size[0]), self._free_bytes) - 1
+
+    def _forget_lines(self) -> None:
+        self.unanswered.clear()
+        self._to_write.clear()
+        self._bytes_under_way = 0
+        self._asked_s = None
+
+    def _mm(self, position: Vector | None) -> Vector | None:
+        if position is None or not self.settings.get(REPORT_INCHES):
+            return position
+        return tuple(mm_from_inch(value) for value in position)
+
+
+def _sum(first: Vector | None, second: Vector | None, sign: int) -> Vector | None:
+    if first is None or second is None or len(first) != len(second):
+        return None
+    return tuple(a + sign * b for a, b in zip(first, second, strict=True))

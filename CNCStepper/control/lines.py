@@ -1,0 +1,73 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a sender must know of a wire line before it is sent: whether it may be, and how to wait for it."""
+
+from __future__ import annotations
+
+import re
+
+from CNCStepper.errors import Place, ProgramError
+
+LINE_LIMIT = 79  # grbl keeps 80 characters with the end mark; spaces are not kept
+BYTE_LIMIT = 126  # with its line end a line must fit into the receive buffer
+# Bytes that act at once wherever they stand: ! ? ~, controls, all above 0x7e.
+_ACTING = re.compile(r"[^ \"->@-}]")
+_STORING = re.compile(r"G0*(?:10(?:\.0*)?|28\.10*|30\.10*)(?![\d.])")
+_PAUSE = re.compile(r"M0+(?![\d.])")
+_DWELL = re.compile(r"G0*4(?![\d.])")
+_SECONDS = re.compile(r"P(\d*\.?\d*)")
+
+
+def check_line(text: str, place: Place | None = None) -> None:
+    """Refuse a line that is not plain ASCII, holds a byte that acts at once, or is too long for grbl.
+
+    Raises ProgramError naming `place` and the column.
+    """
+    if found := _ACTING.search(text):
+        where = Place(place.file, place.line, found.start() + 1) if place else None
+        raise ProgramError(
+            "acting-byte",
+            f"the character {found[0]!a} would act as a command of its own or is not ASCII",
+            advice="remove it; only plain ASCII without ? ! ~ may be sent",
+            place=where,
+        )
+    length = len(text) - text.count(" ")
+    if length > LINE_LIMIT or len(text) > BYTE_LIMIT:
+        raise ProgramError(
+            "line-too-long",
+            "the line is longer than grbl can read",
+            value=f"{length} characters, {len(text)} with spaces",
+            limit=f"{LINE_LIMIT} characters, {BYTE_LIMIT} with spaces",
+            advice="shorten or split that line",
+            place=place,
+        )
+
+
+def stores(text: str) -> bool:
+    """Return whether a line writes the controller's permanent memory, and so must be sent alone."""
+    plain = _plain(text)
+    if plain.startswith("$"):
+        return "=" in plain and not plain.startswith("$J=")
+    return bool(_STORING.search(plain))
+
+
+def needs_idle(text: str) -> bool:
+    """Return whether a line is a `$` command, which grbl takes only while it is idle."""
+    return _plain(text).startswith("$")
+
+
+def pauses(text: str) -> bool:
+    """Return whether a line holds M0."""
+    return bool(_PAUSE.search(_plain(text)))
+
+
+def dwell_s(text: str) -> float:
+    """Return how long a G4 line keeps its answer back, in s; 0 for any other line."""
+    plain = _plain(text)
+    seconds = _SECONDS.search(plain)
+    if seconds is None or not seconds[1].strip(".") or not _DWELL.search(plain):
+        return 0.0
+    return float(seconds[1])
+
+
+def _plain(text: str) -> str:
+    return text.replace(" ", "").upper()

@@ -1,0 +1,109 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a session tells while it runs (`SenderStatus`) and how it ended (`Outcome`), both as JSON too."""
+
+from __future__ import annotations
+
+from dataclasses import asdict, dataclass
+from typing import Any
+
+from CNCStepper import errors
+from CNCStepper.control.grbl_report import Vector
+from CNCStepper.errors import CNCStepperError, LinkError, Place
+
+DONE, STOPPED, REFUSED, FAILED = "done", "stopped", "refused", "failed"
+
+
+@dataclass(frozen=True)
+class SenderStatus:
+    """One moment of a session.
+
+    phase: "connecting", "running", "holding", "held", "paused" (M0; `message` is the program's),
+    "door", "finishing", "stopping", then the kind of the outcome. machine_state: as grbl writes it.
+    file_line: the last line of the file that was acknowledged. Positions are None until reported.
+    """
+
+    phase: str = "connecting"
+    sent: int = 0
+    acknowledged: int = 0
+    total: int = 0
+    machine_state: str = ""
+    mpos_mm: Vector | None = None
+    wpos_mm: Vector | None = None
+    feed_mm_min: float | None = None
+    spindle_rpm: float | None = None
+    file_line: int = 0
+    message: str = ""
+    elapsed_s: float = 0.0
+
+    def to_json(self) -> dict[str, Any]:
+        """Return it as plain values."""
+        return asdict(self)
+
+    @classmethod
+    def from_json(cls, content: dict[str, Any]) -> SenderStatus:
+        """Return the status of `to_json`, after its way through JSON."""
+        vectors = {key: tuple(content[key]) if content[key] else None for key in ("mpos_mm", "wpos_mm")}
+        return cls(**(content | vectors))
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """How a session ended.
+
+    kind: "done" (all lines acknowledged and the machine idle), "stopped" (as asked), "refused"
+    (nothing was sent) or "failed". text: one or two sentences for people. position_known: whether
+    the controller's position may still be trusted. error: why, unless done or stopped.
+    """
+
+    kind: str
+    text: str
+    position_known: bool
+    status: SenderStatus
+    error: CNCStepperError | None = None
+
+    @property
+    def done(self) -> bool:
+        """Whether the job was cut to its end."""
+        return self.kind == DONE
+
+    def raise_for_error(self) -> None:
+        """Raise the error that ended the session, if one did."""
+        if self.error is not None:
+            raise self.error
+
+    def to_json(self) -> dict[str, Any]:
+        """Return it as plain values."""
+        return {
+            "kind": self.kind,
+            "text": self.text,
+            "position_known": self.position_known,
+            "status": self.status.to_json(),
+            "error": error_to_json(self.error) if self.error else None,
+        }
+
+    @classmethod
+    def from_json(cls, content: dict[str, Any]) -> Outcome:
+        """Return the outcome of `to_json`."""
+        return cls(
+            content["kind"],
+            content["text"],
+            content["position_known"],
+            SenderStatus.from_json(content["status"]),
+            error_from_json(content["error"]) if content["error"] else None,
+        )
+
+
+def error_to_json(error: CNCStepperError) -> dict[str, Any]:
+    """Return an error of ours as plain values."""
+    place = asdict(error.place) if error.place else None
+    words = {name: getattr(error, name) for name in ("code", "what", "advice", "value", "limit")}
+    return {"type": type(error).__name__, "place": place, **words}
+
+
+def error_from_json(content: dict[str, Any]) -> CNCStepperError:
+    """Return the error of `error_to_json`, of the same class."""
+    words = dict(content)
+    kind = getattr(errors, words.pop("type"), LinkError)
+    place = words.pop("place")
+    code, what = words.pop("code"), words.pop("what")
+    return kind(code, what, place=Place(**place) if place else None, **words)

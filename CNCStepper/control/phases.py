@@ -1,0 +1,115 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The phases of a session, as the controller's states and the wishes of people move it along.
+
+    running --hold--> holding --Hold:0--> held --resume--> running
+    running --Hold at an M0--> paused --resume--> running
+    running --Door--> door --closed (Door:0), resume--> running
+
+A wish is only a wish until the controller's state shows it: grbl forgets `~` while it slows down, so
+resume waits for Hold:0; a status asked before the last `!` or `~` shows the time before it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from CNCStepper.control.connect import alarm_refusal
+from CNCStepper.control.feeder import Feeder
+from CNCStepper.control.grbl import HOLD, RESUME, Grbl
+from CNCStepper.control.grbl_report import Alarm, Status
+from CNCStepper.control.readiness import check_state
+
+STANDING = ("held", "paused", "door")
+FEEDING = ("running", "finishing")
+
+
+class Phases:
+    """Where a session stands; `message` is the program's own at a pause.
+
+    changed_s: when the last `!` or `~` was written, by the driver's clock.
+    """
+
+    def __init__(self, tell: Callable[[str, str], None]):
+        self.name = "connecting"
+        self.message = ""
+        self.changed_s = float("-inf")
+        self._tell = tell
+        self._hold_asked = False
+        self._resume_asked = False
+
+    @property
+    def feeding(self) -> bool:
+        """Whether lines may go out."""
+        return self.name in FEEDING
+
+    def set(self, name: str, message: str = "") -> None:
+        """Enter a phase and tell it; nothing happens when it is the present one."""
+        if name != self.name:
+            self.name, self.message = name, message
+            self._tell("phase", f"{name}: {message}" if message else name)
+
+    def obey(self, command: str, driver: Grbl) -> None:
+        """Carry out "hold" or "resume"."""
+        if command == "hold":
+            self._resume_asked = False
+            if self.feeding or self.name == "holding":
+                self._hold_asked = True
+                self._write(HOLD, driver)
+                self.set("holding")
+        elif self.feeding:
+            self._tell("warning", "there is nothing to resume: the machine is not held")
+        else:
+            self._resume_asked = True
+
+    def take(self, driver: Grbl, feeder: Feeder) -> None:
+        """Follow the status just received; raises MachineRefusal on a state in which no job can go on."""
+        status = driver.status
+        assert status
+        if status.state == "Alarm":
+            raise alarm_refusal(Alarm(-1))
+        if status.state == "Sleep":
+            check_state(status)
+        if driver.status_asked_s <= self.changed_s:
+            return
+        if status.state == "Hold":
+            self._in_hold(status, driver, feeder)
+        elif status.state == "Door":
+            self._at_door(status, driver)
+        else:
+            self._moving(driver)
+
+    def _in_hold(self, status: Status, driver: Grbl, feeder: Feeder) -> None:
+        still = status.substate in (0, None)
+        index = None if self._hold_asked else feeder.pause_index(driver)
+        if still and self._resume_asked:
+            self._go_on(driver)
+        elif index is not None:
+            self.set("paused", feeder.job.messages.get(index, ""))
+        else:
+            self.set("held" if still else "holding")
+
+    def _at_door(self, status: Status, driver: Grbl) -> None:
+        if status.substate == 0 and self._resume_asked:
+            self._go_on(driver)
+            return
+        if self._resume_asked:  # never kept: closing the door must not start the machine
+            self._resume_asked = False
+            self._tell("warning", f"the safety door is open or the machine is parking ({status.name}): resume later")
+        self.set("door", "close the safety door, then resume")
+
+    def _moving(self, driver: Grbl) -> None:
+        """The machine runs or is idle: somebody resumed it there, or it has not seen the hold yet."""
+        if self.name == "holding" and not self._resume_asked:
+            self._write(HOLD, driver)
+        elif self.name in STANDING or self.name == "holding":
+            self._hold_asked = self._resume_asked = False
+            self.set("running")
+
+    def _go_on(self, driver: Grbl) -> None:
+        self._hold_asked = self._resume_asked = False
+        self._write(RESUME, driver)
+        self.set("running")
+
+    def _write(self, byte: bytes, driver: Grbl) -> None:
+        driver.realtime(byte)
+        self.changed_s = driver.clock()

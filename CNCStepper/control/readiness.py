@@ -1,0 +1,94 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Whether a machine may be given a program: its state, and its settings against the profile."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from CNCStepper.control.grbl_report import Status
+from CNCStepper.errors import MachineRefusal
+
+if TYPE_CHECKING:
+    from CNCStepper.machine.profile import Machine
+
+STEPS_PER_MM, MAX_RATE, ACCELERATION = 100, 110, 120  # of the first axis; the next axes follow
+LASER_MODE = 32
+TOLERANCE = 0.0005  # grbl prints three decimals
+
+WHAT_TO_DO = {
+    "Alarm": "home the machine ($H), or unlock it ($X) if its position is surely right",
+    "Hold": "resume what it was doing, or reset it",
+    "Door": "close the safety door and resume, or reset it",
+    "Run": "wait until it has finished, or stop it",
+    "Jog": "wait until the jog has ended",
+    "Home": "wait until it is homed",
+    "Check": "leave the check mode with $C",
+    "Sleep": "wake it up with a reset, then home it",
+}
+
+
+@dataclass(frozen=True)
+class Difference:
+    """A setting of the controller that is not what the machine profile says."""
+
+    number: int
+    value: float
+    wanted: float
+
+    def __str__(self) -> str:
+        return f"${self.number} is {self.value:g}, wanted {self.wanted:g}"
+
+
+def check_state(status: Status | None) -> None:
+    """Refuse a machine that is not idle, with what to do; raises MachineRefusal."""
+    state = status.state if status else "silent"
+    if state != "Idle":
+        raise MachineRefusal(
+            f"machine-{state.lower()}",
+            "the machine is not idle",
+            value=status.name if status else state,
+            advice=WHAT_TO_DO.get(state, "bring it to Idle first"),
+        )
+
+
+def check_zero(confirmed: bool) -> None:
+    """Refuse to send before somebody has said that the work zero is where the program expects it."""
+    if not confirmed:
+        raise MachineRefusal(
+            "zero-not-confirmed",
+            "nobody has confirmed the work zero",
+            advice="set the zero on the stock, then confirm it (--zero-confirmed)",
+        )
+
+
+def expected_settings(machine: Machine) -> dict[int, float]:
+    """Return the grbl settings that a machine's profile fixes: steps/mm, mm/min, mm/s2, laser mode."""
+    wanted: dict[int, float] = {LASER_MODE: float(machine.spindle.laser)}
+    for number, axis in enumerate(machine.axes):
+        wanted[STEPS_PER_MM + number] = axis.steps_per_mm
+        wanted[MAX_RATE + number] = axis.max_rate_mm_min
+        wanted[ACCELERATION + number] = axis.acceleration_mm_s2
+    return dict(sorted(wanted.items()))
+
+
+def differences(settings: Mapping[int, float], wanted: Mapping[int, float]) -> list[Difference]:
+    """Return the settings that differ; those that the controller does not report are left out."""
+    return [
+        Difference(number, settings[number], value)
+        for number, value in wanted.items()
+        if number in settings and abs(settings[number] - value) > TOLERANCE + 1e-6 * abs(value)
+    ]
+
+
+def check_settings(settings: Mapping[int, float], wanted: Mapping[int, float]) -> None:
+    """Refuse a controller whose settings differ from the profile's; raises MachineRefusal naming each."""
+    if found := differences(settings, wanted):
+        raise MachineRefusal(
+            "settings-differ",
+            "the controller is set up for another machine: " + "; ".join(map(str, found)),
+            value=f"${found[0].number}={found[0].value:g}",
+            limit=f"${found[0].number}={found[0].wanted:g}",
+            advice="choose the right machine profile, or correct the settings",
+        )

@@ -1,0 +1,79 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a sender is given: the wire lines, where they come from, and what must hold before the first goes out."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping, Sequence
+from dataclasses import asdict, dataclass, field, fields
+
+from CNCStepper.control.lines import check_line
+from CNCStepper.errors import JobError, Place, ProgramError
+
+
+@dataclass(frozen=True)
+class SendJob:
+    """A job for one port.
+
+    lines: wire lines without line ends. file_lines: the file's line of each, from 1 (empty: they are
+    the file's own lines). messages: what to show at a pause, by index of the wire line, from 0.
+    expected: grbl settings that must hold, by number; differences are only told when
+    `allow_differences`. zero_confirmed: somebody said that the work zero is right.
+    """
+
+    port: str
+    lines: Sequence[str]
+    file: str = ""
+    file_lines: Sequence[int] = ()
+    messages: Mapping[int, str] = field(default_factory=dict)
+    zero_confirmed: bool = False
+    expected: Mapping[int, float] = field(default_factory=dict)
+    allow_differences: bool = False
+    baud: int = 115_200
+
+    def __post_init__(self) -> None:
+        if len(self.file_lines) not in (0, len(self.lines)):
+            raise JobError(
+                "line-map",
+                "the line map does not fit the lines",
+                value=f"{len(self.file_lines)} entries",
+                limit=f"{len(self.lines)} lines",
+                advice="prepare the program again",
+            )
+
+    def place(self, index: int) -> Place:
+        """Return where wire line `index` (from 0) stands in the file."""
+        return Place(self.file, int(self.file_lines[index]) if len(self.file_lines) else index + 1)
+
+    def check(self) -> None:
+        """Check every line before any is sent; raises ProgramError naming the file's line and column."""
+        if not self.lines:
+            raise ProgramError(
+                "program-empty", "the program has no line to send", advice="choose another", place=Place(self.file)
+            )
+        for index, text in enumerate(self.lines):
+            check_line(text, self.place(index))
+
+    def to_json(self) -> str:
+        """Return the job as one line of JSON."""
+        content = asdict(self) | {
+            "lines": list(self.lines),
+            "file_lines": [int(line) for line in self.file_lines],
+            "messages": {str(index): text for index, text in self.messages.items()},
+            "expected": {str(number): value for number, value in self.expected.items()},
+        }
+        return json.dumps(content)
+
+    @classmethod
+    def from_json(cls, text: str) -> SendJob:
+        """Return the job of `to_json`; raises JobError when it is not one."""
+        try:
+            content = json.loads(text)
+            unknown = set(content) - {entry.name for entry in fields(cls)}
+            if unknown:
+                raise ValueError(f"unknown keys {sorted(unknown)}")
+            content["messages"] = {int(key): str(value) for key, value in content.get("messages", {}).items()}
+            content["expected"] = {int(key): float(value) for key, value in content.get("expected", {}).items()}
+            return cls(**content)
+        except (ValueError, TypeError, AttributeError) as error:
+            raise JobError("send-job", f"not a job to send: {error}", advice="start it with cncstepper send") from error

@@ -1,0 +1,24 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""How long a sender waits for what, in seconds."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class Timing:
+    """The waits of one session.
+
+    poll_s: between two `?`. quick_poll_s: the same while holding, stopping and finishing.
+    wake_s: a board that was reset by the opening of its port runs its boot loader first.
+    quiet_s: silence that ends the chatter after a greeting. answer_s: a line or a `?` without answer.
+    hold_s: from a feed hold to standstill, on slow axes too.
+    """
+
+    poll_s: float = 0.2
+    quick_poll_s: float = 0.05
+    wake_s: float = 6.0
+    quiet_s: float = 0.1
+    answer_s: float = 10.0
+    hold_s: float = 15.0

@@ -1,0 +1,52 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Asks the controller for its state in time, and notices when an answer is overdue."""
+
+from __future__ import annotations
+
+from CNCStepper.control.feeder import Feeder
+from CNCStepper.control.grbl import Grbl
+from CNCStepper.control.timing import Timing
+from CNCStepper.errors import LinkError
+
+ASK_AGAIN_S = 1.0  # a `?` may have been lost
+
+
+class Watch:
+    """Polls one driver; `heard_s` is when a line was last sent or answered, by the driver's clock."""
+
+    def __init__(self, timing: Timing):
+        self.heard_s = float("-inf")
+        self._timing = timing
+        self._polled_s = float("-inf")
+
+    def poll(self, driver: Grbl, quick: bool) -> float:
+        """Ask `?` when it is due; return the time until the next one, in s."""
+        every_s = self._timing.quick_poll_s if quick else self._timing.poll_s
+        since_s = driver.clock() - self._polled_s
+        if since_s >= (every_s if driver.question_age_s() is None else max(every_s, ASK_AGAIN_S)):
+            driver.ask_status()
+            self._polled_s, since_s = driver.clock(), 0.0
+        return max(0.001, every_s - since_s)
+
+    def idle(self, driver: Grbl, since_s: float) -> bool:
+        """Return whether the machine was idle after the last line was sent or answered, and after `since_s`."""
+        idle = driver.status is not None and driver.status.state == "Idle"
+        return idle and driver.status_asked_s > max(self.heard_s, since_s)
+
+    def check(self, driver: Grbl, feeder: Feeder, idle: bool) -> None:
+        """Raise LinkError when a `?`, or a line while the machine is idle, has no answer for too long."""
+        limit_s = self._timing.answer_s
+        if (driver.question_age_s() or 0.0) > limit_s:
+            raise self._silence("the controller does not answer any more", feeder)
+        if idle and driver.unanswered and driver.clock() - self.heard_s > limit_s + feeder.dwell_s(driver):
+            text = driver.unanswered[0].text
+            raise self._silence(f"the controller is idle but has not answered '{text}'", feeder)
+
+    def _silence(self, what: str, feeder: Feeder) -> LinkError:
+        return LinkError(
+            "answer-missing",
+            what,
+            limit=f"{self._timing.answer_s:g} s",
+            advice="check cable, power and other programs on this port",
+            place=feeder.job.place(min(feeder.acknowledged, feeder.total - 1)),
+        )
