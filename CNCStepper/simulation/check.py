@@ -1,0 +1,62 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""All checks of a program that was read back from its text, as one list of findings."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from CNCStepper.cycles.form import Removal
+from CNCStepper.machine.profile import Machine
+from CNCStepper.simulation import machine_checks, stock_checks
+from CNCStepper.simulation.cutter import Tools
+from CNCStepper.simulation.finding import Finding
+from CNCStepper.simulation.stock import Stock
+from CNCStepper.simulation.subject import Subject
+from CNCStepper.simulation.sweep import Judgement, judge
+from CNCStepper.toolpath import Toolpath
+
+SEVERITIES = ("error", "warning", "info")
+MACHINE_CHECKS = (
+    machine_checks.travel,
+    machine_checks.rates,
+    machine_checks.starts,
+    machine_checks.outputs,
+    machine_checks.spin_up,
+    machine_checks.tool_changes,
+)
+
+
+def check(
+    toolpath: Toolpath,
+    machine: Machine,
+    *,
+    file: str = "",
+    stock: Stock | None = None,
+    tools: Tools | None = None,
+    removals: Sequence[Removal] | None = None,
+    judgement: Judgement | None = None,
+) -> list[Finding]:
+    """Return what is wrong with a program, in the order of its lines; an empty list is a clean program.
+
+    Whether the work zero is known says `toolpath.start`. tools: by number, or one tool that stands for
+    every number. Checks that need a stock, tools or removals are left out where these are not given; a
+    `judgement` already made is used instead of judging again. How deep a gouge and how thick a rest are
+    allowed say the removals.
+    """
+    subject = Subject.of(toolpath, machine, file)
+    found = [finding for one in MACHINE_CHECKS for finding in one(subject)]
+    if tools is not None:
+        found += stock_checks.tools_known(subject, tools)
+        if stock is not None:
+            found += _at_stock(subject, stock, tools)
+        if judgement is None and removals:
+            judgement = judge(toolpath, tools, removals, stock)
+    if judgement is not None:
+        found += stock_checks.verdict(subject, judgement)
+    return sorted(found, key=lambda finding: (finding.place.line, SEVERITIES.index(finding.severity), finding.code))
+
+
+def _at_stock(subject: Subject, stock: Stock, tools: Tools) -> Iterator[Finding]:
+    checks = stock_checks.StockChecks(subject, stock, tools)
+    for one in (checks.rapids, checks.still_spindle, checks.below):
+        yield from one()

@@ -1,0 +1,114 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Whether a move touches stock that the moves before it have left.
+
+A point of the tool at height z touches when it lies inside the stock and no earlier move has cut it
+down to z. The points lie on the tool's rims, along the move, close together, and RUB_MM inside the
+tool, so that a tool that only rubs along a wall it has cut itself touches nothing.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+import shapely
+
+from CNCStepper.simulation.cutter import Cutter
+from CNCStepper.simulation.region import EdgeTree
+from CNCStepper.simulation.segments import Segments, clipped_below
+from CNCStepper.simulation.stock import Stock
+
+RUB_MM = 0.005  # contact that is no deeper is no contact
+STEP_MM = 0.25  # between the places of the tool on a move
+LEVEL_STEP_MM = 0.05  # places on a ramp are looked at together within this height, from its upper end
+DISCS = 9  # of a ball are looked at
+RIM_RAD = np.arange(64) * np.pi / 32
+SHARES = (1.0, 0.7, 0.4, 0.1)  # of the radius, at which points lie
+
+
+class Remaining:
+    """The stock and the whole path that cuts it, asked what is left before a given row."""
+
+    def __init__(self, stock: Stock, path: list[tuple[Cutter, Segments]]):
+        self.stock = stock
+        self.outline = stock.outline
+        self.path = path
+        shapely.prepare(self.outline)
+
+    def first_contact(self, cutter: Cutter, move: Segments) -> tuple[float, ...] | None:
+        """Return the first place (x, y, z) where the move, the segments of one row, touches stock, or None."""
+        below = clipped_below(move, self.stock.top_mm - RUB_MM)
+        places = _places(below)
+        for first, last in _runs(np.ceil(places[:, 2] / LEVEL_STEP_MM)):
+            z_mm = float(places[first:last, 2].max())
+            point = self._contact(cutter, places[first:last, :2], z_mm, int(move.row[0]))
+            if point is not None:
+                return point
+        return None
+
+    def _contact(self, cutter: Cutter, centres: np.ndarray, tip_mm: float, row: int) -> tuple[float, ...] | None:
+        heights, radii = cutter.discs()
+        some = np.unique(np.linspace(0, len(heights) - 1, DISCS).astype(int))
+        for height, radius in zip(heights[some], radii[some], strict=True):
+            z_mm = max(tip_mm + height, self.stock.bottom_mm)
+            if z_mm >= self.stock.top_mm - RUB_MM:
+                continue
+            points = _disc_points(centres, max(radius - RUB_MM, 0.0))
+            points = points[shapely.contains_xy(self.outline, points)]
+            open_ = points[~self._cut(points, z_mm + RUB_MM, row)] if len(points) else points
+            if len(open_):
+                return (*open_[0].tolist(), z_mm)
+        return None
+
+    def _cut(self, points: np.ndarray, z_mm: float, row: int) -> np.ndarray:
+        """Say which points the moves before `row` have cut down to `z_mm`."""
+        cut = np.zeros(len(points), bool)
+        for cutter, pieces in self.path:
+            low, high = points.min(axis=0) - cutter.radius_mm, points.max(axis=0) + cutter.radius_mm
+            near = pieces.row < row
+            near &= pieces.low_mm <= z_mm
+            for axis in range(2):
+                near &= np.minimum(pieces.begin[:, axis], pieces.end[:, axis]) <= high[axis]
+                near &= np.maximum(pieces.begin[:, axis], pieces.end[:, axis]) >= low[axis]
+            pieces = pieces[near]
+            for level_mm in _levels_of(cutter, pieces, z_mm):
+                open_ = np.flatnonzero(~cut)
+                tree = EdgeTree.of_pieces(clipped_below(pieces, level_mm))
+                radius = cutter.radius_at(np.array([z_mm - level_mm]))[0]
+                cut[open_] = tree.distance(points[open_]) <= radius
+        return cut
+
+
+def _levels_of(cutter: Cutter, pieces: Segments, z_mm: float) -> np.ndarray:
+    """Return the heights of the tip to look at: the lowest of a ball cut widest, a flat is as wide everywhere."""
+    if not cutter.ball:
+        return np.array([z_mm])
+    tips = np.unique(np.round(np.r_[pieces.low_mm, pieces.begin[:, 2], pieces.end[:, 2]], 4))
+    tips = tips[tips < z_mm]
+    return tips[np.unique(np.linspace(0, max(len(tips) - 1, 0), 40).astype(int))] if len(tips) else tips
+
+
+def _places(move: Segments) -> np.ndarray:
+    """Return places of the tip along the move, float64[n, 3]; of a plunge only the lowest."""
+    flat = np.hypot(*(move.end - move.begin)[:, :2].T) < 1e-9
+    found = []
+    for begin, end, is_plunge in zip(move.begin, move.end, flat, strict=True):
+        count = 1 if is_plunge else int(np.ceil(np.linalg.norm(end - begin) / STEP_MM)) + 1
+        low = begin if begin[2] < end[2] else end
+        found.append(low[None, :] if is_plunge else np.linspace(begin, end, count))
+    return np.vstack(found) if found else np.zeros((0, 3))
+
+
+def _runs(keys: np.ndarray) -> list[tuple[int, int]]:
+    """Return the ranges [first, last) of equal neighbours."""
+    if not len(keys):
+        return []
+    breaks = np.flatnonzero(keys[1:] != keys[:-1]) + 1
+    return list(zip(np.r_[0, breaks].tolist(), np.r_[breaks, len(keys)].tolist(), strict=True))
+
+
+def _disc_points(centres: np.ndarray, radius_mm: float) -> np.ndarray:
+    """Return points on the discs about the centres: on the rim, and on rings inside; one for a disc without width."""
+    if radius_mm <= RUB_MM:
+        return centres
+    rim = np.stack([np.cos(RIM_RAD), np.sin(RIM_RAD)], axis=1) * radius_mm
+    rings = np.vstack([rim * share for share in SHARES])
+    return (centres[:, None, :] + rings[None, :, :]).reshape(-1, 2)

@@ -1,0 +1,147 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""How deep the tool enters what is to stay.
+
+What is to stay is the stock without the removals. At height z the tool may be in U(z): every removal
+whose bottom lies at or below z, and the air beside the stock. A point q of the tool at height z lies
+
+    min( top - z,  min over the removals' bottoms b of  hypot( beyond(q, U(b)), max(b - z, 0) ) )
+
+deep in it: the way up, the way to the wall, the way up to the floor. The deepest point of a disc of
+radius r whose centre lies s inside a smooth wall is r - s beyond it. That bounds every wall from above,
+so a bound finds the worst pieces of path, and points on their discs then give the exact value.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+import shapely
+
+from CNCStepper.simulation.cutter import Cutter
+from CNCStepper.simulation.region import Region, flat_edges
+from CNCStepper.simulation.segments import Segments, split_ramps
+
+SMALL_MM = 0.0003  # what flattening may add; less is no gouge
+RAMP_STEP_MM = 0.05  # a ramp counts with the lower end of parts of this height
+WORST_PIECES = 64
+ROUND_RAD = np.arange(72) * np.pi / 36
+
+
+@dataclass(frozen=True)
+class Worst:
+    """The worst of its kind: how much, where (work coordinates), and the row of the table nearest to it."""
+
+    depth_mm: float = 0.0
+    place_mm: tuple[float, ...] | None = None
+    row: int = -1
+
+
+@dataclass(frozen=True)
+class Kept:
+    """What is to stay: U(b) by falling bottom b, between the stock's bottom and top."""
+
+    bottoms_mm: tuple[float, ...]
+    regions: tuple[Region, ...]
+    top_mm: float
+    stock_bottom_mm: float
+
+    def depth(self, points: np.ndarray, z_mm: np.ndarray) -> np.ndarray:
+        """Return how deep points float64[n, 2] at heights z lie in what is to stay."""
+        depth = self.top_mm - z_mm
+        for bottom_mm, region in zip(self.bottoms_mm, self.regions, strict=True):
+            depth = np.minimum(depth, np.hypot(region.beyond(points), np.maximum(bottom_mm - z_mm, 0)))
+        return np.maximum(depth, 0.0)
+
+
+@dataclass(frozen=True)
+class Entries:
+    """Pieces of path of one cutter with what bounds their gouge: the disc that enters deepest."""
+
+    cutter: Cutter
+    pieces: Segments
+    bound_mm: np.ndarray
+    height_mm: np.ndarray  # of that disc above the tip
+    radius_mm: np.ndarray
+
+    def __getitem__(self, which: np.ndarray) -> Entries:
+        columns = (self.bound_mm, self.height_mm, self.radius_mm)
+        return Entries(self.cutter, self.pieces[which], *(column[which] for column in columns))
+
+
+def entries(cutter: Cutter, pieces: Segments, kept: Kept) -> Entries:
+    """Return the pieces (ramps in short parts) with the bound of their gouge."""
+    pieces = split_ramps(pieces, RAMP_STEP_MM)
+    enough_mm = max(cutter.radius_mm, 0.05)
+    inside = np.stack([region.inside(pieces, enough_mm) for region in kept.regions]) if kept.regions else None
+    tip = np.maximum(pieces.low_mm, kept.stock_bottom_mm)
+    bound = _bound(inside, tip, kept, np.zeros(1), np.array([cutter.radius_mm]))[0]
+    height, radius = np.zeros(len(pieces)), np.full(len(pieces), cutter.radius_mm)
+    if cutter.ball:
+        for part in np.array_split(np.flatnonzero(bound > SMALL_MM), 1 + len(pieces) // 512):
+            heights, radii = cutter.discs()
+            bound[part], disc = _bound(None if inside is None else inside[:, part], tip[part], kept, heights, radii)
+            height[part], radius[part] = heights[disc], radii[disc]
+    return Entries(cutter, pieces, bound, height, radius)
+
+
+def _bound(inside, tip, kept: Kept, heights, radii) -> tuple[np.ndarray, np.ndarray]:
+    """Return for each piece the deepest entry of its discs, and which disc that is."""
+    z = tip[:, None] + heights
+    depth = kept.top_mm - z
+    for k, bottom_mm in enumerate(kept.bottoms_mm):
+        beyond = np.maximum(radii - inside[k][:, None], 0.0)
+        depth = np.minimum(depth, np.hypot(beyond, np.maximum(bottom_mm - z, 0.0)))
+    disc = depth.argmax(axis=1) if len(depth) else np.zeros(0, np.int64)
+    return np.maximum(depth[np.arange(len(depth)), disc], 0.0), disc
+
+
+def deepest(found: Entries, kept: Kept) -> Worst:
+    """Return the exact deepest gouge of those pieces whose bound is largest."""
+    order = np.argsort(-found.bound_mm, kind="stable")[:WORST_PIECES]
+    worst = found[order[found.bound_mm[order] > SMALL_MM]]
+    if not len(worst.pieces):
+        return Worst()
+    centres, index = _centres(worst.pieces, kept)
+    tip = np.maximum(centres[:, 2], kept.stock_bottom_mm)
+    best = _best_on_discs(centres, tip, index, worst, kept, np.tile(ROUND_RAD, (len(centres), 1)), (0.0, 0.5, 1.0))
+    fine = best.angle + np.linspace(-np.pi / 36, np.pi / 36, 201)
+    fine_best = _best_on_discs(
+        centres[[best.centre]], tip[[best.centre]], index[[best.centre]], worst, kept, fine[None, :], (1.0,)
+    )
+    best = max(best, fine_best, key=lambda candidate: candidate.depth)
+    return Worst(best.depth, best.place, int(worst.pieces.row[best.piece]))
+
+
+@dataclass(frozen=True)
+class _Best:
+    depth: float
+    place: tuple[float, ...]
+    centre: int
+    piece: int
+    angle: float
+
+
+def _best_on_discs(centres, tip, index, worst: Entries, kept: Kept, angles: np.ndarray, shares) -> _Best:
+    """Return the deepest of points on the discs about the centres, at these angles and shares of the radius."""
+    arms = np.stack([np.cos(angles), np.sin(angles)], axis=2)
+    reach = worst.radius_mm[index][:, None] * np.asarray(shares)
+    points = centres[:, None, None, :2] + reach[:, :, None, None] * arms[:, None, :, :]
+    z = np.broadcast_to((tip + worst.height_mm[index])[:, None, None], points.shape[:3])
+    depth = kept.depth(points.reshape(-1, 2), z.ravel())
+    k = int(depth.argmax())
+    centre, _, angle = np.unravel_index(k, points.shape[:3])
+    place = (*points.reshape(-1, 2)[k].tolist(), float(z.ravel()[k]))
+    return _Best(float(depth[k]), place, int(centre), int(index[centre]), float(angles[centre, angle]))
+
+
+def _centres(pieces: Segments, kept: Kept) -> tuple[np.ndarray, np.ndarray]:
+    """Return both ends of the pieces and their points nearest to each wall, with the index of the piece."""
+    points = [pieces.begin, pieces.end]
+    flat = shapely.linestrings(flat_edges(pieces))
+    for region in kept.regions:
+        edge, _ = region.edges.nearest(flat)
+        if len(region.edges.edges):
+            near = shapely.get_coordinates(shapely.shortest_line(flat, region.edges.edges[edge]))[::2]
+            points.append(np.column_stack([near, pieces.low_mm]))
+    return np.vstack(points), np.tile(np.arange(len(pieces)), len(points))

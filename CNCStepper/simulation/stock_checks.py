@@ -1,0 +1,141 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What goes wrong at the stock: rapids and a still spindle in material, cuts below it, gouges, material left."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+import shapely
+
+from CNCStepper.simulation.contact import RUB_MM, Remaining
+from CNCStepper.simulation.cutter import SIMULATED, Cutter, Tools, cutter_numbered, tool_numbered
+from CNCStepper.simulation.finding import Finding
+from CNCStepper.simulation.gouge import Worst
+from CNCStepper.simulation.segments import segments
+from CNCStepper.simulation.stock import Stock
+from CNCStepper.simulation.subject import Subject
+from CNCStepper.simulation.sweep import FLATTEN_MM, Judgement, cutting_path
+
+JUDGE_ERROR_MM = 0.001  # the judge's own error does not count against a program
+PASSED_MM = 0.001
+
+
+def tools_known(subject: Subject, tools: Tools) -> Iterator[Finding]:
+    """Yield each tool number that cuts and is not known, and each shape that is simulated as another."""
+    numbers = np.array([state.tool for state in subject.toolpath.states], int)[subject.table.state]
+    feeds = np.flatnonzero(subject.is_feed)
+    for number in np.unique(numbers[feeds]).tolist():
+        row = int(feeds[numbers[feeds] == number][0])
+        tool = tool_numbered(tools, number)
+        if tool is None:
+            text = f"tool {number} is not known, so what it cuts is not checked"
+            yield subject.finding(row, "error", "unknown-tool", text, advice="add the tool or correct the T word")
+        elif tool.shape not in SIMULATED:
+            text = f"a {tool.shape} tool is simulated as a flat one of its diameter"
+            yield subject.finding(row, "warning", "tool-shape", text, advice="judge its depth by hand")
+
+
+class StockChecks:
+    """The checks that need to know what the moves before have left."""
+
+    def __init__(self, subject: Subject, stock: Stock, tools: Tools):
+        self.subject = subject
+        self.stock = stock
+        self.path = segments(subject.toolpath, FLATTEN_MM).known()
+        self.remaining = Remaining(stock, cutting_path(subject.toolpath, tools, stock.top_mm))
+        numbers = np.array([state.tool for state in subject.toolpath.states], int)[subject.table.state]
+        self.cutters = {int(number): cutter_numbered(tools, int(number)) for number in np.unique(numbers)}
+        self.numbers = numbers
+
+    def rapids(self) -> Iterator[Finding]:
+        """Yield each rapid that touches stock which the moves before it have not cleared."""
+        low = self.subject.low_mm < self.stock.top_mm - RUB_MM
+        for row in np.flatnonzero(~self.subject.is_feed & low).tolist():
+            point = self._contact(row)
+            if point is not None:
+                yield self._touch(row, point, "rapid-in-stock", "a rapid goes through stock", "lift the tool before it")
+
+    def still_spindle(self) -> Iterator[Finding]:
+        """Yield the first cut into stock of each stretch of the program without a turning spindle."""
+        low = self.subject.low_mm < self.stock.top_mm - RUB_MM
+        still = ~self.subject.spindle_on
+        stretch = np.cumsum(np.r_[True, still[1:] != still[:-1]]) if len(still) else still
+        reported: set[int] = set()
+        for row in np.flatnonzero(still & self.subject.is_feed & low).tolist():
+            point = None if int(stretch[row]) in reported else self._contact(row)
+            if point is not None:
+                reported.add(int(stretch[row]))
+                advice = "start the spindle with M3 and S before it"
+                yield self._touch(row, point, "spindle-off", "a cut goes into stock while the spindle stands", advice)
+
+    def below(self) -> Iterator[Finding]:
+        """Yield the cut that goes through the bottom of the stock."""
+        deep = np.flatnonzero(self.subject.low_mm < self.stock.bottom_mm - PASSED_MM)
+        rows = [row for row in deep.tolist() if self._over_stock(row)]
+        if rows:
+            lowest = self.subject.low_mm[rows]
+            yield self.subject.finding(
+                rows[0],
+                "warning",
+                "below-stock",
+                "the tool goes below the stock and cuts what lies under it",
+                advice="check the depth, or lay a spoil board under the stock",
+                value=float(lowest.min()),
+                limit=self.stock.bottom_mm,
+                unit="mm",
+                count=len(rows),
+            )
+
+    def _over_stock(self, row: int) -> bool:
+        cutter = self._cutter(row)
+        ends = np.array([self.subject.begin[row, :2], self.subject.end[row, :2]])
+        if cutter is None or not np.isfinite(ends).all():
+            return False
+        return bool(shapely.distance(shapely.LineString(ends), self.stock.outline) < cutter.radius_mm)
+
+    def _cutter(self, row: int) -> Cutter | None:
+        return self.cutters[int(self.numbers[row])]
+
+    def _contact(self, row: int) -> tuple[float, ...] | None:
+        cutter = self._cutter(row)
+        first, last = np.searchsorted(self.path.row, [row, row + 1])
+        if cutter is None or first == last:
+            return None
+        return self.remaining.first_contact(cutter, self.path[first:last])
+
+    def _touch(self, row: int, point: tuple[float, ...], code: str, text: str, advice: str) -> Finding:
+        return self.subject.finding(
+            row, "error", code, text, advice=advice, place_mm=point, value=point[2], limit=self.stock.top_mm, unit="mm"
+        )
+
+
+def verdict(subject: Subject, judgement: Judgement) -> Iterator[Finding]:
+    """Yield the deepest gouge and the thickest material left where they exceed the removals' tolerances."""
+    yield from _excess(
+        subject,
+        judgement.gouge,
+        judgement.gouge_tolerance_mm,
+        "gouge",
+        "the tool cuts into the wanted part",
+        "correct the path, the tool's diameter or the depth",
+    )
+    for left in judgement.removals:
+        islands = f", {len(left.islands)} island(s)" if left.islands else ""
+        yield from _excess(
+            subject,
+            left.worst,
+            left.tolerance_mm,
+            "left-over",
+            f"material is left where it should be removed{islands}",
+            "add the missing pass, or lower the stepover or the stepdown",
+        )
+
+
+def _excess(
+    subject: Subject, worst: Worst, tolerance_mm: float, code: str, text: str, advice: str
+) -> Iterator[Finding]:
+    if worst.depth_mm > tolerance_mm + JUDGE_ERROR_MM:
+        numbers = {"value": worst.depth_mm, "limit": tolerance_mm, "unit": "mm"}
+        place = {"place_mm": worst.place_mm}
+        yield subject.finding(worst.row, "error", code, text, advice=advice, **place, **numbers)

@@ -1,0 +1,63 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What every check is given: the table, the tip's positions, and how a row becomes a finding."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from CNCStepper.errors import Place
+from CNCStepper.machine.profile import Machine
+from CNCStepper.simulation.finding import Finding, Severity
+from CNCStepper.simulation.segments import tips_mm
+from CNCStepper.toolpath import RAPID, Chunk, Toolpath
+
+
+@dataclass(frozen=True)
+class Subject:
+    """A program under check; begin, end: the tip in work coordinates, float64[n, 3]."""
+
+    toolpath: Toolpath
+    machine: Machine
+    file: str
+    table: Chunk
+    begin: np.ndarray
+    end: np.ndarray
+
+    @classmethod
+    def of(cls, toolpath: Toolpath, machine: Machine, file: str) -> Subject:
+        """Return the program ready for the checks."""
+        return cls(toolpath, machine, file, toolpath.table(), *tips_mm(toolpath))
+
+    @property
+    def is_feed(self) -> np.ndarray:
+        """Which rows cut, bool[n]."""
+        return self.table.kind != RAPID
+
+    @property
+    def low_mm(self) -> np.ndarray:
+        """The lower end of each row, float64[n]."""
+        return np.fmin(self.begin[:, 2], self.end[:, 2])
+
+    @property
+    def spindle_on(self) -> np.ndarray:
+        """Whether the spindle runs on each row, bool[n]."""
+        return np.array([state.spindle != "off" for state in self.toolpath.states], bool)[self.table.state]
+
+    def finding(self, row: int, severity: Severity, code: str, text: str, **more: Any) -> Finding:
+        """Return a finding at a row of the table, or at the start of the file where there is none (-1)."""
+        line = int(self.table.line[row]) if 0 <= row < len(self.table) else 1
+        if "place_mm" not in more and 0 <= row < len(self.table) and np.isfinite(self.end[row]).all():
+            more["place_mm"] = tuple(self.end[row].tolist())
+        return self.finding_at(line, severity, code, text, **more)
+
+    def finding_at(self, line: int, severity: Severity, code: str, text: str, **more: Any) -> Finding:
+        """Return a finding at a line of the file."""
+        return Finding(severity, code, Place(self.file, line, 1), text, **more)
+
+    def first_rows_of_states(self) -> list[tuple[int, int]]:
+        """Return (state, first row that names it), in the order of the rows."""
+        states, rows = np.unique(self.table.state, return_index=True)
+        return sorted(zip(states.tolist(), rows.tolist(), strict=True), key=lambda pair: pair[1])
