@@ -18,11 +18,13 @@ the recompute, as the object's error state; `program_text` then refuses.
 
 from __future__ import annotations
 
+import importlib
 from collections.abc import Iterable, Sequence
-from typing import Any
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
 
 from CNCStepper.errors import CNCStepperError, JobError
-from CNCStepper.workbench import program_file
+from CNCStepper.workbench import packages, program_file
 from CNCStepper.workbench.features.base import Feature, edit
 from CNCStepper.workbench.features.elliptical_pocket import EllipticalPocket
 from CNCStepper.workbench.features.engrave import Engrave
@@ -31,21 +33,27 @@ from CNCStepper.workbench.features.job import Job
 from CNCStepper.workbench.features.preview import Preview
 from CNCStepper.workbench.features.tool import Tool
 
+if TYPE_CHECKING:
+    from CNCStepper.job.model import Job as Model
+
 __all__ = [
     "add_elliptical_pocket",
     "add_engrave",
     "add_freehand",
     "add_tool",
     "edit",
+    "job_model",
     "new_job",
     "program_text",
+    "require_valid",
+    "save_program",
 ]
 
 
 def new_job(document: Any, **values: Any) -> Any:
     """Return a new CNCStepper_Job in `document`, with a preview of its program; `values` by the job's keys."""
     job = _add(document, "App::FeaturePython", Job, values)
-    import Path  # noqa: F401  # FreeCAD learns the type of its Path objects from this module
+    importlib.import_module("Path")  # FreeCAD learns the type of its Path objects from it
 
     _add(document, "Path::FeaturePython", Preview, {"job": job})
     return job
@@ -59,14 +67,14 @@ def add_tool(job: Any, **values: Any) -> Any:
     return tool
 
 
-def add_elliptical_pocket(job: Any, **values: Any) -> Any:
-    """Return a new CNCStepper_EllipticalPocket at the end of the job, from a `drawing` or from numbers."""
-    return _add_operation(job, EllipticalPocket, values)
+def add_elliptical_pocket(job: Any, drawing: Any = None, **values: Any) -> Any:
+    """Return a new CNCStepper_EllipticalPocket at the end of the job, from a drawing of one ellipse or from numbers."""
+    return _add_operation(job, EllipticalPocket, {"drawing": drawing, **values})
 
 
-def add_engrave(job: Any, **values: Any) -> Any:
-    """Return a new CNCStepper_Engrave of a `drawing` at the end of the job."""
-    return _add_operation(job, Engrave, values)
+def add_engrave(job: Any, drawing: Any, **values: Any) -> Any:
+    """Return a new CNCStepper_Engrave of a sketch, wire, B-spline or freehand line at the end of the job."""
+    return _add_operation(job, Engrave, {"drawing": drawing, **values})
 
 
 def add_freehand(
@@ -77,18 +85,36 @@ def add_freehand(
     return _add(document, "Part::FeaturePython", Freehand, values)
 
 
-def program_text(job: Any) -> str:
-    """Return the job's program; raises JobError when there is none, or one that the drawing has left behind."""
+def require_valid(job: Any) -> None:
+    """Raise JobError when the job or what it stands on has an error, or has changed since it was recomputed."""
     for obj in [job, *job.OutListRecursive]:
         if not obj.isValid():
             raise JobError("object-failed", f"{obj.Label}: {obj.getStatusString()}", advice="mend that object first")
     stale = [obj.Label for obj in [job, *job.OutListRecursive] if "Touched" in obj.State]
     if stale:
         raise JobError("program-stale", f"{stale[0]} has changed since the program was made", advice="recompute")
+
+
+def program_text(job: Any) -> str:
+    """Return the job's program; raises JobError when there is none, or one that the drawing has left behind."""
+    require_valid(job)
     text = program_file.load(job)
     if not text:
         raise JobError("program-missing", f"{job.Label} has no program: {job.Message}", advice="recompute")
     return text
+
+
+def save_program(job: Any, path: str | Path) -> None:
+    """Write the job's program to a file, byte for byte; raises JobError as `program_text` does."""
+    Path(path).write_bytes(program_text(job).encode("ascii"))
+
+
+def job_model(job: Any) -> Model:
+    """Return the job as the core's own checked model, for reports and checks; raises what the core raises."""
+    packages.require()
+    from CNCStepper.workbench.making import job_of
+
+    return job_of(job)
 
 
 def _add_operation(job: Any, kind: type[Feature], values: dict[str, Any]) -> Any:

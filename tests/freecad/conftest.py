@@ -9,17 +9,11 @@ INSIDE = importlib.util.find_spec("FreeCAD") is not None
 collect_ignore_glob = [] if INSIDE else ["test_*.py"]
 
 if INSIDE:
-    import locale
     from collections.abc import Iterator
     from typing import Any
 
     import FreeCAD
     import pytest
-
-    @pytest.fixture(autouse=True, scope="session")
-    def environment_s_locale() -> None:
-        """Let the C library write numbers as the user's locale does; FreeCAD starts with a decimal point."""
-        locale.setlocale(locale.LC_ALL, "")
 
     @pytest.fixture
     def document() -> Iterator[Any]:

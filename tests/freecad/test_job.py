@@ -19,7 +19,7 @@ from CNCStepper.errors import JobError
 from CNCStepper.gcode.interpret import interpret
 from CNCStepper.state import Start
 from CNCStepper.toolpath import RAPID
-from CNCStepper.workbench import api
+from CNCStepper.workbench import api, program_file
 from CNCStepper.workbench.features.base import proxy_type
 
 
@@ -74,7 +74,7 @@ def test_a_pocket_from_numbers(document: Any) -> None:
 def test_a_pocket_follows_its_sketch(document: Any) -> None:
     sketch = sketched_ellipse(document)
     job = new_job(document)
-    pocket = api.add_elliptical_pocket(job, drawing=sketch, depth_mm=4)
+    pocket = api.add_elliptical_pocket(job, sketch, depth_mm=4)
     document.recompute()
     before = api.program_text(job)
     assert reach_mm(before) == pytest.approx([37, 22, -4], abs=0.011)
@@ -91,7 +91,7 @@ def test_a_sketch_made_larger_by_its_constraint(document: Any) -> None:
 
     sketch = sketched_ellipse(document)
     job = new_job(document)
-    api.add_engrave(job, drawing=sketch, depth_mm=1, tolerance_mm=0.01)
+    api.add_engrave(job, sketch, depth_mm=1, tolerance_mm=0.01)
     major_axis = 1  # the line that exposeInternalGeometry drew
     sketch.addConstraint(Sketcher.Constraint("Coincident", 0, 3, -1, 1))
     sketch.addConstraint(Sketcher.Constraint("Horizontal", major_axis))
@@ -108,7 +108,7 @@ def test_the_drawing_moves_with_the_body_that_holds_it(document: Any) -> None:
     sketch = sketched_ellipse(document)
     part.addObject(sketch)
     job = new_job(document)
-    api.add_elliptical_pocket(job, drawing=sketch, depth_mm=2)
+    api.add_elliptical_pocket(job, sketch, depth_mm=2)
     document.recompute()
     part.Placement.Base = Vector(0, 7, 0)
     document.recompute()
@@ -117,7 +117,7 @@ def test_the_drawing_moves_with_the_body_that_holds_it(document: Any) -> None:
 
 def test_the_work_zero_moves_the_program(document: Any) -> None:
     job = new_job(document, work_origin_mm=(-50, 0, 3))
-    api.add_elliptical_pocket(job, drawing=sketched_ellipse(document), depth_mm=2)
+    api.add_elliptical_pocket(job, sketched_ellipse(document), depth_mm=2)
     document.recompute()
     assert reach_mm(api.program_text(job))[0] == pytest.approx(87, abs=0.011)
     api.edit(job, work_origin_mm=(0, 0, 0))
@@ -165,7 +165,7 @@ ENGRAVINGS: dict[str, Callable[[Any], Any]] = {
 def test_an_engraving_follows_the_drawing(document: Any, kind: str) -> None:
     drawing = ENGRAVINGS[kind](document)
     job = new_job(document)
-    api.add_engrave(job, drawing=drawing, depth_mm=0.5, tolerance_mm=0.01)
+    api.add_engrave(job, drawing, depth_mm=0.5, tolerance_mm=0.01)
     document.recompute()
     points = cut_points(api.program_text(job))
     deep = points[points[:, 2] == -0.5]
@@ -229,13 +229,13 @@ def test_an_open_ellipse_is_refused(document: Any) -> None:
     sketch = document.addObject("Sketcher::SketchObject", "Sketch")
     sketch.addGeometry(Part.ArcOfEllipse(Part.Ellipse(Vector(40, 0), Vector(0, 25), Vector()), 0, 3))
     job = new_job(document)
-    refused(document, api.add_elliptical_pocket(job, drawing=sketch, depth_mm=2), "is open")
+    refused(document, api.add_elliptical_pocket(job, sketch, depth_mm=2), "is open")
 
 
 def test_a_deleted_drawing_leaves_no_old_program(document: Any) -> None:
     sketch = sketched_ellipse(document)
     job = new_job(document)
-    engraving = api.add_engrave(job, drawing=sketch)
+    engraving = api.add_engrave(job, sketch)
     document.recompute()
     assert api.program_text(job)
     document.removeObject(sketch.Name)
@@ -254,6 +254,25 @@ def test_an_unknown_machine_is_refused(document: Any) -> None:
     job = new_job(document, machine="nonesuch")
     api.add_elliptical_pocket(job, depth_mm=2)
     refused(document, job, "nonesuch")
+
+
+def test_what_a_script_takes_out_of_the_document(document: Any, tmp_path: Path) -> None:
+    job = new_job(document, units="inch", work_offset="G55", stock_size_mm=(120, 80, 15))
+    pocket = api.add_elliptical_pocket(job, sketched_ellipse(document), depth_mm=2)
+    document.recompute()
+    api.save_program(job, tmp_path / "program.nc")
+    assert (tmp_path / "program.nc").read_bytes() == api.program_text(job).encode("ascii")
+    assert {"G20", "G55"} <= set(api.program_text(job).split())
+    model = api.job_model(job)
+    assert (model.units, model.work_offset, model.stock.size_mm) == ("inch", "G55", (120, 80, 15))
+    assert model.operation[0].radius_x_mm == pytest.approx(40)
+    api.edit(pocket, depth_mm=-1)
+    document.recompute()
+    with pytest.raises(JobError):
+        api.require_valid(job)
+    with pytest.raises(JobError):
+        api.save_program(job, tmp_path / "other.nc")
+    assert not (tmp_path / "other.nc").exists()
 
 
 def test_a_job_without_operations_says_so(document: Any) -> None:
@@ -322,7 +341,7 @@ def test_a_value_that_cannot_be_set_changes_nothing(document: Any, change: dict[
 def test_the_program_survives_save_and_reopen_byte_for_byte(document: Any, reopened: Any) -> None:
     sketch = sketched_ellipse(document)
     job = new_job(document)
-    api.add_elliptical_pocket(job, drawing=sketch, depth_mm=2)
+    api.add_elliptical_pocket(job, sketch, depth_mm=2)
     document.recompute()
     text, name = api.program_text(job), job.Name
     again = reopened(document)
@@ -358,7 +377,7 @@ def test_a_failed_document_is_saved_and_mended_after_reopening(document: Any, re
 
 def test_the_preview_shows_the_program_at_the_work_zero(document: Any) -> None:
     job = new_job(document, work_origin_mm=(10, 20, 30))
-    api.add_elliptical_pocket(job, drawing=sketched_ellipse(document), depth_mm=2)
+    api.add_elliptical_pocket(job, sketched_ellipse(document), depth_mm=2)
     document.recompute()
     (preview,) = [obj for obj in document.Objects if proxy_type(obj) == "CNCStepper_Preview"]
     assert preview.isDerivedFrom("Path::Feature")
@@ -371,9 +390,11 @@ def test_the_preview_shows_the_program_at_the_work_zero(document: Any) -> None:
 
 def test_a_long_program_s_preview_is_thinned(document: Any) -> None:
     job = new_job(document)
-    line = api.add_freehand(document, [(i / 1000, (i % 2) / 10) for i in range(20_500)])
-    api.add_engrave(job, drawing=line, depth_mm=1)
     document.recompute()
     (preview,) = [obj for obj in document.Objects if proxy_type(obj) == "CNCStepper_Preview"]
-    assert len(interpret(api.program_text(job), Start())) > 20_500
+    lines = [f"G1 X{number % 100} Y{number // 100} F800" for number in range(25_000)]
+    program_file.store(job, "\n".join(["G21 G90", *lines, "M2", ""]))
+    preview.touch()
+    document.recompute()
     assert preview.Path.Size == 20_000
+    assert preview.Path.Commands[-1].Parameters["Y"] == 249

@@ -4,15 +4,17 @@
 from __future__ import annotations
 
 import ctypes
+import locale
 import os
 from pathlib import Path
+from typing import Any
 
 import FreeCAD
 import pytest
 
 import CNCStepper
 from CNCStepper.errors import MissingPackage
-from CNCStepper.workbench import packages
+from CNCStepper.workbench import api, packages
 
 ROOT = Path(CNCStepper.__file__).parents[1]
 
@@ -39,9 +41,26 @@ def test_a_missing_package_is_named_with_the_way_to_get_it() -> None:
         packages.require("numpy", "nonesuch")
 
 
-def test_the_locale_is_the_one_asked_for() -> None:
-    """With a decimal comma the C library really writes one while these tests run."""
+def c_number() -> bytes:
+    """Return 1.5 as the C library writes it."""
     text = ctypes.create_string_buffer(8)
     ctypes.CDLL(None).snprintf(text, 8, b"%.1f", ctypes.c_double(1.5))
-    wanted = b"1,5" if os.environ["LC_ALL"].startswith("pt_BR") else b"1.5"
-    assert text.value == wanted
+    return text.value
+
+
+def test_a_program_is_the_same_where_numbers_have_a_comma(document: Any) -> None:
+    """FreeCAD itself keeps the decimal point; here the C library really writes the comma of the run's locale."""
+    job = api.new_job(document)
+    api.add_tool(job)
+    pocket = api.add_elliptical_pocket(job, radius_x_mm=40.5, depth_mm=2.5)
+    document.recompute()
+    with_point = api.program_text(job)
+    assert c_number() == b"1.5"
+    locale.setlocale(locale.LC_NUMERIC, "")
+    try:
+        assert c_number() == (b"1,5" if os.environ["LC_ALL"].startswith("pt_BR") else b"1.5")
+        pocket.touch()
+        document.recompute()
+        assert api.program_text(job) == with_point
+    finally:
+        locale.setlocale(locale.LC_NUMERIC, "C")
