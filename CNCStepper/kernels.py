@@ -15,6 +15,7 @@ import platformdirs
 
 os.environ.setdefault("NUMBA_CACHE_DIR", platformdirs.user_cache_dir("cncstepper", appauthor=False))
 
+numba: Any
 try:
     import numba
 except ImportError:  # everything still works, slowly; callers tell the user through COMPILED

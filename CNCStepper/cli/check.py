@@ -1,0 +1,67 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""`cncstepper check`: what is wrong with a program on a machine, before it moves anything."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+import click
+
+from CNCStepper.cli.options import (
+    NumbersType,
+    dialect_name,
+    dialect_option,
+    machine_option,
+    program_argument,
+    read_program,
+    stock_of,
+    stock_options,
+)
+from CNCStepper.cli.show import show_findings, write_json
+from CNCStepper.machine.profile import Machine
+from CNCStepper.machine.tool import Tool
+
+
+@click.command("check")
+@program_argument
+@machine_option(required=True)
+@stock_options(required=False)
+@click.option("--work-zero", type=NumbersType(), help="Where the work zero lies, in machine coordinates.")
+@dialect_option
+@click.option("--json", "json_path", type=click.Path(path_type=Path), help="Also write the report there.")
+def command(
+    program: Path,
+    machine: Machine,
+    stock: tuple[float, float, float] | None,
+    origin: str,
+    tool: Tool | None,
+    work_zero: tuple[float, float, float] | None,
+    dialect: str | None,
+    json_path: Path | None,
+) -> None:
+    """Check PROGRAM against a machine: travel, feeds, spindle; with --stock and --tool also rapids and plunges.
+
+    Exit 0 clean, 1 refused; each finding is file:line:column: text. Where --work-zero is not given, the place of
+    the program on the table is reported as unknown.
+    """
+    from CNCStepper.job.prove import prove
+    from CNCStepper.state import Start
+
+    if tool and not stock:
+        raise click.UsageError("--tool goes with --stock")
+    proof = prove(
+        read_program(program),
+        machine,
+        file=str(program),
+        dialect=dialect_name(dialect, machine),
+        start=Start.with_work_zero(work_zero) if work_zero else None,
+        stock=stock_of(stock, origin),
+        tools=tool,
+    )
+    show_findings(proof.findings)
+    if json_path:
+        write_json(json_path, proof.report)
+    verdict = "refused" if proof.refused else "clean"
+    click.echo(f"{program}: {verdict}; {proof.report['blocks']} blocks, {proof.report['time_s']:.1f} s")
+    sys.exit(1 if proof.refused else 0)

@@ -1,0 +1,106 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What several verbs take from the command line, and how it is read."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import click
+
+from CNCStepper.errors import CNCStepperError
+from CNCStepper.machine.profile import Machine, load_machine
+from CNCStepper.machine.tool import tool_from_text
+from CNCStepper.simulation.stock import Stock
+
+
+class NumbersType(click.ParamType):
+    """X,Y,Z in mm with decimal points."""
+
+    name = "X,Y,Z"
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> tuple[float, ...]:
+        if isinstance(value, tuple):
+            return value
+        try:
+            numbers = tuple(float(part) for part in value.split(","))
+        except ValueError:
+            numbers = ()
+        if len(numbers) != 3 or not all(abs(number) < 1e6 for number in numbers):
+            self.fail(f"'{value}' is not three numbers in mm with decimal points, such as 100,70,20", param, ctx)
+        return numbers
+
+
+class _Named(click.ParamType):
+    """A word that one of our own readers understands; its refusal is a usage error (exit 2)."""
+
+    def __init__(self, name: str, reader: Any):
+        self.name = name
+        self._reader = reader
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
+        if not isinstance(value, str):
+            return value
+        try:
+            return self._reader(value)
+        except CNCStepperError as error:
+            self.fail(str(error), param, ctx)
+
+
+FilePath = click.Path(exists=True, dir_okay=False, path_type=Path)
+
+program_argument = click.argument("program", type=FilePath)
+dialect_option = click.option(
+    "--dialect", default=None, help="How the program is to be read: grbl, linuxcnc, thesis-a. [default: the machine's]"
+)
+
+
+def machine_option(required: bool) -> Any:
+    """Return the option that names a machine profile."""
+    text = "A profile's name (table-a) or its TOML file."
+    return click.option("--machine", type=_Named("PROFILE", load_machine), required=required, help=text)
+
+
+def stock_options(required: bool) -> Any:
+    """Return the decorator that adds --stock, --origin and --tool."""
+
+    def add(function: Any) -> Any:
+        for option in (
+            click.option(
+                "--tool",
+                type=_Named("SHAPE:MM", tool_from_text),
+                required=required,
+                help="The cutter, for example flat:6 or ball:2.",
+            ),
+            click.option(
+                "--origin",
+                type=click.Choice(["top-centre", "top-left-front"]),
+                default="top-centre",
+                show_default=True,
+                help="Where on the stock the work zero lies.",
+            ),
+            click.option("--stock", type=NumbersType(), required=required, help="Size of the stock in mm."),
+        ):
+            function = option(function)
+        return function
+
+    return add
+
+
+def stock_of(size_mm: tuple[float, float, float] | None, origin: str) -> Stock | None:
+    """Return the stock that the options name, or None."""
+    return Stock(size_mm, origin) if size_mm else None
+
+
+def dialect_name(dialect: str | None, machine: Machine | None) -> str:
+    """Return the dialect asked for, else the machine's own, else grbl."""
+    return dialect or (machine.controller if machine else "grbl")
+
+
+def read_program(path: Path) -> str:
+    """Return the text of a program file: UTF-8 (a byte-order mark is dropped), else Latin-1."""
+    content = path.read_bytes()
+    try:
+        return content.decode("utf-8-sig")
+    except UnicodeDecodeError:
+        return content.decode("latin-1")

@@ -1,0 +1,91 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A person at a terminal watching a session: progress, pauses, and Ctrl-C."""
+
+from __future__ import annotations
+
+import sys
+
+import click
+from rich.console import Console
+from rich.progress import BarColumn, Progress, TaskProgressColumn, TextColumn, TimeElapsedColumn
+
+from CNCStepper.control.outcome import Outcome, SenderStatus
+from CNCStepper.control.send_job import SendJob
+from CNCStepper.control.session import SessionClient
+
+LOOK_EVERY_S = 0.05
+
+
+def watch(job: SendJob, resume_pauses: bool) -> Outcome:
+    """Start the sender's process for `job`, show its progress, answer its pauses, and return how it ended."""
+    columns = (TextColumn("{task.description:<10}"), BarColumn(), TaskProgressColumn(), TimeElapsedColumn())
+    with (
+        SessionClient.start(job) as client,
+        Progress(*columns, TextColumn("{task.fields[place]}"), console=Console(stderr=True)) as progress,
+    ):
+        return _Watch(client, progress, resume_pauses).run()
+
+
+class _Watch:
+    def __init__(self, client: SessionClient, progress: Progress, resume_pauses: bool):
+        self._client = client
+        self._progress = progress
+        self._resume_pauses = resume_pauses
+        self._bar = progress.add_task("connecting", total=None, place="")
+        self._asked = ""  # the phase for which the person was asked already
+
+    def run(self) -> Outcome:
+        """Return the outcome; Ctrl-C holds the machine."""
+        while self._client.outcome is None:
+            try:
+                self._look()
+            except KeyboardInterrupt:
+                self._client.hold()
+        return self._client.wait(self._show)
+
+    def _look(self) -> None:
+        for event in self._client.poll(LOOK_EVERY_S):
+            if event["event"] == "status":
+                status = SenderStatus.from_json(event["status"])
+                self._show(status)
+                self._stand(status)
+            elif event["event"] in ("message", "warning"):
+                self._progress.console.print(event["text"], markup=False)
+
+    def _show(self, status: SenderStatus) -> None:
+        place = f"line {status.file_line}" if status.file_line else ""
+        if status.wpos_mm:
+            place += "  " + " ".join(f"{axis}{value:.3f}" for axis, value in zip("XYZ", status.wpos_mm, strict=False))
+        self._progress.update(
+            self._bar, description=status.phase, completed=status.acknowledged, total=status.total or None, place=place
+        )
+
+    def _stand(self, status: SenderStatus) -> None:
+        """Ask once what to do when the machine stands: held, or paused by its program."""
+        if status.phase not in ("held", "paused", "door"):
+            self._asked = ""
+        elif status.phase == "paused" and self._resume_pauses:
+            self._resume_once(status)
+        elif not self._asked:
+            self._asked = status.phase
+            self._ask(status)
+
+    def _resume_once(self, status: SenderStatus) -> None:
+        if not self._asked:
+            self._asked = status.phase
+            self._progress.console.print(f"pause: {status.message or 'M0'}; going on", markup=False)
+            self._client.resume()
+
+    def _ask(self, status: SenderStatus) -> None:
+        """A stop needs a word; nobody to ask means stop, for a tool must not stand in the work unwatched."""
+        question = f"{status.message or 'The machine holds'}. Enter goes on, s stops"
+        self._progress.stop()
+        try:
+            answer = click.prompt(question, default="", show_default=False, err=True) if sys.stdin else "s"
+        except (click.Abort, EOFError):
+            answer = "s"
+        self._progress.start()
+        if answer.strip().lower() == "s":
+            self._client.stop()
+        else:
+            self._client.resume()

@@ -1,0 +1,133 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The job: what a job file or a FreeCAD document says, checked whole before anything is made."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any, Literal
+
+from pydantic import BaseModel, ConfigDict, Field, model_validator
+
+from CNCStepper.cycles.catalogue import cycle_class
+from CNCStepper.cycles.form import Cycle, Setup
+from CNCStepper.drawing.points import read_points
+from CNCStepper.errors import JobError, Place
+from CNCStepper.machine.profile import Machine, load_machine, profile_names, read_toml, validated
+from CNCStepper.machine.tool import Tool
+from CNCStepper.simulation.stock import Stock
+from CNCStepper.state import WORK_SYSTEMS
+
+
+class StockForm(BaseModel):
+    """The raw material as a job file names it."""
+
+    model_config = ConfigDict(extra="forbid", frozen=True)
+
+    size_mm: tuple[float, float, float]
+    origin: str
+
+    def stock(self) -> Stock:
+        """Return the stock in work coordinates."""
+        return Stock(self.size_mm, self.origin)
+
+
+class Job(BaseModel):
+    """Everything that decides a program, besides the machine's own profile.
+
+    units: of the program written only, "mm" is G21 and "inch" is G20; heights are above the stock's top.
+    operation: cycles in the order in which they are cut, each already checked by its own model.
+    """
+
+    model_config = ConfigDict(extra="forbid", frozen=True, arbitrary_types_allowed=True)
+
+    units: Literal["mm", "inch"] = "mm"
+    machine: str
+    work_offset: str = "G54"
+    clearance_mm: float = Field(gt=0, allow_inf_nan=False)
+    retract_mm: float = Field(gt=0, allow_inf_nan=False)
+    coolant: Literal["none", "mist", "flood"] = "none"
+    stock: StockForm
+    tool: tuple[Tool, ...] = Field(min_length=1)
+    operation: tuple[Any, ...] = Field(min_length=1)
+
+    @model_validator(mode="after")
+    def _parts_fit_together(self) -> Job:
+        if self.work_offset not in WORK_SYSTEMS:
+            raise ValueError(f"work_offset must be one of {', '.join(WORK_SYSTEMS)}")
+        if self.clearance_mm < self.retract_mm:
+            raise ValueError("clearance_mm must not be below retract_mm")
+        numbers = [tool.number for tool in self.tool]
+        if len(set(numbers)) < len(numbers):
+            raise ValueError("two tools have the same number")
+        for operation in self.operation:
+            if operation.tool not in numbers:
+                raise ValueError(
+                    f"operation '{operation.cycle}' uses tool {operation.tool}, which the job does not have"
+                )
+        return self
+
+    @property
+    def tools(self) -> dict[int, Tool]:
+        """The tools by number."""
+        return {tool.number: tool for tool in self.tool}
+
+    def setup(self, operation: Cycle) -> Setup:
+        """Return what the job gives that operation besides its own parameters."""
+        return Setup(self.tools[operation.tool], self.clearance_mm, self.retract_mm)
+
+
+def load_job(path: Path) -> tuple[Job, Machine]:
+    """Return the job of a TOML file, or of a JSON file that `save_job` wrote, and its machine.
+
+    Paths in the file are relative to it. Raises JobError that names the file, the key and its value.
+    """
+    if not path.is_file():
+        raise JobError("job-missing", f"there is no job file '{path}'", advice="give the path of a TOML job file")
+    content = _read_json(path) if path.suffix.lower() == ".json" else read_toml(path)
+    content["operation"] = tuple(
+        operation_of(raw, path.parent, f"{path} operation {number}")
+        for number, raw in enumerate(_tables(content, "operation", path), start=1)
+    )
+    job = validated(Job, content, str(path))
+    return job, load_machine(_machine_name(job.machine, path.parent))
+
+
+def save_job(job: Job, path: Path) -> None:
+    """Write the job as JSON, its curves within it, so that another process can make, prove and send it."""
+    content = job.model_dump(mode="json") | {
+        "operation": [operation.model_dump(mode="json") for operation in job.operation]
+    }
+    path.write_text(json.dumps(content, indent=1, allow_nan=False) + "\n", encoding="utf-8")
+
+
+def operation_of(raw: dict[str, Any], folder: Path, file: str) -> Cycle:
+    """Return the cycle that one `[[operation]]` table describes; `folder` is where its files are looked for."""
+    content = dict(raw)
+    model = cycle_class(str(content.get("cycle", "")))
+    if "points" in content:
+        content["curves"] = (read_points(folder / content.pop("points"), closed=bool(content.get("closed", False))),)
+    return validated(model, content, file)  # type: ignore[return-value]
+
+
+def _read_json(path: Path) -> dict[str, Any]:
+    try:
+        content = json.loads(path.read_text("utf-8"))
+    except ValueError as error:  # JSONDecodeError and UnicodeDecodeError are both
+        raise JobError("json", f"not a JSON file: {error}", place=Place(str(path))) from error
+    if not isinstance(content, dict):
+        raise JobError("json", "not a job: the file holds no object", place=Place(str(path)))
+    return content
+
+
+def _tables(content: dict[str, Any], key: str, path: Path) -> list[dict[str, Any]]:
+    tables = content.get(key, [])
+    if not isinstance(tables, list) or not all(isinstance(table, dict) for table in tables):
+        raise JobError(
+            "bad-value", f"{key} must be a list of tables", advice=f"write [[{key}]]", place=Place(str(path))
+        )
+    return tables
+
+
+def _machine_name(name: str, folder: Path) -> str:
+    return name if name in profile_names() else str(folder / name)

@@ -1,0 +1,98 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Program text to proof: read back from the wire text, timed, judged, checked, reported and drawn.
+
+Nothing here looks at what the cycles meant to do, except at the shapes that they want removed.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from CNCStepper.cycles.form import Removal
+from CNCStepper.gcode.prepare import WireText, prepare
+from CNCStepper.gcode.read_back import read_back
+from CNCStepper.job.make import make_program
+from CNCStepper.job.model import Job
+from CNCStepper.machine.profile import Machine
+from CNCStepper.machine.tool import Tool
+from CNCStepper.motion.plan import times_s
+from CNCStepper.simulation.check import check
+from CNCStepper.simulation.finding import Finding, refused
+from CNCStepper.simulation.heightmap import HeightMap, height_map
+from CNCStepper.simulation.report import report
+from CNCStepper.simulation.stock import Stock
+from CNCStepper.simulation.sweep import judge
+from CNCStepper.state import Start
+from CNCStepper.toolpath import Toolpath
+
+
+@dataclass(frozen=True)
+class Proof:
+    """What is known of a program text on a machine.
+
+    wire: what would be sent. toolpath: its moves, naming the file's lines. times_s: end of every row.
+    part: the stock after the program, or None without stock and tools. report: plain data for JSON.
+    """
+
+    wire: WireText
+    toolpath: Toolpath
+    times_s: np.ndarray
+    findings: list[Finding]
+    part: HeightMap | None
+    report: dict[str, Any]
+
+    @property
+    def refused(self) -> bool:
+        """Whether a finding forbids sending it."""
+        return refused(self.findings)
+
+    def draw(self, path: Path, tools: dict[int, Tool] | Tool, title: str) -> None:
+        """Draw the cut part and the tool's paths as PNG; only for a program with stock and tools."""
+        from CNCStepper.simulation.picture import draw
+
+        assert self.part
+        draw(path, self.part, self.toolpath, tools=tools, title=title, time_s=self.report["time_s"])
+
+
+def prove(
+    text: str,
+    machine: Machine,
+    *,
+    file: str = "",
+    dialect: str = "",
+    start: Start | None = None,
+    stock: Stock | None = None,
+    tools: dict[int, Tool] | Tool | None = None,
+    removals: Sequence[Removal] = (),
+) -> Proof:
+    """Return the proof of a program text; raises ProgramError for a text that cannot be read.
+
+    start: where the machine stands; None is a machine whose position and zero are unknown. removals: the shapes
+    wanted, in work coordinates; without them gouge and left-over are not judged.
+    """
+    language = dialect or machine.controller
+    wire = prepare(text, language, file)
+    toolpath = read_back(wire, text, start, language, file)
+    ends_s = times_s(toolpath, machine)
+    judgement = judge(toolpath, tools, list(removals), stock) if tools is not None and removals else None
+    findings = check(toolpath, machine, file=file, stock=stock, tools=tools, judgement=judgement)
+    part = height_map(toolpath, tools, stock) if stock is not None and tools is not None else None
+    told = report(toolpath, ends_s, file=file, findings=findings, judgement=judgement, part=part)
+    return Proof(wire, toolpath, ends_s, findings, part, told)
+
+
+def prove_job(job: Job, machine: Machine, text: str, file: str = "") -> Proof:
+    """Return the proof of a job's program text against the shapes that the job wants removed."""
+    return prove(
+        text,
+        machine,
+        file=file,
+        stock=job.stock.stock(),
+        tools=job.tools,
+        removals=make_program(job, machine).removals,
+    )
