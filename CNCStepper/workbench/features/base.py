@@ -57,6 +57,7 @@ class Feature:
     def __init__(self, obj: Any):
         obj.Proxy = self
         self.add_properties(obj)
+        show_in_window(obj)
 
     def add_properties(self, obj: Any) -> None:
         """Add the properties that `obj` lacks, which in a document of an older version may be some."""
@@ -73,6 +74,7 @@ class Feature:
     def onDocumentRestored(self, obj: Any) -> None:
         """Let a document of an older version catch up; FreeCAD calls this after opening it."""
         self.add_properties(obj)
+        show_in_window(obj)
 
     def __getstate__(self) -> None:
         """Keep nothing in the proxy: all state is in properties (FreeCAD before 0.21)."""
@@ -85,6 +87,13 @@ class Feature:
 
     def loads(self, state: Any) -> None:
         """Restore nothing (FreeCAD from 0.21 on)."""
+
+
+def show_in_window(obj: Any) -> None:
+    """Let a window draw `obj`: FreeCAD draws only scripted objects whose view has a proxy, 0 being the plainest."""
+    view = getattr(obj, "ViewObject", None)
+    if view is not None and view.Proxy is None:
+        view.Proxy = 0
 
 
 def proxy_type(obj: Any) -> str:
