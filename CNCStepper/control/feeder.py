@@ -22,6 +22,7 @@ class Feeder:
         self.sent = 0
         self.acknowledged = 0
         self.total = len(job.lines)
+        self._message = ""  # the program's last since its last pause
         self._alone = False  # the last line sent must be answered before the next goes out
 
     @property
@@ -42,6 +43,9 @@ class Feeder:
         """Count the answer to a line of the job."""
         if answered.sent.index >= 0 and not answered.error:
             self.acknowledged += 1
+            self._message = self.job.messages.get(answered.sent.index, self._message)
+            if pauses(answered.sent.text):
+                self._message = ""
 
     def refusal(self, answered: Answered) -> MachineRefusal:
         """Return what `error:n` says about its line, in words and with its place in the file."""
@@ -53,10 +57,10 @@ class Feeder:
             place=self.job.place(answered.sent.index),
         )
 
-    def pause_index(self, driver: Grbl) -> int | None:
-        """Return the index of the M0 that the controller is at, or None."""
+    def pause_message(self, driver: Grbl) -> str | None:
+        """Return the program's words for the M0 that the controller is at; None when it is at none."""
         if driver.unanswered and pauses(driver.unanswered[0].text):
-            return driver.unanswered[0].index
+            return self.job.messages.get(driver.unanswered[0].index, self._message)
         return None
 
     def dwell_s(self, driver: Grbl) -> float:

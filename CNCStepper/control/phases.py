@@ -80,11 +80,11 @@ class Phases:
 
     def _in_hold(self, status: Status, driver: Grbl, feeder: Feeder) -> None:
         still = status.substate in (0, None)
-        index = None if self._hold_asked else feeder.pause_index(driver)
+        message = None if self._hold_asked else feeder.pause_message(driver)
         if still and self._resume_asked:
             self._go_on(driver)
-        elif index is not None:
-            self.set("paused", feeder.job.messages.get(index, ""))
+        elif message is not None:
+            self.set("paused", message)
         else:
             self.set("held" if still else "holding")
 

@@ -6,9 +6,15 @@ from __future__ import annotations
 import json
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass, field, fields
+from typing import TYPE_CHECKING
 
 from CNCStepper.control.lines import check_line
+from CNCStepper.control.readiness import expected_settings
 from CNCStepper.errors import JobError, Place, ProgramError
+
+if TYPE_CHECKING:
+    from CNCStepper.gcode.prepare import WireText
+    from CNCStepper.machine.profile import Machine
 
 
 @dataclass(frozen=True)
@@ -40,6 +46,29 @@ class SendJob:
                 limit=f"{len(self.lines)} lines",
                 advice="prepare the program again",
             )
+
+    @classmethod
+    def of(
+        cls,
+        wire: WireText,
+        port: str,
+        *,
+        machine: Machine | None = None,
+        file: str = "",
+        zero_confirmed: bool = False,
+        baud: int = 115_200,
+    ) -> SendJob:
+        """Return the job that sends a wire text; with `machine` the controller must be set as its profile says."""
+        return cls(
+            port,
+            wire.lines,
+            file=file,
+            file_lines=[int(line) for line in wire.file_lines],
+            messages=wire.messages,
+            zero_confirmed=zero_confirmed,
+            expected=expected_settings(machine) if machine else {},
+            baud=baud,
+        )
 
     def place(self, index: int) -> Place:
         """Return where wire line `index` (from 0) stands in the file."""

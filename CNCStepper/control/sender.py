@@ -228,6 +228,8 @@ class Sender:
         for report in received:
             if isinstance(report, Answered):
                 self._feeder.take(report)
+                if message := self.job.messages.get(report.sent.index):
+                    self._tell("message", message)
             elif isinstance(report, Feedback) and report.tag in ("MSG", "echo"):
                 self._tell("message", report.text)
             elif isinstance(report, Unknown):

@@ -22,7 +22,8 @@ class FakeController:
     """Reads lines at random moments, answers them, and counts what overruns its buffer.
 
     on_line: what to do instead of `ok`, by the number of the program line from 0: "error:n",
-    "ALARM:n", "reset" (as its button does), "brownout" (as its supply does), "silent" (no answer), "cut" (the link breaks).
+    "ALARM:n", "reset" (as its button does), "brownout" (as its supply does), "silent" (no answer), "cut"
+    (the link breaks).
     """
 
     def __init__(self, clock: Callable[[], float], *, seed: int = 0, line_s: float = 0.002, rx_bytes: int = 128):

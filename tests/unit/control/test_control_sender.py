@@ -14,6 +14,7 @@ from CNCStepper.control.send_job import SendJob
 from CNCStepper.control.sender import Sender
 from CNCStepper.control.timing import Timing
 from CNCStepper.errors import LinkError, MachineRefusal, ProgramError
+from CNCStepper.gcode.prepare import prepare
 from CNCStepper.machine.profile import load_machine
 
 LINES = tuple(f"G1X{number}Y{number % 7}F600" for number in range(60))
@@ -296,6 +297,24 @@ def test_pause_of_the_program_shows_its_message_and_waits():
     assert bench.run().done
     assert seen == [(["G1X1", "M0"], 2)]  # nothing follows the pause before it is over
     assert bench.controller.lines == lines
+
+
+def test_message_before_the_lines_that_lead_to_a_pause_is_shown_at_the_pause():
+    lines = ["G1X1", "M5", "M0", "G1X2", "M0", "G1X3"]
+    bench = Bench(lines, messages={1: "put in tool 2", 3: "going on"})
+    bench.on_phase["paused: put in tool 2"] = bench.sender.resume
+    bench.on_phase["paused: going on"] = bench.sender.resume
+    assert bench.run().done
+    assert [text for kind, text in bench.told if kind == "message"] == ["put in tool 2", "going on"]
+
+
+def test_job_of_a_wire_text_carries_map_messages_and_settings():
+    wire = prepare("(a comment)\nG21\n(MSG, turn it)\nM0\nG1X1F100\n")
+    job = SendJob.of(wire, "loop://", machine=load_machine("table-a"), file="a.nc", zero_confirmed=True)
+    assert list(job.lines) == ["G21", "M0", "G1X1F100"] and job.place(2).line == 5
+    assert job.messages == {1: "turn it"} and job.expected[102] == 400
+    assert SendJob.from_json(job.to_json()).place(2) == job.place(2)
+    assert SendJob.from_json(job.to_json()).messages == {1: "turn it"}
 
 
 def test_hold_asked_while_connecting_acts_before_the_first_line():
