@@ -1,0 +1,45 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The tool's path as lines to draw, sorted into rapids, feeds, arcs and plunges."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from CNCStepper.simulation.segments import Segments, chains, segments
+from CNCStepper.toolpath import LINE, RAPID, Toolpath
+
+DRAWN_MM = 0.02  # how far a drawn arc may leave the true one
+
+
+@dataclass(frozen=True)
+class DrawnPath:
+    """Polylines float64[k, 3] by what the tool does on them, and the lower ends of the plunges, float64[n, 3]."""
+
+    rapids: list[np.ndarray]
+    feeds: list[np.ndarray]
+    arcs: list[np.ndarray]
+    plunges: np.ndarray
+
+
+def drawn_path(toolpath: Toolpath) -> DrawnPath:
+    """Return the path in work coordinates, without what begins at an unknown position."""
+    path = segments(toolpath, DRAWN_MM).known()
+    kind = toolpath.table().kind[path.row]
+    sideways = np.hypot(*(path.end - path.begin)[:, :2].T) > 1e-9
+    plunging = (kind == LINE) & ~sideways & (path.end[:, 2] < path.begin[:, 2])
+    return DrawnPath(
+        _unrepeated(path[(kind == RAPID) & sideways]),
+        _unrepeated(path[(kind == LINE) & sideways]),
+        _unrepeated(path[(kind > LINE)]),
+        path.end[plunging],
+    )
+
+
+def _unrepeated(path: Segments) -> list[np.ndarray]:
+    """Return the segments as polylines, without those that lie on another one seen from above."""
+    flat = np.round(np.concatenate([path.begin[:, :2], path.end[:, :2]], axis=1), 4)
+    keys = np.ascontiguousarray(flat).view([("", flat.dtype)] * 4).ravel() if len(flat) else np.zeros(0)
+    first = np.sort(np.unique(keys, return_index=True)[1])
+    return chains(path[first])

@@ -1,0 +1,146 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The report of a program as plain data for strict JSON: the same program gives the same bytes.
+
+Lengths are those of the tip in work coordinates. What is not known is null, never NaN.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from CNCStepper.simulation.arcs import extremes
+from CNCStepper.simulation.finding import Finding
+from CNCStepper.simulation.gouge import Worst
+from CNCStepper.simulation.heightmap import HeightMap
+from CNCStepper.simulation.segments import clipped_below, segments, tips_mm
+from CNCStepper.simulation.sweep import Judgement
+from CNCStepper.toolpath import ARC_CCW, ARC_CW, LINE, RAPID, Toolpath
+
+DECIMALS = 6
+LENGTH_TOLERANCE_MM = 0.001  # of the chords whose lengths stand for an arc's
+
+
+def report(
+    toolpath: Toolpath,
+    times_s: np.ndarray,
+    *,
+    file: str = "",
+    findings: Sequence[Finding] = (),
+    judgement: Judgement | None = None,
+    part: HeightMap | None = None,
+) -> dict[str, Any]:
+    """Return what is known of a program, as dicts, lists, texts, numbers and None.
+
+    times_s: end time of every row, float64[n]. part: the stock after the program.
+    """
+    lengths = _Lengths(toolpath)
+    whole = slice(0, len(toolpath))
+    table = toolpath.table()
+    return {
+        "program": file,
+        "blocks": len(np.unique(table.line[table.line > 0])),
+        "moves": len(toolpath),
+        "time_s": _number(times_s[-1]) if len(times_s) else 0.0,
+        **lengths.of(whole),
+        "plunges": lengths.plunges(whole),
+        "arcs": int(np.isin(table.kind, (ARC_CW, ARC_CCW)).sum()),
+        "tools": sorted({toolpath.states[k].tool for k in np.unique(table.state)}),
+        "bounding_box_mm": _bounding_box(toolpath),
+        "work_zero_known": toolpath.start.zero_known,
+        "operations": [_operation(span, lengths, times_s) for span in toolpath.spans if span.kind == "operation"],
+        "errors": sum(finding.severity == "error" for finding in findings),
+        "warnings": sum(finding.severity == "warning" for finding in findings),
+        "limits_exceeded": [finding.as_dict() for finding in findings if finding.code == "travel"],
+        "rapids_in_stock": [finding.as_dict() for finding in findings if finding.code == "rapid-in-stock"],
+        **_verdict(judgement),
+        "removed_volume_mm3": None if part is None else _number(part.removed_volume_mm3),
+        "findings": [finding.as_dict() for finding in findings],
+    }
+
+
+class _Lengths:
+    """Length of every row, and how much of it lies below the stock's top."""
+
+    def __init__(self, toolpath: Toolpath):
+        rows = len(toolpath)
+        path = segments(toolpath, LENGTH_TOLERANCE_MM).known()
+        below = clipped_below(path, 0.0)
+        self.kind = toolpath.table().kind
+        self.begin, self.end = tips_mm(toolpath)
+        self.whole = _summed(path, rows)
+        self.below = np.minimum(_summed(below[below.low_mm < 0.0], rows), self.whole)
+
+    def of(self, rows: slice) -> dict[str, float]:
+        """Return the lengths of the rows: cutting (feeds below the stock's top), feeding in air, rapid."""
+        feed = self.kind[rows] != RAPID
+        whole, below = self.whole[rows], self.below[rows]
+        return {
+            "cut_length_mm": _number(below[feed].sum()),
+            "air_length_mm": _number((whole - below)[feed].sum()),
+            "rapid_length_mm": _number(whole[~feed].sum()),
+        }
+
+    def plunges(self, rows: slice) -> int:
+        """Return how many of the rows feed straight down."""
+        delta = self.end[rows] - self.begin[rows]
+        sideways = np.hypot(delta[:, 0], delta[:, 1])
+        return int(((self.kind[rows] == LINE) & (sideways < 1e-9) & (delta[:, 2] < 0)).sum())
+
+
+def _summed(path, rows: int) -> np.ndarray:
+    length = np.linalg.norm(path.end - path.begin, axis=1)
+    return np.bincount(path.row, length, minlength=rows)
+
+
+def _operation(span, lengths: _Lengths, times_s: np.ndarray) -> dict[str, Any]:
+    rows = slice(span.first, span.last)
+    begins_s = float(times_s[span.first - 1]) if span.first else 0.0
+    ends_s = float(times_s[span.last - 1]) if span.last else 0.0
+    return {
+        "name": span.name,
+        "time_s": _number(ends_s - begins_s),
+        "moves": span.last - span.first,
+        **lengths.of(rows),
+        "plunges": lengths.plunges(rows),
+    }
+
+
+def _bounding_box(toolpath: Toolpath) -> dict[str, list[float | None]]:
+    """Return the smallest and largest coordinates of the tip, None for an axis that is never known."""
+    if not len(toolpath):
+        return {"min": [None] * 3, "max": [None] * 3}
+    table = toolpath.table()
+    shift = table.end[:, :3] - tips_mm(toolpath)[1]
+    low, high = extremes(table, toolpath.begins()[:, :3])
+    bounds = np.fmin.reduce(low - shift), np.fmax.reduce(high - shift)
+    return {
+        name: [_number(v) if np.isfinite(v) else None for v in bound]
+        for name, bound in zip(("min", "max"), bounds, strict=True)
+    }
+
+
+def _verdict(judgement: Judgement | None) -> dict[str, Any]:
+    if judgement is None:
+        return dict.fromkeys(("gouge_mm", "gouge_place_mm", "left_over_mm", "left_over_place_mm", "islands"))
+    return {
+        "gouge_mm": _number(judgement.gouge_mm),
+        "gouge_place_mm": _place(judgement.gouge),
+        "left_over_mm": _number(judgement.left_over_mm),
+        "left_over_place_mm": _place(judgement.left_over),
+        "islands": [
+            {"place_mm": [_number(v) for v in island.place_mm], "thickness_mm": _number(island.thickness_mm)}
+            for island in judgement.islands
+        ],
+    }
+
+
+def _place(worst: Worst) -> list[float] | None:
+    return None if worst.place_mm is None else [_number(v) for v in worst.place_mm]
+
+
+def _number(value: float) -> float:
+    """Return a finite number with few enough digits to be the same everywhere, and no minus zero."""
+    return round(float(value), DECIMALS) + 0.0
