@@ -13,6 +13,7 @@ import FreeCAD
 import numpy as np
 import Part
 import pytest
+import Sketcher
 from FreeCAD import Vector
 
 from CNCStepper.errors import JobError
@@ -87,8 +88,6 @@ def test_a_pocket_follows_its_sketch(document: Any) -> None:
 
 
 def test_a_sketch_made_larger_by_its_constraint(document: Any) -> None:
-    import Sketcher
-
     sketch = sketched_ellipse(document)
     job = new_job(document)
     api.add_engrave(job, sketch, depth_mm=1, tolerance_mm=0.01)
@@ -214,6 +213,46 @@ def test_a_bad_edit_shows_why_and_leaves_no_old_program(document: Any, change: d
     api.edit(pocket, tolerance_mm=0.01)
     document.recompute()
     assert api.program_text(job) == good
+
+
+def test_a_tool_or_a_line_that_cannot_be_takes_the_program_back(document: Any) -> None:
+    job = new_job(document)
+    line = api.add_freehand(document, [(0, 0), (10, 0)])
+    api.add_engrave(job, line)
+    document.recompute()
+    assert api.program_text(job)
+    api.edit(job.Tools[0], diameter_mm=0)
+    refused(document, job.Tools[0], "diameter_mm")
+    api.edit(job.Tools[0], diameter_mm=3)
+    document.recompute()
+    assert api.program_text(job)
+    api.edit(line, points_mm=[(1, 1)])
+    refused(document, line, "two points")
+
+
+def test_a_failed_sketch_is_named_instead_of_an_old_program(document: Any) -> None:
+    sketch = sketched_ellipse(document)
+    job = new_job(document)
+    api.add_engrave(job, sketch)
+    document.recompute()
+    for radius in (10, 20):
+        sketch.addConstraint(Sketcher.Constraint("Radius", sketch.addGeometry(Part.Circle()), radius))
+        sketch.addConstraint(Sketcher.Constraint("Radius", sketch.GeometryCount - 1, radius + 1))
+    document.recompute()
+    assert not sketch.isValid()
+    with pytest.raises(JobError, match="Sketch"):
+        api.program_text(job)
+
+
+def test_a_sentence_names_its_object_once(document: Any) -> None:
+    job = new_job(document)
+    pocket = api.add_elliptical_pocket(job, depth_mm=-1)
+    pocket.Label = "Bolsão"
+    document.recompute()
+    assert job.Message.count("Bolsão") == 1
+    with pytest.raises(JobError) as refusal:
+        api.program_text(job)
+    assert str(refusal.value).count("Bolsão") == 1
 
 
 def test_a_wider_tool_is_refused_by_the_operation_that_uses_it(document: Any) -> None:

@@ -15,6 +15,7 @@ from typing import Any
 from CNCStepper.errors import JobError
 from CNCStepper.units import mm_min_from_mm_s, mm_s_from_mm_min
 
+JOB = "CNCStepper_Job"
 OUTPUT = 8  # FreeCAD's Prop_Output: a change of it makes nothing out of date
 SPEED = "App::PropertySpeed"  # FreeCAD keeps speeds in mm/s, everything of ours is mm/min
 DISTANCE = "App::PropertyDistance"  # not PropertyLength: that turns a negative value into 0 without a word
@@ -71,6 +72,22 @@ class Feature:
                 if entry.output:
                     obj.setEditorMode(entry.name, 1)
 
+    def make(self, obj: Any) -> None:
+        """Make what `obj` holds from its properties; raises a CNCStepperError that says what to change."""
+
+    def execute(self, obj: Any) -> None:
+        """Make `obj`, as FreeCAD asks; a refusal shows on it and takes back the programs that stand on it.
+
+        FreeCAD does not recompute what stands on a failed object: it would keep an old program.
+        """
+        try:
+            self.make(obj)
+        except Exception as error:
+            for job in [obj, *obj.InListRecursive]:
+                if proxy_type(job) == JOB:
+                    job.Proxy.invalidate(job, named(obj, str(error)))
+            raise
+
     def onDocumentRestored(self, obj: Any) -> None:
         """Let a document of an older version catch up; FreeCAD calls this after opening it."""
         self.add_properties(obj)
@@ -99,6 +116,11 @@ def show_in_window(obj: Any) -> None:
 def proxy_type(obj: Any) -> str:
     """Return which of our document objects `obj` is, as "CNCStepper_Job", or "" for one that is not ours."""
     return getattr(getattr(obj, "Proxy", None), "Type", "")
+
+
+def named(obj: Any, sentence: str) -> str:
+    """Return a sentence about `obj` that begins with its label, once."""
+    return f"{obj.Label}: {sentence.removeprefix(f'{obj.Label}: ')}"
 
 
 def value_of(obj: Any, entry: Property) -> Any:

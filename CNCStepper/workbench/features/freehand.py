@@ -21,7 +21,7 @@ class Freehand(Feature):
         Property("kept", "Kept", INTEGER, "Line", "How many points the wire has", 0, output=True),
     )  # fmt: skip
 
-    def execute(self, obj: Any) -> None:
+    def make(self, obj: Any) -> None:
         """Make the wire from the points; raises GeometryError when they make no line."""
         packages.require("numpy", "shapely")
         import FreeCAD

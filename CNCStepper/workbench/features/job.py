@@ -40,15 +40,8 @@ class Job(Feature):
         Property("message", "Message", TEXT, "Job", "Why there is no program", "", output=True),
     )  # fmt: skip
 
-    def execute(self, obj: Any) -> None:
-        """Make the program from all active operations; a refusal leaves none, and says why."""
-        try:
-            self._make(obj)
-        except Exception as error:
-            self.invalidate(obj, str(error))
-            raise
-
-    def _make(self, obj: Any) -> None:
+    def make(self, obj: Any) -> None:
+        """Make the program from all active operations."""
         packages.require()
         if not active_operations(obj):
             self.invalidate(obj, "the job has no operations")

@@ -11,6 +11,7 @@ from CNCStepper.workbench.features.base import (
     BOOL,
     CONTAINERS,
     DRAWING,
+    JOB,
     LINK,
     Feature,
     Property,
@@ -20,7 +21,6 @@ from CNCStepper.workbench.features.base import (
 )
 from CNCStepper.workbench.shapes import containers_of
 
-JOB = "CNCStepper_Job"
 OPERATION = (
     Property("tool", "Tool", LINK, "Operation", "The tool that cuts it"),
     Property("active", "Active", BOOL, "Operation", "Whether the program holds it", True),
@@ -57,17 +57,9 @@ class Operation(Feature):
         content = {"cycle": self.CYCLE, "tool": _tool(obj).Number, **self.cycle_values(obj, origin_mm)}
         return validated(cycle_class(self.CYCLE), content, obj.Label)
 
-    def execute(self, obj: Any) -> None:
-        """Cut it for trial, as its job would, and show the figures; a refusal takes the job's program back.
-
-        FreeCAD does not recompute what stands on a failed object: without this the job would keep an old program.
-        """
-        try:
-            show(obj, self.figures(obj))
-        except Exception as error:
-            for job in jobs_of(obj):
-                job.Proxy.invalidate(job, f"{obj.Label}: {error}")
-            raise
+    def make(self, obj: Any) -> None:
+        """Cut it for trial, as its job would, and show the figures."""
+        show(obj, self.figures(obj))
 
     def onChanged(self, obj: Any, name: str) -> None:
         """Stand on what the drawing moves with, too; FreeCAD calls this at every change."""
@@ -87,10 +79,9 @@ class Operation(Feature):
         return trial(jobs[0], _tool(obj), cycle).figures
 
 
-def parameters(obj: Any, *without: str) -> dict[str, Any]:
+def parameters(obj: Any) -> dict[str, Any]:
     """Return the values of `obj` that are its cycle's own parameters."""
-    apart = {"tool", "active", "drawing", *without}
-    return {key: value for key, value in values(obj).items() if key not in apart}
+    return {key: value for key, value in values(obj).items() if key not in ("tool", "active", "drawing")}
 
 
 def jobs_of(obj: Any) -> list[Any]:

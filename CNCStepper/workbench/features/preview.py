@@ -18,7 +18,7 @@ class Preview(Feature):
     Type = "CNCStepper_Preview"
     PROPERTIES = (Property("job", "Job", LINK, "Preview", "The job whose program is shown"),)
 
-    def execute(self, obj: Any) -> None:
+    def make(self, obj: Any) -> None:
         """Read the program text and show it."""
         text = program_file.load(obj.Job) if obj.Job is not None else ""
         if not text:

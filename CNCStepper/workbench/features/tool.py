@@ -24,7 +24,7 @@ class Tool(Feature):
         Property("spindle_rpm", "SpindleSpeed", "App::PropertyFloat", "Cutting", "Spindle turns a minute", 10000.0),
     )
 
-    def execute(self, obj: Any) -> None:
+    def make(self, obj: Any) -> None:
         """Check the values; raises JobError that names the one that cannot be."""
         model_of(obj)
 
