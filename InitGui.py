@@ -1,13 +1,16 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""FreeCAD runs this when its window starts: it only makes the workbench known by name and icon."""
+"""FreeCAD runs this when its window starts: it only makes the workbench known by name and icon.
+
+It runs inside a function of FreeCAD's: a class here does not see this file's own imports.
+"""
 
 import FreeCADGui
-
-from CNCStepper.workbench import packages
 
 
 class CNCStepperWorkbench(FreeCADGui.Workbench):
     """The entry in FreeCAD's list of workbenches."""
+
+    from CNCStepper.workbench import packages
 
     MenuText = "CNCStepper"
     ToolTip = "From a drawing to a cut part on stepper-driven tables"

@@ -210,8 +210,8 @@ gui = types.ModuleType("FreeCADGui")
 gui.Workbench = object
 gui.addWorkbench = lambda workbench: print(workbench.MenuText, workbench.Icon, sep="\\n")
 sys.modules["FreeCADGui"] = sys.modules["FreeCAD"] = gui
-for name in ("Init.py", "InitGui.py"):  # FreeCAD runs their text: __file__ is not defined in it
-    exec(compile(open(name, encoding="utf-8").read(), name, "exec"), {"__name__": "__main__"})
+for name in ("Init.py", "InitGui.py"):  # FreeCAD runs their text inside a function: no __file__, locals apart
+    exec(compile(open(name, encoding="utf-8").read(), name, "exec"), {"__name__": "__main__"}, {})
 print(sorted({"numpy", "numba", "shapely", "matplotlib", "pydantic", "scipy", "serial"} & set(sys.modules)))
 """
 
