@@ -31,7 +31,7 @@ def command(job: Path, out: Path) -> None:
     program.write_text(made.program, encoding="ascii", newline="\n")
     proof = prove_job(loaded, machine, made.program, str(program))
     write_json(out / "report.json", proof.report)
-    proof.draw(out / "part.png", loaded.tools, title=job.stem)
+    proof.draw(out / "part.png", job.stem, loaded.cutters)
     show_findings(proof.findings)
     blocks, minutes = proof.report["blocks"], proof.report["time_s"] / 60
     click.echo(f"{program}: {blocks} blocks, {minutes:.1f} min; {out / 'report.json'}; {out / 'part.png'}")

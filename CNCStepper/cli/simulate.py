@@ -50,7 +50,7 @@ def command(
         tools=tool,
     )
     out.parent.mkdir(parents=True, exist_ok=True)
-    proof.draw(out, tool, title=program.stem)
+    proof.draw(out, program.stem, tool.words)
     if json_path:
         write_json(json_path, proof.report)
     show_findings(proof.findings)

@@ -10,7 +10,6 @@ from CNCStepper.gcode.dialects import dialect
 from CNCStepper.gcode.write import WriteOptions, write
 from CNCStepper.job.model import Job
 from CNCStepper.machine.profile import Machine
-from CNCStepper.machine.tool import Tool
 from CNCStepper.state import Start, State
 from CNCStepper.toolpath import TableBuilder, Toolpath
 
@@ -39,11 +38,6 @@ def make_program(job: Job, machine: Machine, title: str = "") -> Made:
     answers = [_cut(operation, job, table) for operation in job.operation]
     toolpath = table.toolpath()
     return Made(write(toolpath, dialect(machine.controller), _options(job, machine, title)), toolpath, answers)
-
-
-def describe(tool: Tool) -> str:
-    """Return the words by which a person picks the tool, for example "flat 6 mm"."""
-    return f"{tool.shape} {tool.diameter_mm:g} mm"
 
 
 def operation_name(operation: Cycle) -> str:
@@ -77,5 +71,5 @@ def _options(job: Job, machine: Machine, title: str) -> WriteOptions:
         spin_up_s=machine.spindle.spin_up_s,
         tool_change=machine.tool_change,
         title=title,
-        tools={tool.number: describe(tool) for tool in job.tool},
+        tools={tool.number: tool.words for tool in job.tool},
     )

@@ -72,6 +72,11 @@ class Job(BaseModel):
         """The tools by number."""
         return {tool.number: tool for tool in self.tool}
 
+    @property
+    def cutters(self) -> str:
+        """The tools in words for people."""
+        return ", ".join(tool.words for tool in self.tool)
+
     def setup(self, operation: Cycle) -> Setup:
         """Return what the job gives that operation besides its own parameters."""
         return Setup(self.tools[operation.tool], self.clearance_mm, self.retract_mm)

@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 
 from CNCStepper.cycles.form import Removal
+from CNCStepper.errors import JobError
 from CNCStepper.gcode.prepare import WireText, prepare
 from CNCStepper.gcode.read_back import read_back
 from CNCStepper.job.make import make_program
@@ -51,12 +52,16 @@ class Proof:
         """Whether a finding forbids sending it."""
         return refused(self.findings)
 
-    def draw(self, path: Path, tools: dict[int, Tool] | Tool, title: str) -> None:
-        """Draw the cut part and the tool's paths as PNG; only for a program with stock and tools."""
-        from CNCStepper.simulation.picture import draw
+    def draw(self, path: Path, title: str, tools: str) -> None:
+        """Draw the cut part and the tool's paths as PNG; `tools` names the cutters for people.
 
-        assert self.part
-        draw(path, self.part, self.toolpath, tools=tools, title=title, time_s=self.report["time_s"])
+        Raises JobError for a program that was proven without stock and tools.
+        """
+        from CNCStepper.simulation.picture import save_picture
+
+        if self.part is None:
+            raise JobError("picture", "there is no part to draw", advice="give the stock and the tools")
+        save_picture(path, self.toolpath, self.part, title=title, tools=tools, time_s=self.report["time_s"])
 
 
 def prove(
@@ -86,12 +91,18 @@ def prove(
     return Proof(wire, toolpath, ends_s, findings, part, told)
 
 
-def prove_job(job: Job, machine: Machine, text: str, file: str = "") -> Proof:
-    """Return the proof of a job's program text against the shapes that the job wants removed."""
+def prove_job(
+    job: Job, machine: Machine, text: str, file: str = "", work_zero_mm: tuple[float, float, float] | None = None
+) -> Proof:
+    """Return the proof of a job's program text against the shapes that the job wants removed.
+
+    work_zero_mm: where the job's work zero lies in machine coordinates, None where that is not known.
+    """
     return prove(
         text,
         machine,
         file=file,
+        start=Start.with_work_zero(work_zero_mm, job.work_offset) if work_zero_mm else None,
         stock=job.stock.stock(),
         tools=job.tools,
         removals=make_program(job, machine).removals,

@@ -29,6 +29,11 @@ class Tool(BaseModel):
         """Half the diameter."""
         return self.diameter_mm / 2
 
+    @property
+    def words(self) -> str:
+        """The words by which a person picks the tool, for example "flat 6 mm"."""
+        return f"{self.shape} {self.diameter_mm:g} mm"
+
 
 def tool_from_text(text: str, number: int = 0) -> Tool:
     """Return the tool that a command line names as SHAPE:DIAMETER, for example "flat:6"."""

@@ -1,0 +1,95 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Job files: what they say, and what is refused in them."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from CNCStepper.errors import CNCStepperError, JobError
+from CNCStepper.job.make import make_program
+from CNCStepper.job.model import Job, load_job, save_job
+
+EXAMPLES = Path(__file__).parents[3] / "examples"
+POCKET = EXAMPLES / "jobs" / "elliptical-pocket.toml"
+BRAZIL = EXAMPLES / "jobs" / "brazil-engraving.toml"
+
+
+def changed(tmp_path: Path, old: str, new: str) -> Path:
+    """Return a copy of the pocket's job with one text replaced; the machine is a shipped profile."""
+    text = POCKET.read_text("utf-8").replace('"../machines/table-a.toml"', '"table-a"')
+    assert old in text
+    path = tmp_path / "job.toml"
+    path.write_text(text.replace(old, new), encoding="utf-8")
+    return path
+
+
+@pytest.mark.parametrize("path", [POCKET, BRAZIL])
+def test_the_examples_load_with_their_machine(path: Path) -> None:
+    job, machine = load_job(path)
+    assert machine.name == "Cutting table A"
+    assert job.setup(job.operation[0]).tool.number == job.operation[0].tool
+
+
+@pytest.mark.parametrize("path", [POCKET, BRAZIL])
+def test_a_saved_job_makes_the_same_program(path: Path, tmp_path: Path) -> None:
+    job, machine = load_job(path)
+    job = job.model_copy(update={"machine": "table-a"})
+    save_job(job, tmp_path / "ação.json")
+    again, machine_again = load_job(tmp_path / "ação.json")
+    assert make_program(again, machine_again).program == make_program(job, machine).program
+
+
+REFUSALS = [
+    ("depth_mm = 10 ", "depth_mm = -10 ", "depth_mm"),
+    ("depth_mm = 10 ", "depth_mm = nan ", "depth_mm"),
+    ("depth_mm = 10 ", "dept_mm = 10 ", "depth_mm"),
+    ('cycle = "elliptical_pocket"', 'cycle = "eliptical"', "elliptical_pocket"),
+    ('cycle = "elliptical_pocket"\ntool = 1', 'cycle = "elliptical_pocket"\ntool = 7', "tool 7"),
+    ('"table-a"', '"table-z"', "table-a, table-b"),
+    ('units = "mm"', 'units = "cm"', "units"),
+    ('work_offset = "G54"', 'work_offset = "G60"', "G54"),
+    ("clearance_mm = 10 ", "clearance_mm = 1 ", "clearance_mm"),
+    ("size_mm = [100, 70, 20]", "size_mm = [100, 70]", "stock.size_mm"),
+    ("number = 1", "number = one", "TOML"),
+    ("diameter_mm = 6.0", "diameter_mm = 0", "diameter_mm"),
+]
+
+
+@pytest.mark.parametrize(("old", "new", "told"), REFUSALS)
+def test_bad_jobs_are_refused_naming_the_key(old: str, new: str, told: str, tmp_path: Path) -> None:
+    with pytest.raises(JobError) as caught:
+        load_job(changed(tmp_path, old, new))
+    assert told in str(caught.value)
+
+
+CUTTING_REFUSALS = [
+    ("diameter_mm = 6.0", "diameter_mm = 60", "wider than the pocket"),
+    ("stepover_mm = 2.4", "stepover_mm = 6.1", "larger than the tool"),
+    ("feed_mm_min = 800", "feed_mm_min = 0", "feed_mm_min"),
+]
+
+
+@pytest.mark.parametrize(("old", "new", "told"), CUTTING_REFUSALS)
+def test_what_cannot_be_cut_is_refused_with_value_limit_and_advice(
+    old: str, new: str, told: str, tmp_path: Path
+) -> None:
+    job, machine = load_job(changed(tmp_path, old, new))
+    with pytest.raises(CNCStepperError) as caught:
+        make_program(job, machine)
+    assert told in str(caught.value) and caught.value.advice
+
+
+def test_a_missing_job_and_a_file_that_is_none(tmp_path: Path) -> None:
+    with pytest.raises(JobError, match="no job file"):
+        load_job(tmp_path / "none.toml")
+    (tmp_path / "list.json").write_text("[1, 2]", encoding="utf-8")
+    with pytest.raises(JobError, match="not a job"):
+        load_job(tmp_path / "list.json")
+
+
+def test_two_tools_of_one_number_are_refused() -> None:
+    job, _ = load_job(POCKET)
+    with pytest.raises(ValueError, match="same number"):
+        Job.model_validate(job.model_dump() | {"tool": job.tool * 2, "operation": job.operation})
