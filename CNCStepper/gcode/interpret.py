@@ -49,7 +49,7 @@ class Interpreter:
         self.model = model_at(start, self.dialect)
         self.table = TableBuilder(replace(start, position_mm=self.model.position), self.model.state)
         self.line_number = 0
-        self.sequence_number = 0  # the N word of the line being read
+        self.sequence = ""  # the N word's digits of the line being read
         self._grammar = Grammar(self.dialect)
         self._plans = self._grammar.plans(self.model.motion)
         self._tape = ""  # "", "begun" by "%" or by the first line, "closed" by another "%"
@@ -128,7 +128,7 @@ class Interpreter:
                 return
             words = words_of(line.code)
             plan, values, words = self._grammar.read(line.code, self.model.motion)
-            self._number(plan, values)
+            self._number(plan, values, words)
             self._block(plan, values, line.comments)
         except ProgramError as error:
             raise self._placed(error, words) from None
@@ -144,15 +144,14 @@ class Interpreter:
         self._plans = self._grammar.plans(self.model.motion)
         execution.commit()
 
-    def _number(self, plan: Plan, values: list[float]) -> None:
+    def _number(self, plan: Plan, values: list[float], words: list[Word]) -> None:
         """Check and keep the N word."""
-        self.sequence_number = 0
+        self.sequence = next((word.number.partition(".")[0] for word in words if word.letter == "N"), "")
         if plan.number >= 0:
             number = values[plan.number]
             if not 0 <= number <= self.dialect.largest_line_number:
                 limit = f"0 to {self.dialect.largest_line_number}"
                 raise ProgramError("line-number", "the line number is out of range", value="N", limit=limit)
-            self.sequence_number = int(number)
 
     def _tape_mark(self, text: str) -> bool:
         """Heed a line that is only "%": the first line opens the program, a later one closes it."""

@@ -9,7 +9,7 @@ decided when a shape is first met and kept as a `Plan`; the lines after it cost 
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from CNCStepper.errors import ProgramError
 from CNCStepper.gcode.codes import (
@@ -177,7 +177,7 @@ class Grammar:
         if modal not in self.dialect.repeats:
             what = f"coordinates alone may not follow {MOTION_NAMES[modal]}"
             raise ProgramError("no-motion", what, value=_first_axis(slots), advice="write the motion word again")
-        return code
+        return replace(code, sets={})  # only the word itself, not its repetition, sets modes
 
     def _check_words(self, codes: list[Code], slots: dict[str, int]) -> None:
         """Refuse missing and unused words."""

@@ -47,6 +47,11 @@ class TrueArc:
             return FULL_TURN
         return sweep(self.begin, self.end, self.centre, self.clockwise)
 
+    @property
+    def rise(self) -> float:
+        """By how much the arc leaves its chord."""
+        return self.radius * (1 - cos(self.sweep_rad / 2))
+
     def at(self, share: float) -> Flat:
         """Return the point after `share` of the sweep; where the radii at the ends differ, on the spiral between."""
         angle = self.sweep_rad * share * (-1 if self.clockwise else 1)
@@ -90,11 +95,12 @@ def rounded(begin: Count, arc: TrueArc, limits: Limits) -> list[Piece]:
 def _pieces(begin: Count, arc: TrueArc, limits: Limits, splits: int) -> list[Piece]:
     end = (round(arc.end[0]), round(arc.end[1]))
     is_long = arc.sweep_rad > pi
-    if not is_long and (end == begin or arc.radius * (1 - cos(arc.sweep_rad / 2)) < limits.flat):
+    if not is_long and (end == begin or arc.rise < limits.flat):
         return [Piece(end, 1.0)] if end != begin else []
     offset = _offset(begin, end, arc)
     if offset is not None and _is_right(begin, end, offset, arc, limits.rule):
-        flat = end != begin and _rise(begin, end, offset, arc.clockwise) < limits.flat
+        written = TrueArc(begin, end, (begin[0] + offset[0], begin[1] + offset[1]), arc.clockwise)
+        flat = end != begin and written.rise < limits.flat
         return [Piece(end, 1.0, None if flat else offset)]
     if splits:
         return _halves(begin, arc, limits, splits - 1)
@@ -138,19 +144,13 @@ def _is_right(begin: Count, end: Count, offset: Count, arc: TrueArc, rule: ArcRu
     radius = hypot(*offset)
     difference = _difference(offset, begin, end)
     allowed = max(rule.slack, min(rule.gap, rule.relative * radius))
-    if difference > 0.9 * allowed or radius <= rule.smallest_radius:
+    if difference > 0.9 * allowed or radius - difference <= rule.smallest_radius:
         return False
     centre = (begin[0] + offset[0], begin[1] + offset[1])
     swept = sweep(begin, end, centre, arc.clockwise)
     if begin != end and min(swept, FULL_TURN - swept) < 2 * rule.smallest_angle_rad:
         return False
     return abs(swept - arc.sweep_rad) < pi / 2
-
-
-def _rise(begin: Count, end: Count, offset: Count, clockwise: bool) -> float:
-    """Return by how much the rounded arc leaves its chord."""
-    swept = sweep(begin, end, (begin[0] + offset[0], begin[1] + offset[1]), clockwise)
-    return hypot(*offset) * (1 - cos(swept / 2))
 
 
 def _difference(offset: Count, begin: Count, end: Count) -> float:

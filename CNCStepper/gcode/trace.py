@@ -83,7 +83,7 @@ class _Calls:
     def call(self, text: str) -> None:
         """Print a call."""
         self._count += 1
-        number = self.interpreter.sequence_number
+        number = self.interpreter.sequence
         name = f"N{number}" if number and not self.interpreter.ended else "N....."
         self._lines.append(f"{self._count:5d} {name:<7s}{text}")
 
@@ -106,7 +106,7 @@ class _Calls:
 
     def end(self) -> None:
         """Print what a bare interpreter says when the text is over."""
-        self.interpreter.sequence_number = 0
+        self.interpreter.sequence = ""
         if not self.interpreter.model.ended:
             self.call("FINISH()")
         elif self.interpreter.lacks_mark:

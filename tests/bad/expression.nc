@@ -1,0 +1,2 @@
+G0 X[1+2]
+; expect not-supported 1:4

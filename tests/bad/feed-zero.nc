@@ -1,0 +1,2 @@
+G1 X10 F0
+; expect no-feed 1:1

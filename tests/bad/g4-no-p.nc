@@ -1,0 +1,2 @@
+G4
+; expect missing-word 1:1

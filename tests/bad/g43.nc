@@ -1,0 +1,2 @@
+G43 H1
+; expect unknown-word 1:5

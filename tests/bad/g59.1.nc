@@ -1,0 +1,2 @@
+G59.1
+; expect refused-code 1:1

@@ -1,0 +1,2 @@
+G21 G64
+; expect refused-code 1:5

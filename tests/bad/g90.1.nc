@@ -1,0 +1,2 @@
+G90.1
+; expect refused-code 1:1

@@ -1,0 +1,2 @@
+G92
+; expect missing-axis 1:1

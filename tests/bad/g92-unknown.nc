@@ -1,0 +1,2 @@
+G92 X0
+; expect unknown-position 1:5

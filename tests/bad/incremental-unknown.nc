@@ -1,0 +1,2 @@
+G91 G0 X5
+; expect unknown-position 1:8

@@ -1,0 +1,2 @@
+G0 X
+; expect bad-number 1:4

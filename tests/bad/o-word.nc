@@ -1,0 +1,2 @@
+o100 sub
+; expect not-supported 1:1

@@ -1,0 +1,2 @@
+#1=5
+; expect not-supported 1:1

@@ -1,0 +1,2 @@
+G0 X1 !
+; expect misplaced 1:7

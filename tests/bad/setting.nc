@@ -1,0 +1,2 @@
+$100=80
+; expect misplaced 1:1

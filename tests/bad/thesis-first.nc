@@ -1,0 +1,2 @@
+X5
+; expect no-motion 1:1 thesis-a

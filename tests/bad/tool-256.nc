@@ -1,0 +1,2 @@
+T256
+; expect tool-number 1:1

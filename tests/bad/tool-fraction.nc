@@ -1,0 +1,2 @@
+T1.5
+; expect tool-number 1:1

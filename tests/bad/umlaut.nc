@@ -1,0 +1,2 @@
+G0 X1 Ü2
+; expect unknown-character 1:7
