@@ -5,16 +5,10 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping, Sequence
-from dataclasses import asdict, dataclass, field, fields
-from typing import TYPE_CHECKING
+from dataclasses import dataclass, field, fields
 
 from CNCStepper.control.lines import check_line
-from CNCStepper.control.readiness import expected_settings
 from CNCStepper.errors import JobError, Place, ProgramError
-
-if TYPE_CHECKING:
-    from CNCStepper.gcode.prepare import WireText
-    from CNCStepper.machine.profile import Machine
 
 
 @dataclass(frozen=True)
@@ -47,29 +41,6 @@ class SendJob:
                 advice="prepare the program again",
             )
 
-    @classmethod
-    def of(
-        cls,
-        wire: WireText,
-        port: str,
-        *,
-        machine: Machine | None = None,
-        file: str = "",
-        zero_confirmed: bool = False,
-        baud: int = 115_200,
-    ) -> SendJob:
-        """Return the job that sends a wire text; with `machine` the controller must be set as its profile says."""
-        return cls(
-            port,
-            wire.lines,
-            file=file,
-            file_lines=[int(line) for line in wire.file_lines],
-            messages=wire.messages,
-            zero_confirmed=zero_confirmed,
-            expected=expected_settings(machine) if machine else {},
-            baud=baud,
-        )
-
     def place(self, index: int) -> Place:
         """Return where wire line `index` (from 0) stands in the file."""
         return Place(self.file, int(self.file_lines[index]) if len(self.file_lines) else index + 1)
@@ -85,7 +56,7 @@ class SendJob:
 
     def to_json(self) -> str:
         """Return the job as one line of JSON."""
-        content = asdict(self) | {
+        content = {entry.name: getattr(self, entry.name) for entry in fields(self)} | {
             "lines": list(self.lines),
             "file_lines": [int(line) for line in self.file_lines],
             "messages": {str(index): text for index, text in self.messages.items()},

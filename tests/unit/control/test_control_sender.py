@@ -13,7 +13,7 @@ from CNCStepper.control.readiness import expected_settings
 from CNCStepper.control.send_job import SendJob
 from CNCStepper.control.sender import Sender
 from CNCStepper.control.timing import Timing
-from CNCStepper.errors import LinkError, MachineRefusal, ProgramError
+from CNCStepper.errors import JobError, LinkError, MachineRefusal, Place, ProgramError
 from CNCStepper.gcode.prepare import prepare
 from CNCStepper.machine.profile import load_machine
 
@@ -308,13 +308,24 @@ def test_message_before_the_lines_that_lead_to_a_pause_is_shown_at_the_pause():
     assert [text for kind, text in bench.told if kind == "message"] == ["put in tool 2", "going on"]
 
 
-def test_job_of_a_wire_text_carries_map_messages_and_settings():
+def test_job_survives_its_way_to_the_process():
     wire = prepare("(a comment)\nG21\n(MSG, turn it)\nM0\nG1X1F100\n")
-    job = SendJob.of(wire, "loop://", machine=load_machine("table-a"), file="a.nc", zero_confirmed=True)
-    assert list(job.lines) == ["G21", "M0", "G1X1F100"] and job.place(2).line == 5
-    assert job.messages == {1: "turn it"} and job.expected[102] == 400
-    assert SendJob.from_json(job.to_json()).place(2) == job.place(2)
-    assert SendJob.from_json(job.to_json()).messages == {1: "turn it"}
+    expected = expected_settings(load_machine("table-a"))
+    job = SendJob("loop://", wire.lines, "a.nc", wire.file_lines.tolist(), wire.messages, True, expected)
+    again = SendJob.from_json(job.to_json())
+    assert list(again.lines) == ["G21", "M0", "G1X1F100"] and again.place(2) == job.place(2) == Place("a.nc", 5)
+    assert again.messages == {1: "turn it"} and again.expected == expected and again.zero_confirmed
+
+
+@pytest.mark.parametrize("text", ["", "[]", "{}", '{"port": "x", "lines": ["G0"], "speed": 3}', '{"port": 1'])
+def test_job_that_is_none_is_refused(text):
+    with pytest.raises(JobError, match="not a job"):
+        SendJob.from_json(text)
+
+
+def test_line_map_must_fit_the_lines():
+    with pytest.raises(JobError, match="line map"):
+        SendJob("x", ["G0"], file_lines=[1, 2])
 
 
 def test_hold_asked_while_connecting_acts_before_the_first_line():
