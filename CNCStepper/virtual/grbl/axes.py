@@ -43,6 +43,11 @@ class Axes:
         return self._motion.idle or self._motion.state == "held"
 
     @property
+    def until_change_s(self) -> float:
+        """Time until the planner next takes up new work, and so may have room."""
+        return self._motion.until_change_s
+
+    @property
     def rate_mm_min(self) -> float:
         """The speed along the path."""
         return self._motion.rate_mm_min

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from math import dist
+from math import ceil, dist
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -29,12 +29,14 @@ from CNCStepper.virtual.grbl.codes import refused
 from CNCStepper.virtual.grbl.settings import ARC_TOLERANCE, LASER, SOFT_LIMITS
 from CNCStepper.virtual.grbl.spindle import OFF
 from CNCStepper.virtual.grbl.states import State
+from CNCStepper.virtual.grbl.words import f32
 
 if TYPE_CHECKING:
     from CNCStepper.virtual.grbl.machine import Grbl, Waiting
 
 PAUSE = 0  # M0
 FIRST_PLANE = 17
+DWELL_STEP_S = 0.05
 
 
 def run(machine: Grbl, line: str) -> Waiting:
@@ -45,7 +47,7 @@ def run(machine: Grbl, line: str) -> Waiting:
     yield from _set_flood(machine, block)
     if block.action == DWELL and machine.state is not State.CHECK:
         yield from machine.wait_for_stop()
-        yield from machine.wait(block.words["P"])
+        yield from machine.wait(_dwell_s(block.words["P"]))
     yield from _set_offsets(machine, block)
     machine.parser.modal = block.modal
     yield from _act(machine, block)
@@ -53,6 +55,11 @@ def run(machine: Grbl, line: str) -> Waiting:
         yield from _make_motion(machine, block)
     if block.flow is not None:
         yield from _stop_program(machine, block.flow)
+
+
+def _dwell_s(seconds: float) -> float:
+    """Return how long the firmware waits: whole steps of 50 ms, rounded up."""
+    return ceil(f32(f32(1 / DWELL_STEP_S) * seconds)) * DWELL_STEP_S
 
 
 def jog(machine: Grbl, line: str) -> Waiting:

@@ -57,6 +57,8 @@ class Server:
             due_s += min(now - last, LONGEST_LAG_S) * self._speed
             last = now
             due_s = self._advance(due_s)
+            if self._trace and self._link.quiet:
+                self._trace.flush()
 
     def _wait_for_first_client(self) -> None:
         while not self._stopping and not self._port.connected and not self._port.wait(QUIET_WAIT_S):
@@ -68,8 +70,6 @@ class Server:
         while due_s >= self._step_s and not self._stopping:
             step_s = due_s if self._link.quiet else self._step_s
             self._link.advance(step_s)
-            if self._trace:
-                self._trace.note(self._link.board)
             due_s -= step_s
             self._exchange(0.0)
         return due_s
@@ -108,10 +108,11 @@ def serve(
     """
     _check(speed, baud, pty, tcp)
     with contextlib.ExitStack() as stack:
-        record = stack.enter_context(contextlib.closing(Trace(trace))) if trace else None
+        board = Grbl(machine, homing=homing, probe_height_mm=probe_height_mm)
+        record = stack.enter_context(contextlib.closing(Trace(trace, board))) if trace else None
         port: Port = PtyPort(str(pty)) if pty else _tcp_port(str(tcp))
         stack.callback(port.close)
-        link = Link(Grbl(machine, homing=homing, probe_height_mm=probe_height_mm), baud)
+        link = Link(board, baud)
         server = Server(link, port, speed, record)
         stack.enter_context(_stopped_by_signals(server))
         if ready:

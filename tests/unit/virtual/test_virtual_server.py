@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import contextlib
+import json
 import os
 import re
 import signal
@@ -11,10 +12,12 @@ import socket
 import subprocess
 import sys
 import time
+from collections import deque
 from collections.abc import Iterator
 from itertools import pairwise
 from pathlib import Path
 
+import numpy as np
 import pytest
 import serial
 
@@ -23,19 +26,25 @@ from CNCStepper.machine.profile import Machine
 from CNCStepper.virtual.grbl.server import serve
 
 LIMIT_S = 10.0
+DATA = Path(__file__).parents[2] / "data" / "firmware"
 PROGRAM = """
 import sys
+def ready(address):
+    print(address, flush=True)
 from CNCStepper.machine.profile import load_machine
 from CNCStepper.virtual.grbl.server import serve
-serve(load_machine("table-a"), ready=lambda address: print(address, flush=True), **eval(sys.argv[1]))
+serve(load_machine(sys.argv[1]), ready=ready, **eval(sys.argv[2]))
 """
 
 
 @contextlib.contextmanager
-def serving(**options: object) -> Iterator[tuple[str, subprocess.Popen]]:
+def serving(machine: str = "table-a", **options: object) -> Iterator[tuple[str, subprocess.Popen]]:
     """Yield the address of a virtual grbl and its process; it must have ended well afterwards."""
     process = subprocess.Popen(
-        [sys.executable, "-c", PROGRAM, repr(options)], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
+        [sys.executable, "-c", PROGRAM, machine, repr(options)],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
     )
     try:
         assert process.stdout
@@ -192,3 +201,33 @@ def test_interrupt_from_the_keyboard_ends_it_without_a_word(tmp_path: Path) -> N
         process.send_signal(signal.SIGINT)
         assert process.wait(LIMIT_S) == 0
     assert not (tmp_path / "port").is_symlink()
+
+
+@pytest.mark.slow
+def test_a_minute_of_cutting_takes_three_seconds_at_speed_20(tmp_path: Path) -> None:
+    recording = json.loads((DATA / "brazil_b.json").read_text("utf-8"))
+    trace = tmp_path / "trace.csv"
+    options = {"pty": str(tmp_path / "port"), "speed": 20, "trace": str(trace)}
+    with serving("table-b", **options) as (address, _), opened(address) as link:
+        read_until(link, "Grbl")
+        begin_s = time.monotonic()
+        stream(link, [line.encode("ascii") + b"\n" for line in [*recording["program"], "G4 P0"]])
+        assert time.monotonic() - begin_s < 2 * recording["duration_s"] / 20
+    rows = np.loadtxt(trace, delimiter=",", skiprows=2)
+    assert rows[-1, 0] - rows[0, 0] == pytest.approx(recording["duration_s"], rel=0.01)
+    assert list(rows[-1, 1:]) == recording["end_mpos_mm"]
+    assert np.max(np.abs(np.diff(rows[:, 1:], axis=0))) < 1 / 160 + 1e-5  # no step is left out
+
+
+def stream(link: serial.SerialBase, lines: list[bytes]) -> None:
+    """Send lines by character counting with a window of 127 bytes."""
+    unanswered: deque[int] = deque()
+    waiting, received = deque(lines), b""
+    while waiting or unanswered:
+        while waiting and sum(unanswered) + len(waiting[0]) <= 127:
+            unanswered.append(len(waiting[0]))
+            link.write(waiting.popleft())
+        *answers, received = (received + link.read(link.in_waiting or 1)).split(b"\r\n")
+        for answer in answers:
+            assert answer == b"ok"
+            unanswered.popleft()
