@@ -10,7 +10,7 @@ from dataclasses import replace
 
 from CNCStepper.errors import Place, ProgramError
 from CNCStepper.gcode.codes import ARC_WORDS, AXES
-from CNCStepper.gcode.dialects import Dialect, dialect
+from CNCStepper.gcode.dialects import Dialect, dialect_named
 from CNCStepper.gcode.execute import Canon, Execution, check_feed
 from CNCStepper.gcode.model import model_at
 from CNCStepper.gcode.moves import arc_of, end_point
@@ -38,12 +38,12 @@ class Interpreter:
     def __init__(
         self,
         start: Start | None = None,
-        dialect_name: str | Dialect = "grbl",
+        dialect: str | Dialect = "grbl",
         file: str = "",
         canon: Canon | None = None,
     ):
         start = start or Start()
-        self.dialect = dialect(dialect_name)
+        self.dialect = dialect_named(dialect)
         self.file = file
         self.canon = canon
         self.model = model_at(start, self.dialect)

@@ -141,13 +141,12 @@ def go_home(block: Execution, code: Code) -> None:
 
 
 def _home(block: Execution, parameter: int, code: Code) -> float:
-    if not block.model.zero_known:
-        return UNKNOWN  # a machine position has no place in a table whose work zero is not known
     if parameter not in block.model.homes:
         what = f"the position stored for {code.name} is not known"
         advice = f"give parameters {HOMES[code.name]} to {HOMES[code.name] + 2} with the start state, or use G53"
         raise ProgramError("unknown-position", what, value=code.name, advice=advice)
-    return block.model.homes[parameter]
+    # a machine position has no place in a table whose work zero is not known
+    return block.model.homes[parameter] if block.model.zero_known else UNKNOWN
 
 
 OFFSET_ACTS: dict[str, Callable[[Execution, Code], None]] = {

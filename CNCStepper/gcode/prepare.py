@@ -15,7 +15,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from CNCStepper.errors import Place, ProgramError
-from CNCStepper.gcode.dialects import Dialect, dialect
+from CNCStepper.gcode.dialects import Dialect, dialect_named
 from CNCStepper.gcode.words import Word, is_tape_mark, program_lines, split_line, words_of
 
 REALTIME = frozenset(b"!?~\x18") | frozenset(range(0x80, 0x100))  # bytes that grbl acts upon wherever they stand
@@ -44,9 +44,9 @@ class WireText:
         return hashlib.sha256(self.text.encode("ascii")).hexdigest()
 
 
-def prepare(text: str, dialect_name: str | Dialect = "grbl", file: str = "") -> WireText:
+def prepare(text: str, dialect: str | Dialect = "grbl", file: str = "") -> WireText:
     """Return the wire text of a program; raises ProgramError naming file, line, column for what cannot be sent."""
-    language = dialect(dialect_name)
+    language = dialect_named(dialect)
     lines: list[str] = []
     file_lines: list[int] = []
     messages: dict[int, str] = {}
@@ -65,9 +65,9 @@ def prepare(text: str, dialect_name: str | Dialect = "grbl", file: str = "") -> 
     return WireText(tuple(lines), np.array(file_lines, np.int32), messages)
 
 
-def check_wire_line(line: str, dialect_name: str | Dialect = "grbl", place: Place | None = None) -> None:
+def check_wire_line(line: str, dialect: str | Dialect = "grbl", place: Place | None = None) -> None:
     """Raise ProgramError where a line (without newline) may not be sent: too long, or with bytes that act."""
-    language = dialect(dialect_name)
+    language = dialect_named(dialect)
     if language.line_limit and len(line) >= language.line_limit:
         limit = f"{language.line_limit - 1} characters"
         value = f"{len(line)} characters"

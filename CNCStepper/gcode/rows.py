@@ -60,7 +60,8 @@ class RowWriter:
     def lift_first(self) -> None:
         """Move Z to clearance where that is still to be done, so that it is the first motion."""
         if self.must_lift and self.has_height:
-            self.page.move(RAPID, [None, None, self._clearance])
+            height = self.page.at[2]
+            self.page.move(RAPID, [None, None, self._clearance if height is None else max(height, self._clearance)])
             self._lifted = True
         self.must_lift = False
 
@@ -84,7 +85,9 @@ class RowWriter:
                 self.page.move(RAPID, [x, y, None])
             return
         self.page.move(RAPID, [x, y, None])
-        self.page.move(LINE, [None, None, z], feed)
+        if z is not None:
+            height = self.page.at[2]
+            self.page.move(RAPID if height is not None and z > height else LINE, [None, None, z], feed)
 
     def _arc(self, row: int, kind: int, feed: float) -> None:
         plane = int(self.table.plane[row])

@@ -16,7 +16,7 @@ from collections import defaultdict
 
 from CNCStepper.errors import ProgramError
 from CNCStepper.gcode.ascii import ascii_text
-from CNCStepper.gcode.dialects import Dialect, dialect
+from CNCStepper.gcode.dialects import Dialect, dialect_named
 from CNCStepper.gcode.grid import Grid
 from CNCStepper.gcode.options import WriteOptions
 from CNCStepper.gcode.page import Page
@@ -30,7 +30,7 @@ __all__ = ["WriteOptions", "write", "write_split"]
 UNIT_CODES = {"mm": "G21", "inch": "G20"}
 
 
-def write(toolpath: Toolpath, dialect_name: str | Dialect = "grbl", options: WriteOptions | None = None) -> str:
+def write(toolpath: Toolpath, dialect: str | Dialect = "grbl", options: WriteOptions | None = None) -> str:
     """Return the program text of a table whose coordinates are work coordinates (or name their offset).
 
     Raises ProgramError, with the reason, for what the dialect cannot express.
@@ -39,15 +39,15 @@ def write(toolpath: Toolpath, dialect_name: str | Dialect = "grbl", options: Wri
     if options.tool_change == "split" and len(_parts(toolpath)) > 1:
         what = "the program needs more than one tool"
         raise ProgramError("tool-change", what, advice="write one program a tool, or pause at tool changes")
-    return _Writer(toolpath, dialect(dialect_name), options).program(0, len(toolpath))
+    return _Writer(toolpath, dialect_named(dialect), options).program(0, len(toolpath))
 
 
 def write_split(
-    toolpath: Toolpath, dialect_name: str | Dialect = "grbl", options: WriteOptions | None = None
+    toolpath: Toolpath, dialect: str | Dialect = "grbl", options: WriteOptions | None = None
 ) -> list[tuple[int, str]]:
     """Return one program for each stretch with the same tool: (tool, text), in the order of the work."""
     options = options or WriteOptions()
-    named = dialect(dialect_name)
+    named = dialect_named(dialect)
     return [(tool, _Writer(toolpath, named, options).program(*rows)) for tool, *rows in _parts(toolpath)]
 
 

@@ -7,7 +7,7 @@ from CNCStepper.gcode.dialects.grbl import GRBL
 from CNCStepper.gcode.dialects.linuxcnc import LINUXCNC
 from CNCStepper.gcode.dialects.thesis_a import THESIS_A
 
-__all__ = ["ArcRule", "Dialect", "Writing", "dialect", "dialect_names"]
+__all__ = ["ArcRule", "Dialect", "Writing", "dialect", "dialect_named", "dialect_names"]
 
 _DIALECTS = {one.name: one for one in (GRBL, LINUXCNC, THESIS_A)}
 
@@ -28,3 +28,6 @@ def dialect(name: str | Dialect) -> Dialect:
             advice=f"use one of: {', '.join(dialect_names())}",
         )
     return _DIALECTS[name]
+
+
+dialect_named = dialect  # for functions that have an argument called `dialect`

@@ -133,6 +133,27 @@ def test_z_goes_up_first_and_cuts_are_approached_from_above():
     ]
 
 
+def test_after_a_tool_change_above_clearance_z_does_not_come_down():
+    path = interpret("G0 X0 Y0 Z15\nT1 M3 S100\nG0 X1\nT2\nG1 Z1 F20\n", Start.at_zero())
+    lines = write(path).splitlines()
+    change = lines.index("T2")
+    assert lines[change + 1 : change + 5] == ["M3 S100", "G0 Z15.000", "X1.000 Y0.000", "G1 Z1.000 F20"]
+
+
+def test_a_foreign_program_is_written_once_and_then_stays():
+    text = (
+        "%\n(preamble)\nG17 G54 G21\n(begin operation: a)\nM5\nT1\nM3 S100\nG4 P2\nG0 Z15\nX1 Y1\nG1 Z-1 F50\n"
+        "G3 X3 I1 S200\nM7\nG4 P1\nG0 Z15\n(finish operation: a)\nM5\nM0 (MSG, look)\n(note)\nM1\nT5\n"
+        f"(MSG, {'a very long message ' * 6})\nM0\nM4 S9\nG1 Z1 F20\nM2\n%\n"
+    )
+    once = write(interpret(text), options=OPTIONS)
+    assert write(interpret(once), options=OPTIONS) == once
+
+
+def test_an_empty_path_is_an_empty_program():
+    assert write(TableBuilder(Start()).toolpath()).splitlines()[-3:] == ["M5", "M9", "M2"]
+
+
 def test_a_plane_machine_gets_no_heights():
     table = TableBuilder(Start())
     table.rapid((1, 2, float("nan")))
