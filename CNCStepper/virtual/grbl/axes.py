@@ -23,6 +23,7 @@ class Axes:
         self._settings = settings
         self._steps_per_mm = self._resolutions()
         self._motion = Motion(Limits.of(settings.profile()))
+        self.declared = 0  # how often a place was declared rather than reached
         self._lost = [
             round(-travel / 2 * steps) for travel, steps in zip(self._travels(), self._steps_per_mm, strict=True)
         ]
@@ -121,6 +122,7 @@ class Axes:
         ]
 
     def _stand_at(self, steps: tuple[int, ...]) -> None:
+        self.declared += 1
         self._motion = Motion(Limits.of(self._settings.profile()), steps)
 
     def _resolutions(self) -> list[float]:

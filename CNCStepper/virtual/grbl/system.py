@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from CNCStepper.virtual.grbl.machine import Grbl, Waiting
 
 LARGEST_SETTING = 255
+COMMAND_LETTERS = "#SIRN"
 
 
 def run(machine: Grbl, line: str) -> Waiting:
@@ -99,9 +100,9 @@ def _run_at_rest(machine: Grbl, line: str) -> None:
             machine.send(answer)
     elif line == "$SLP":
         machine.afterwards(machine.sleep)
-    elif line[1].isalpha() or line[1] == "#":
+    elif line[1] in COMMAND_LETTERS:
         raise refused(3)
-    else:
+    else:  # any other letter is read as the number of a setting, hence error 2
         _store_setting(machine, line)
 
 

@@ -30,6 +30,7 @@ class Trace:
         self._time_s = self._written_s = board.time_s
         self._steps = board.axes.position_steps
         self._mm = board.axes.position_mm
+        self._declared = board.axes.declared
         self._write(self._time_s, self._mm)
         board.on_step = self._note
 
@@ -44,10 +45,12 @@ class Trace:
     def _note(self, board: Grbl) -> None:
         steps = board.axes.position_steps
         if steps != self._steps:
-            rows = max(abs(now - before) for now, before in zip(steps, self._steps, strict=True))
+            went = board.axes.declared == self._declared  # homing sets a place without going there
+            rows = max(abs(now - before) for now, before in zip(steps, self._steps, strict=True)) if went else 1
             self._draw(board.time_s, board.axes.position_mm, rows)
             self._steps = steps
         self._time_s = board.time_s
+        self._declared = board.axes.declared
 
     def _draw(self, time_s: float, mm: list[float], rows: int) -> None:
         """Write `rows` rows from the last place to this one."""

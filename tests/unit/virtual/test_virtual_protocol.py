@@ -5,7 +5,11 @@ from __future__ import annotations
 
 import re
 
+import numpy as np
 import pytest
+
+from CNCStepper.virtual.grbl.machine import Grbl
+from CNCStepper.virtual.grbl.trace import Trace
 
 RESET = "\x18"
 LOCKED = "[MSG:'$H'|'$X' to unlock]"
@@ -49,7 +53,9 @@ def test_homing_locks_at_power_up(talk) -> None:
         ("$G", ["[GC:G0 G54 G17 G21 G90 G94 M5 M9 T0 F0 S0]", "ok"]),
         ("$X", ["ok"]),
         ("$H", ["error:5"]),
-        ("$Q", ["error:3"]),
+        ("$Q", ["error:2"]),
+        ("$#1", ["error:3"]),
+        ("$IX", ["error:3"]),
         ("$GG", ["error:3"]),
         ("$SL", ["error:3"]),
         ("$J", ["error:3"]),
@@ -420,6 +426,20 @@ def test_homing_finds_the_switches(talk) -> None:
     board.line("G53 G0 X0")
     board.until_idle()
     assert board.status()["Pn"] == "X"
+
+
+def test_homing_does_not_draw_its_new_zero_into_the_trace(machine, tmp_path) -> None:
+    board = Grbl(machine, homing=True)
+    trace = Trace(tmp_path / "trace.csv", board)
+    board.receive(b"$H\n")
+    while not board.quiet or b"ok" not in board.take_output():
+        board.advance(0.01)
+    trace.close()
+    rows = np.loadtxt(tmp_path / "trace.csv", delimiter=",", skiprows=1)
+    ways_mm = np.max(np.abs(np.diff(rows[:, 1:], axis=0)), axis=1)
+    assert np.count_nonzero(ways_mm > 0.02) == 2  # one row each where Z, then X and Y, learn where they are
+    assert list(rows[-1, 1:]) == [-1, -1, -1]
+    assert np.all(np.diff(rows[:, 0]) >= 0)
 
 
 def test_homing_is_broken_off_by_a_reset(talk) -> None:
