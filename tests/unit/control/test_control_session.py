@@ -159,6 +159,7 @@ def test_session_that_was_killed_is_lost_with_its_position(held):
         SessionClient.attach(client.session_file)
 
 
+@pytest.mark.slow
 def test_hold_resume_and_stop_over_the_session(tmp_path):
     with FakeServer(line_s=0.05) as server:
         client = started(server, tmp_path, LINES * 10)
@@ -183,6 +184,7 @@ def test_error_crosses_the_process_with_its_class_and_place(tmp_path):
         outcome.raise_for_error()
 
 
+@pytest.mark.slow
 def test_refusal_crosses_the_process(tmp_path):
     with FakeServer() as server:
         server.controller.state = "Alarm"
