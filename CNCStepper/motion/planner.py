@@ -1,0 +1,253 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The look-ahead planner: entry speeds of the queued blocks, from junctions, limits and overrides.
+
+    speed │      ┌─ nominal ─┐
+          │     /│           │\\        ┌────┐          junction: greatest speed at a corner so that a circle
+          │    / │           │ \\______/      \\         of the junction deviation's sagitta stays within the
+          │   /  │           │ entry           \\        acceleration (S. K. Jeon, "Improving grbl: cornering
+          └──/───┴───────────┴──────────────────\\─►     algorithm", 2011)
+
+Invariants: the newest block always ends at rest; no entry speed is above its junction's, nor above what
+the block behind it can reach by accelerating, nor above what the block itself can brake from. Blocks
+before `planned` are already optimal and are not looked at again.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from CNCStepper.kernels import njit
+from CNCStepper.motion.memory import BLOCKS
+
+MINIMUM_FEED_MM_S = 1.0 / 60.0
+STRAIGHT_ON = 0.999999  # cosine beyond which two directions count as the same, or as opposite
+UNLIMITED = 1e38
+
+
+@njit
+def next_place(place):
+    """Return the ring's place after `place`."""
+    return (place + 1) % BLOCKS
+
+
+@njit
+def is_full(planner):
+    """Return whether no further block can be queued."""
+    queue = planner.queue[0]
+    return next_place(queue.head) == queue.tail
+
+
+@njit
+def count_blocks(planner):
+    """Return how many blocks are queued, the one being cut included."""
+    queue = planner.queue[0]
+    return (queue.head - queue.tail) % BLOCKS
+
+
+@njit
+def limit_along(unit, axis_limits):
+    """Return the greatest value along direction `unit` that keeps every axis within its own limit."""
+    limit = UNLIMITED
+    for axis in range(len(unit)):
+        if unit[axis] != 0.0:
+            limit = min(limit, abs(axis_limits[axis] / unit[axis]))
+    return limit
+
+
+@njit
+def push_line(planner, target_mm, speed_mm_s, rapid, tag):
+    """Queue a straight move to `target_mm`; returns whether it has any step. The ring must have room."""
+    blocks = planner.blocks
+    queue = planner.queue[0]
+    place = queue.head
+    if not _set_course(planner, target_mm, place):
+        return False
+    unit = planner.unit
+    blocks.acceleration[place] = limit_along(unit, planner.max_acceleration)
+    blocks.rapid_speed[place] = limit_along(unit, planner.max_speed)
+    blocks.programmed_speed[place] = blocks.rapid_speed[place] if rapid else speed_mm_s
+    blocks.rapid[place] = rapid
+    blocks.tag[place] = tag
+    blocks.entry_sqr[place] = 0.0
+    at_rest = queue.head == queue.tail
+    blocks.max_junction_sqr[place] = 0.0 if at_rest else _junction_sqr(planner)
+    queue.previous_nominal = _limit_entry(planner, place, queue.previous_nominal)
+    planner.previous_unit[:] = unit
+    queue.head = next_place(place)
+    recalculate(planner)
+    return True
+
+
+@njit
+def _set_course(planner, target_mm, place):
+    """Set steps, length and direction of the move; an axis whose place is unknown does not move."""
+    blocks = planner.blocks
+    events = 0
+    length_sqr = 0.0
+    for axis in range(len(target_mm)):
+        known = planner.known[axis]
+        planner.known[axis] = not math.isnan(target_mm[axis])
+        before = planner.position[axis]
+        if planner.known[axis]:
+            planner.position[axis] = _nearest_step(target_mm[axis], planner.steps_per_mm[axis])
+        steps = planner.position[axis] - before if known else 0
+        blocks.steps[place, axis] = steps
+        blocks.begin[place, axis] = planner.position[axis] - steps
+        events = max(events, abs(steps))
+        planner.unit[axis] = steps / planner.steps_per_mm[axis]
+        length_sqr += planner.unit[axis] ** 2
+    if events == 0:
+        return False
+    blocks.events[place] = events
+    blocks.length[place] = math.sqrt(length_sqr)
+    planner.unit[:] /= blocks.length[place]
+    return True
+
+
+@njit
+def _nearest_step(place_mm, steps_per_mm):
+    """Return the nearest step, halves away from zero, as the firmware's 32-bit floats round it."""
+    exact = float(np.float32(place_mm) * np.float32(steps_per_mm))
+    nearest = math.floor(abs(exact) + 0.5)
+    return nearest if exact >= 0.0 else -nearest
+
+
+@njit
+def _junction_sqr(planner):
+    """Return the greatest speed squared from the newest block's direction into `planner.unit`."""
+    cosine = 0.0  # of the angle between the two edges: -1 straight on, +1 straight back
+    square = 0.0
+    turn = np.empty_like(planner.unit)
+    for axis in range(len(turn)):
+        before, after = planner.previous_unit[axis], planner.unit[axis]
+        cosine -= before * after
+        turn[axis] = after - before
+        square += turn[axis] ** 2
+    if cosine > STRAIGHT_ON:
+        return 0.0
+    if cosine < -STRAIGHT_ON:
+        return UNLIMITED
+    turn /= math.sqrt(square)
+    acceleration = limit_along(turn, planner.max_acceleration)
+    sine_half = math.sqrt(0.5 * (1.0 - cosine))
+    return acceleration * planner.settings[0].junction_deviation * sine_half / (1.0 - sine_half)
+
+
+@njit
+def nominal_speed(planner, place):
+    """Return the block's cruising speed under the overrides in force."""
+    blocks = planner.blocks
+    queue = planner.queue[0]
+    if blocks.rapid[place]:
+        return max(MINIMUM_FEED_MM_S, blocks.rapid_speed[place] * queue.rapid_override)
+    speed = min(blocks.programmed_speed[place] * queue.feed_override, blocks.rapid_speed[place])
+    return max(MINIMUM_FEED_MM_S, speed)
+
+
+@njit
+def _limit_entry(planner, place, previous_nominal):
+    """Limit the entry by both nominal speeds and the junction; returns the block's own nominal speed."""
+    nominal = nominal_speed(planner, place)
+    slower = min(nominal, previous_nominal)
+    planner.blocks.max_entry_sqr[place] = min(slower**2, planner.blocks.max_junction_sqr[place])
+    return nominal
+
+
+@njit
+def recalculate(planner):
+    """Improve the entry speeds: backwards by braking distance, then forwards by what can be reached."""
+    queue = planner.queue[0]
+    if (queue.head - 1) % BLOCKS != queue.planned:
+        _reverse_pass(planner)
+        _forward_pass(planner)
+
+
+@njit
+def _reverse_pass(planner):
+    blocks = planner.blocks
+    queue = planner.queue[0]
+    place = (queue.head - 1) % BLOCKS
+    exit_sqr = 0.0
+    while place != queue.planned:
+        reachable = exit_sqr + 2.0 * blocks.acceleration[place] * blocks.length[place]
+        blocks.entry_sqr[place] = min(blocks.max_entry_sqr[place], reachable)
+        exit_sqr = blocks.entry_sqr[place]
+        place = (place - 1) % BLOCKS
+        if place == queue.tail:
+            reload_running_block(planner)
+
+
+@njit
+def _forward_pass(planner):
+    blocks = planner.blocks
+    queue = planner.queue[0]
+    place = queue.planned
+    after = next_place(place)
+    while after != queue.head:
+        if blocks.entry_sqr[place] < blocks.entry_sqr[after]:
+            reachable = blocks.entry_sqr[place] + 2.0 * blocks.acceleration[place] * blocks.length[place]
+            if reachable < blocks.entry_sqr[after]:
+                blocks.entry_sqr[after] = reachable
+                queue.planned = after
+        if blocks.entry_sqr[after] == blocks.max_entry_sqr[after]:
+            queue.planned = after
+        place = after
+        after = next_place(after)
+
+
+@njit
+def reload_running_block(planner):
+    """Let the block being cut go on, with a new profile, from the speed that its segments already fix."""
+    ramp = planner.ramp[0]
+    if ramp.loaded:
+        ramp.replan = True
+        ramp.loaded = False
+        planner.blocks.entry_sqr[planner.queue[0].tail] = ramp.speed**2
+
+
+@njit
+def plan_again(planner):
+    """Plan all queued blocks anew from the speed that the running block has now."""
+    queue = planner.queue[0]
+    reload_running_block(planner)
+    queue.planned = queue.tail
+    if queue.head != queue.tail:
+        recalculate(planner)
+
+
+@njit
+def set_overrides(planner, feed, rapid):
+    """Let all queued and coming blocks run at these factors of their programmed speeds."""
+    queue = planner.queue[0]
+    queue.feed_override = feed
+    queue.rapid_override = rapid
+    previous = UNLIMITED
+    place = queue.tail
+    while place != queue.head:
+        previous = _limit_entry(planner, place, previous)
+        place = next_place(place)
+    queue.previous_nominal = previous
+    plan_again(planner)
+
+
+@njit
+def discard_block(planner):
+    """Free the place of the block that has been cut up."""
+    queue = planner.queue[0]
+    after = next_place(queue.tail)
+    if queue.planned == queue.tail:
+        queue.planned = after
+    queue.tail = after
+
+
+@njit
+def empty_planner(planner, position_steps):
+    """Forget all blocks and any hold, and stand at `position_steps`; overrides stay."""
+    queue = planner.queue[0]
+    ramp = planner.ramp[0]
+    queue.head = queue.tail = queue.planned = 0
+    ramp.loaded = ramp.replan = ramp.over_speed = ramp.hold = ramp.ended = False
+    ramp.speed = 0.0
+    planner.position[:] = position_steps

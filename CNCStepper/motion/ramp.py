@@ -1,0 +1,256 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""From planned blocks to segments: about 10 ms each, with whole steps at one pace.
+
+A block's speed over the mm that remain has one of these shapes; a segment takes as much of it as fits
+into its time, and may reach over a bend:
+
+    ┌───────┐ SLOW_DOWN (override lowered), ACCELERATE, CRUISE, DECELERATE
+   /         \\      all but CRUISE at the block's acceleration
+  /           \\
+  accelerate_until   decelerate_after   stop_at     (mm remaining; falling from left to right)
+
+Invariants: a segment has at least one step; the step that it leaves unfinished is carried over in
+`steps_left` and `time_left`, so that the pace has no jump and the block ends on its exact step count.
+What is in a segment is decided: later blocks, holds and overrides only change what follows.
+"""
+
+from __future__ import annotations
+
+import math
+
+from CNCStepper.kernels import njit
+from CNCStepper.motion.memory import EIGHTHS, TICKS_PER_S
+from CNCStepper.motion.planner import discard_block, next_place, nominal_speed
+
+SEGMENT_S = 0.01  # a hundredth: the firmware changes its speed a hundred times a second
+LEAST_STEPS = 1.25  # in a segment
+SLOW_DOWN, ACCELERATE, CRUISE, DECELERATE = 0, 1, 2, 3
+SMOOTH_CYCLES = (2000, 4000, 8000)  # from these paces on a step is cut into 2, 4, 8 ticks
+CRUMB_SQR = 1e-6  # (mm/s)²: below it rounding, above it a speed that the block cannot shed
+MAX_CYCLES = 65_535  # the timer's 16 bits: the slowest pace there is
+TIMER_RESTART = 1  # the timer counts from 0 up to its limit: every tick is one cycle longer than was asked for
+
+
+@njit
+def next_segment(planner, segments, row):
+    """Cut the next segment into `row` of `segments`; returns whether there was one."""
+    queue = planner.queue[0]
+    ramp = planner.ramp[0]
+    if ramp.ended or (not ramp.loaded and queue.head == queue.tail):
+        return False
+    if not ramp.loaded:
+        _load_block(planner)
+        if ramp.hold:
+            _shape_hold(planner)
+        else:
+            _shape_profile(planner)
+    duration = _advance_ramp(planner)
+    if not _emit(planner, segments, row, duration):
+        ramp.ended = True
+        return False
+    _close(planner)
+    return True
+
+
+@njit
+def _load_block(planner):
+    """Take up the oldest block, or go on with it when only its profile is to be made anew."""
+    blocks = planner.blocks
+    ramp = planner.ramp[0]
+    place = planner.queue[0].tail
+    ramp.loaded = True
+    if ramp.replan:
+        ramp.replan = False
+        return
+    ramp.steps_left = blocks.events[place]
+    ramp.steps_per_mm = blocks.events[place] / blocks.length[place]
+    ramp.least_mm = LEAST_STEPS / ramp.steps_per_mm
+    ramp.time_left = 0.0
+    ramp.eighths = 0
+    if ramp.hold or ramp.over_speed:
+        blocks.entry_sqr[place] = ramp.exit_speed**2
+        ramp.over_speed = False
+    ramp.speed = math.sqrt(blocks.entry_sqr[place])
+
+
+@njit
+def _shape_hold(planner):
+    """Brake from the start of what remains, to a stop or into the next block."""
+    blocks = planner.blocks
+    ramp = planner.ramp[0]
+    place = planner.queue[0].tail
+    length, entry_sqr = blocks.length[place], blocks.entry_sqr[place]
+    ramp.kind = DECELERATE
+    ramp.stop_at = max(0.0, length - 0.5 * entry_sqr / blocks.acceleration[place])
+    ramp.exit_speed = 0.0
+    if ramp.stop_at == 0.0:
+        ramp.exit_speed = math.sqrt(max(0.0, entry_sqr - 2.0 * blocks.acceleration[place] * length))
+
+
+@njit
+def _shape_profile(planner):
+    """Choose the shape of what remains of the block, from its entry speed to the next block's."""
+    blocks = planner.blocks
+    ramp = planner.ramp[0]
+    queue = planner.queue[0]
+    place = queue.tail
+    length, entry_sqr = blocks.length[place], blocks.entry_sqr[place]
+    acceleration = blocks.acceleration[place]
+    after = next_place(place)
+    exit_sqr = 0.0 if after == queue.head else blocks.entry_sqr[after]
+    nominal = nominal_speed(planner, place)
+    brake_sqr = entry_sqr - 2.0 * acceleration * length  # speed squared at the end after full braking
+    ramp.over_speed = brake_sqr > exit_sqr + CRUMB_SQR
+    if ramp.over_speed:
+        exit_sqr = brake_sqr
+    ramp.stop_at = 0.0
+    ramp.exit_speed = math.sqrt(exit_sqr)
+    ramp.cruise_speed = nominal
+    ramp.accelerate_until = length
+    ramp.decelerate_after = max(0.0, 0.5 * (nominal**2 - exit_sqr) / acceleration)
+    crossing = 0.5 * (length + 0.5 * (entry_sqr - exit_sqr) / acceleration)  # where both ramps meet
+    if crossing >= length:
+        ramp.kind = DECELERATE
+    elif entry_sqr > nominal**2:
+        ramp.kind = SLOW_DOWN
+        ramp.accelerate_until = max(0.0, length - 0.5 * (entry_sqr - nominal**2) / acceleration)
+    elif entry_sqr == nominal**2 and ramp.decelerate_after < crossing:
+        ramp.kind = CRUISE
+    else:
+        ramp.kind = ACCELERATE
+        _meet_ramps(ramp, crossing, entry_sqr, exit_sqr, acceleration)
+
+
+@njit
+def _meet_ramps(ramp, crossing, entry_sqr, exit_sqr, acceleration):
+    """Let the profile accelerate to its nominal speed, to a peak below it, or all the way."""
+    if crossing <= 0.0:
+        ramp.accelerate_until = 0.0
+        ramp.decelerate_after = 0.0
+        ramp.cruise_speed = math.sqrt(exit_sqr)
+    elif ramp.decelerate_after < crossing:
+        ramp.accelerate_until -= 0.5 * (ramp.cruise_speed**2 - entry_sqr) / acceleration
+    else:
+        ramp.accelerate_until = crossing
+        ramp.decelerate_after = crossing
+        ramp.cruise_speed = math.sqrt(2.0 * acceleration * crossing + exit_sqr)
+
+
+@njit
+def _advance_ramp(planner):
+    """Move `ramp.remaining` and `ramp.speed` on by one segment; returns its duration in s."""
+    ramp = planner.ramp[0]
+    place = planner.queue[0].tail
+    length = planner.blocks.length[place]
+    acceleration = planner.blocks.acceleration[place]
+    ramp.remaining = length
+    enough = max(0.0, length - ramp.least_mm)
+    duration, longest = 0.0, SEGMENT_S
+    span = longest
+    while True:
+        duration += _advance_piece(ramp, acceleration, span)
+        if duration < longest:
+            span = longest - duration
+        elif ramp.remaining > enough:
+            longest += SEGMENT_S
+            span = longest - duration
+        else:
+            break
+        if ramp.remaining <= ramp.stop_at:
+            break
+    return duration
+
+
+@njit
+def _advance_piece(ramp, acceleration, span):
+    """Move on for `span` s, or to the ramp's next bend if that comes sooner; returns the time taken."""
+    change = acceleration * span
+    begin = ramp.remaining
+    if ramp.kind == SLOW_DOWN and ramp.speed - ramp.cruise_speed > change:
+        ramp.remaining -= span * (ramp.speed - 0.5 * change)
+        ramp.speed -= change
+        return span
+    if ramp.kind == ACCELERATE:
+        ahead = begin - span * (ramp.speed + 0.5 * change)
+        if ahead >= ramp.accelerate_until:
+            ramp.remaining = ahead
+            ramp.speed += change
+            return span
+    if ramp.kind == CRUISE:
+        ahead = begin - span * ramp.cruise_speed
+        if ahead >= ramp.decelerate_after:
+            ramp.remaining = ahead
+            return span
+        ramp.remaining = ramp.decelerate_after
+        ramp.kind = DECELERATE
+        return (begin - ramp.remaining) / ramp.cruise_speed
+    if ramp.kind == DECELERATE:
+        return _decelerate_piece(ramp, change, span)
+    span = 2.0 * (begin - ramp.accelerate_until) / (ramp.speed + ramp.cruise_speed)
+    at_peak = ramp.kind == ACCELERATE and ramp.accelerate_until == ramp.decelerate_after
+    ramp.remaining = ramp.accelerate_until
+    ramp.kind = DECELERATE if at_peak else CRUISE
+    ramp.speed = ramp.cruise_speed
+    return span
+
+
+@njit
+def _decelerate_piece(ramp, change, span):
+    """Brake for `span` s, or to the end of the ramp."""
+    begin = ramp.remaining
+    longest = span
+    if ramp.speed > change:
+        ahead = begin - span * (ramp.speed - 0.5 * change)
+        if ahead > ramp.stop_at:
+            ramp.remaining = ahead
+            ramp.speed -= change
+            return span
+        longest = 2.0 * span
+    both = ramp.speed + ramp.exit_speed
+    ramp.remaining = ramp.stop_at
+    ramp.speed = ramp.exit_speed
+    # rounding leaves a last crumb of path at hardly any speed: it must not take long
+    return min(longest, 2.0 * (begin - ramp.stop_at) / both) if both > 0.0 else 0.0
+
+
+@njit
+def _emit(planner, segments, row, duration):
+    """Write the segment with the whole steps that were passed; returns False when there are none."""
+    blocks = planner.blocks
+    ramp = planner.ramp[0]
+    place = planner.queue[0].tail
+    steps_to_go = ramp.steps_per_mm * ramp.remaining
+    whole_to_go = math.ceil(steps_to_go)
+    steps = int(ramp.steps_left - whole_to_go)
+    if steps == 0:
+        return False
+    s_per_step = (duration + ramp.time_left) / (ramp.steps_left - steps_to_go)
+    cycles = math.ceil(TICKS_PER_S * s_per_step)
+    level = 0
+    for limit in SMOOTH_CYCLES:
+        level += cycles >= limit
+    segments.ticks[row] = steps << level
+    segments.cycles[row] = min(cycles >> level, MAX_CYCLES) + TIMER_RESTART
+    segments.unit[row] = EIGHTHS >> level
+    segments.eighths[row] = ramp.eighths
+    segments.events[row] = blocks.events[place]
+    segments.steps[row] = blocks.steps[place]
+    segments.begin[row] = blocks.begin[place]
+    segments.tag[row] = blocks.tag[place]
+    ramp.eighths += steps * EIGHTHS
+    ramp.steps_left = whole_to_go
+    ramp.time_left = (whole_to_go - steps_to_go) * s_per_step
+    return True
+
+
+@njit
+def _close(planner):
+    """Note what is left of the block; free its place when that is nothing."""
+    ramp = planner.ramp[0]
+    place = planner.queue[0].tail
+    planner.blocks.length[place] = ramp.remaining
+    if ramp.remaining == 0.0:
+        ramp.loaded = False
+        discard_block(planner)
+    elif ramp.remaining == ramp.stop_at:
+        ramp.ended = True

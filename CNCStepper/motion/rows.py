@@ -1,0 +1,185 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The rows of a table of moves through the planner, as a sender that is never late would feed it.
+
+The firmware has one processor: while it reads and plans a line it cuts no segments, and when it comes back it
+first fills every place that the step interrupt has freed. A block may so be begun while the ring is not full,
+which is felt where braking takes the whole of the look-ahead.
+
+    processor  ─ line ─┬ segments ┬─ line ─┬ segments ┬── waits for a free place ──┬ segment ┬─ line ─
+    step interrupt     └─ runs up to SEGMENT_PLACES segments behind ──────────────────────────────────
+
+The kernel stops wherever the table of segments is full and goes on from there, also from one chunk of
+rows to the next; memory does not grow with the job.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from CNCStepper.kernels import njit
+from CNCStepper.motion.arcs import new_arc, next_point, start_arc
+from CNCStepper.motion.memory import BLOCKS, SEGMENT_PLACES, TICKS_PER_S, Planner
+from CNCStepper.motion.planner import is_full, push_line
+from CNCStepper.motion.ramp import next_segment
+from CNCStepper.toolpath import ARC_CW, RAPID
+
+LINE_TICKS = round(0.0031 * TICKS_PER_S)  # to read and queue a line; this and the next fitted to recordings
+CHORD_TICKS = round(0.0016 * TICKS_PER_S)  # to queue one chord of an arc
+REPLAN_TICKS = round(0.00024 * TICKS_PER_S)  # to look again at one queued block
+INTERRUPT_TICKS = 450  # of the processor's time that each tick of the step interrupt takes
+
+_CURSOR = np.dtype(
+    [
+        ("row", "i8"),  # of the chunk
+        ("inside", "?"),  # an arc is begun
+        ("clock", "i8"),  # ticks: end of the last segment or dwell
+        ("processor", "i8"),  # ticks: from here on the processor is free
+        ("cut", "i8"),  # segments so far
+        ("cycles", "i8"),  # ticks from one step interrupt to the next, in the last segment
+        ("moved", "?"),  # since the last standstill
+        ("idle_delay", "i8"),  # ticks
+    ]
+)
+
+
+class Rows(NamedTuple):
+    """One chunk's columns, and what happens before each row."""
+
+    kind: np.ndarray
+    end: np.ndarray
+    centre: np.ndarray
+    plane: np.ndarray
+    turns: np.ndarray
+    speed: np.ndarray  # float64, mm/s
+    dwell: np.ndarray  # int64, ticks of standstill before the row; -1: none, 0: stop and go on
+    not_before: np.ndarray  # int64, written: the clock after that standstill
+    first: int
+
+
+class Course(NamedTuple):
+    """Where in the rows the planner is being fed from."""
+
+    planner: Planner
+    cursor: np.ndarray
+    arc: np.ndarray
+    place: np.ndarray  # float64[axes], mm: end of the last row
+    point: np.ndarray  # float64[axes], mm: end of the next chord
+    ends: np.ndarray  # int64[SEGMENT_PLACES], ticks: when the last segments end, and so their places are free
+
+
+def new_course(planner: Planner, position_mm: tuple[float, ...], idle_delay_ticks: int) -> Course:
+    """Return a course that begins at `position_mm`."""
+    cursor = np.zeros(1, _CURSOR).view(np.recarray)
+    cursor[0].idle_delay = idle_delay_ticks
+    place = np.array(position_mm, float)
+    return Course(planner, cursor, new_arc(), place, np.zeros(len(place)), np.zeros(SEGMENT_PLACES, np.int64))
+
+
+@njit
+def run_rows(course, rows, segments):
+    """Plan rows until the chunk is queued or `segments` is full; returns the segments written.
+
+    The chunk is done when `cursor.row` has reached its length.
+    """
+    cursor = course.cursor[0]
+    count = 0
+    while cursor.row < len(rows.kind):
+        row = cursor.row
+        if rows.dwell[row] >= 0 and not cursor.inside:
+            count = run_empty(course, segments, count)
+            if count == len(segments.tag):
+                return count
+            stand_still(course, rows.dwell[row])
+            rows.not_before[row] = cursor.clock
+            rows.dwell[row] = -1
+        if rows.kind[row] >= ARC_CW and not cursor.inside:
+            tolerance = course.planner.settings[0].arc_tolerance
+            kind, plane, turns = rows.kind[row], rows.plane[row], rows.turns[row]
+            start_arc(course.arc[0], course.place, rows.end[row], rows.centre[row], kind, plane, turns, tolerance)
+            cursor.inside = True
+        count = _make_room(course, segments, count)
+        if is_full(course.planner) or count == len(segments.tag):
+            return count
+        _queue_next(course, rows, row)
+    return count
+
+
+@njit
+def _make_room(course, segments, count):
+    """Cut segments as their places fall free, until a block can be queued or `segments` is full."""
+    cursor = course.cursor[0]
+    while True:
+        while count < len(segments.tag) and course.ends[cursor.cut % SEGMENT_PLACES] <= cursor.processor:
+            if not _cut(course, segments, count):
+                break
+            count += 1
+        if count == len(segments.tag) or not is_full(course.planner):
+            return count
+        cursor.processor = course.ends[cursor.cut % SEGMENT_PLACES]
+
+
+@njit
+def _queue_next(course, rows, row):
+    """Queue the next straight piece of the row, and step to the next row after the last piece."""
+    cursor = course.cursor[0]
+    arc = course.arc[0]
+    end = rows.end[row]
+    _work(course, CHORD_TICKS if cursor.inside and arc.done else LINE_TICKS)
+    if cursor.inside:
+        next_point(arc, course.place, end, course.point)
+        cursor.inside = arc.done < arc.chords
+    else:
+        course.point[:] = end
+    push_line(course.planner, course.point, rows.speed[row], rows.kind[row] == RAPID, rows.first + row)
+    if not cursor.inside:
+        course.place[:] = end
+        cursor.row += 1
+
+
+@njit
+def _work(course, ticks):
+    """Let the processor read and plan, `ticks` of its own time, between the step interrupts."""
+    cursor = course.cursor[0]
+    queue = course.planner.queue[0]
+    ticks += REPLAN_TICKS * ((queue.head - queue.planned) % BLOCKS)
+    if cursor.clock > cursor.processor:
+        ticks = ticks * cursor.cycles // (cursor.cycles - INTERRUPT_TICKS)
+    cursor.processor += ticks
+
+
+@njit
+def run_empty(course, segments, count):
+    """Cut all that is queued, from row `count` of `segments` on; full before the end when all rows are used."""
+    while count < len(segments.tag) and _cut(course, segments, count):
+        count += 1
+    return count
+
+
+@njit
+def stand_still(course, ticks):
+    """Let the axes come to rest, the drivers' idle delay pass, and then `ticks`."""
+    cursor = course.cursor[0]
+    if cursor.moved:
+        cursor.clock += cursor.idle_delay
+        cursor.moved = False
+    cursor.clock = max(cursor.clock, cursor.processor) + ticks
+    cursor.processor = cursor.clock
+
+
+@njit
+def _cut(course, segments, row):
+    """Cut one segment and set it on the clock; a segment that comes too late finds the drivers idle."""
+    cursor = course.cursor[0]
+    if not next_segment(course.planner, segments, row):
+        return False
+    if cursor.clock < cursor.processor:
+        stand_still(course, 0)
+    segments.start[row] = cursor.clock
+    cursor.clock += segments.ticks[row] * segments.cycles[row]
+    course.ends[cursor.cut % SEGMENT_PLACES] = cursor.clock
+    cursor.cut += 1
+    cursor.cycles = max(segments.cycles[row], 2 * INTERRUPT_TICKS)
+    cursor.moved = True
+    return True

@@ -1,0 +1,81 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What the motors do and when, read from segments: positions at times, and every single step.
+
+Bresenham in n axes: per step event of the longest axis every axis adds its own count, and steps when the
+sum passes the event count; all sums begin at half. Slow segments do this in halves, quarters or eighths
+of an event, so that the shorter axes step more evenly. With E events and s steps in the block, after m
+eighths an axis has made
+
+    floor((4 E + m s - 1) / (8 E))    steps, for m = 0 .. 8 E
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from CNCStepper.kernels import njit
+from CNCStepper.motion.memory import EIGHTHS, Segments
+
+
+@njit
+def place_in(segments, row, ticks, position):
+    """Write to `position` where the axes stand after `ticks` of the segment's ticks."""
+    eighths = segments.eighths[row] + ticks * segments.unit[row]
+    events = segments.events[row]
+    for axis in range(len(position)):
+        steps = segments.steps[row, axis]
+        made = (EIGHTHS // 2 * events + eighths * abs(steps) - 1) // (EIGHTHS * events)
+        position[axis] = segments.begin[row, axis] + (made if steps > 0 else -made)
+
+
+@njit
+def ends(segments, positions):
+    """Write the position at the end of every segment to `positions`, int64[n, axes]."""
+    for row in range(len(segments.tag)):
+        place_in(segments, row, segments.ticks[row], positions[row])
+
+
+@njit
+def positions_at(segments, clocks, positions):
+    """Write where the axes stand at `clocks` (int64, rising, ticks of the controller's clock).
+
+    Every clock must lie at or after the first segment's start; between two segments, and after the
+    last, the axes stand where the earlier one ended.
+    """
+    row = 0
+    for query in range(len(clocks)):
+        while row + 1 < len(segments.tag) and segments.start[row + 1] <= clocks[query]:
+            row += 1
+        ticks = (clocks[query] - segments.start[row]) // segments.cycles[row]
+        place_in(segments, row, min(ticks, segments.ticks[row]), positions[query])
+
+
+@njit
+def count_step_events(segments):
+    """Return the greatest number of ticks on which some axis steps."""
+    return int(np.sum(segments.ticks))
+
+
+@njit
+def step_events(segments, clocks, positions):
+    """Write the clock of every tick on which an axis steps, and the position after it; returns their number."""
+    count = 0
+    position = np.empty_like(positions[0])
+    for row in range(len(segments.tag)):
+        place_in(segments, row, 0, position)
+        for tick in range(1, segments.ticks[row] + 1):
+            place_in(segments, row, tick, positions[count])
+            if np.any(positions[count] != position):
+                position[:] = positions[count]
+                clocks[count] = segments.start[row] + tick * segments.cycles[row]
+                count += 1
+    return count
+
+
+def step_table(segments: Segments) -> tuple[np.ndarray, np.ndarray]:
+    """Return every step event of the segments: clocks int64[k] and positions int64[k, axes] after each."""
+    room = count_step_events(segments) + 1
+    clocks = np.empty(room, np.int64)
+    positions = np.empty((room, segments.steps.shape[1]), np.int64)
+    count = step_events(segments, clocks, positions)
+    return clocks[:count], positions[:count]
