@@ -9,13 +9,16 @@ from pathlib import Path
 import numpy as np
 import shapely
 
+REST_S = 0.05  # without a step for that long the axes rest: a dwell, a pause
+LEVEL_MM = 0.005  # what lies that close to a depth is on it: two steps of the Z axis
+
 
 @dataclass(frozen=True)
 class Cut:
     """How far the axes' path is off the drawing, in mm."""
 
     wall_mm: float  # the pocket's finished wall from the drawn ellipse, at the worst point
-    floor_mm: float  # the deepest point from the drawn depth
+    floor_mm: float  # the deepest points from the drawn depths
     line_mm: float  # the engraved line from the drawn one, both ways
     samples: int
 
@@ -23,6 +26,13 @@ class Cut:
     def worst_mm(self) -> float:
         """The worst of all."""
         return max(self.wall_mm, self.floor_mm, self.line_mm)
+
+
+def motion_s(trace: Path) -> float:
+    """Return how long the axes moved: the times between rows, without those in which they rested."""
+    times = np.loadtxt(trace, delimiter=",", skiprows=1, usecols=0)
+    gaps = np.diff(times)
+    return float(gaps[gaps < REST_S].sum())
 
 
 def judge(
@@ -37,11 +47,11 @@ def judge(
     """Compare the trace of the axes (machine coordinates) with the drawn ellipse and the drawn line."""
     path = np.loadtxt(trace, delimiter=",", skiprows=1, usecols=(1, 2, 3)) - zero_mm
     pocket = path[_over(path, ellipse)]
-    engraved = path[(path[:, 2] < -0.9 * line_depth_mm) & ~_over(path, ellipse)]
+    engraved = path[(path[:, 2] < -line_depth_mm + LEVEL_MM) & ~_over(path, ellipse)]
     return Cut(
         _wall_mm(pocket, ellipse, tool_radius_mm, depth_mm),
-        abs(pocket[:, 2].min() + depth_mm),
-        _line_mm(engraved, line, line_depth_mm),
+        max(abs(pocket[:, 2].min() + depth_mm), abs(engraved[:, 2].min() + line_depth_mm)),
+        _line_mm(engraved, line),
         len(path),
     )
 
@@ -52,7 +62,7 @@ def _over(path: np.ndarray, ellipse: shapely.Polygon) -> np.ndarray:
 
 def _wall_mm(pocket: np.ndarray, ellipse: shapely.Polygon, tool_radius_mm: float, depth_mm: float) -> float:
     """Sweep the tool along the path on the floor, and measure the sweep's edge from the drawn wall, both ways."""
-    floor = pocket[pocket[:, 2] < -depth_mm + 0.01]
+    floor = pocket[pocket[:, 2] < -depth_mm + LEVEL_MM]
     swept = shapely.buffer(shapely.LineString(floor[:, :2]), tool_radius_mm, quad_segs=64)
     outside = shapely.Polygon(swept.exterior).exterior
     if any(shapely.Polygon(hole).area > 0.01 for hole in swept.interiors):
@@ -62,9 +72,9 @@ def _wall_mm(pocket: np.ndarray, ellipse: shapely.Polygon, tool_radius_mm: float
     return float(max(there.max(), back.max()))
 
 
-def _line_mm(engraved: np.ndarray, line: shapely.LineString, depth_mm: float) -> float:
+def _line_mm(engraved: np.ndarray, line: shapely.LineString) -> float:
+    """Return the distance between the axes' path on its depth and the drawn line, at the worst point of either."""
     cut = shapely.LineString(engraved[:, :2])
     there = shapely.distance(line, shapely.points(engraved[:, :2]))
-    drawn = np.asarray(shapely.segmentize(line, 0.1).coords)
-    back = shapely.distance(cut, shapely.points(drawn))
-    return float(max(there.max(), back.max(), np.abs(engraved[:, 2] + depth_mm).max() if len(engraved) else np.inf))
+    back = shapely.distance(cut, shapely.points(np.asarray(shapely.segmentize(line, 0.1).coords)))
+    return float(max(there.max(), back.max()))

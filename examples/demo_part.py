@@ -4,11 +4,11 @@
 import csv
 from pathlib import Path
 
-PLATE_MM = (250, 170, 15)
-ELLIPSE_CENTRE_MM, ELLIPSE_RADII_MM, DEPTH_MM = (60, 85), (40, 25), 10
+PLATE_MM = (310, 200, 15)
+ELLIPSE_CENTRE_MM, ELLIPSE_RADII_MM, DEPTH_MM = (60, 100), (40, 25), 10
 MILL_MM, BALL_MM = 6, 2
-MAP_CORNER_MM, MAP_DEPTH_MM = (115, 25), 1
-ZERO_MM = (-320, -280, -40)  # where the plate's corner lies on the table, machine coordinates
+MAP_CORNER_MM, MAP_DEPTH_MM = (120, 9), 1
+ZERO_MM = (-350, -250, -40)  # where the plate's corner lies on the table, machine coordinates
 
 
 def brazil() -> list[tuple[float, float]]:

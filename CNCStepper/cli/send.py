@@ -90,11 +90,11 @@ def _confirmed(job: SendJob, confirmed: bool) -> SendJob:
 
 
 def _conclude(outcome: Outcome) -> None:
-    """Say how it ended; only "done" is exit status 0."""
+    """Say how it ended and how the machine stands; only "done" is exit status 0."""
     status = outcome.status
     click.echo(f"{status.acknowledged} of {status.total} lines acknowledged in {status.elapsed_s:.1f} s")
-    outcome.raise_for_error()
-    click.echo(outcome.text)
-    if not outcome.position_known:
-        click.echo("The machine's position is unknown: home it, or set the zero again.", err=True)
+    if outcome.error:
+        click.echo(f"cncstepper: {outcome.text}", err=True)
+    else:
+        click.echo(outcome.text)
     sys.exit(0 if outcome.done else 1)

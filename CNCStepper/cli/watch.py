@@ -32,7 +32,7 @@ class _Watch:
         self._progress = progress
         self._resume_pauses = resume_pauses
         self._bar = progress.add_task("connecting", total=None, place="")
-        self._asked = ""  # the phase for which the person was asked already
+        self._answered = ("", -1)  # the stand that has had its answer: its phase and place
 
     def run(self) -> Outcome:
         """Return the outcome; Ctrl-C holds the machine."""
@@ -61,20 +61,16 @@ class _Watch:
         )
 
     def _stand(self, status: SenderStatus) -> None:
-        """Ask once what to do when the machine stands: held, or paused by its program."""
-        if status.phase not in ("held", "paused", "door"):
-            self._asked = ""
-        elif status.phase == "paused" and self._resume_pauses:
-            self._resume_once(status)
-        elif not self._asked:
-            self._asked = status.phase
-            self._ask(status)
-
-    def _resume_once(self, status: SenderStatus) -> None:
-        if not self._asked:
-            self._asked = status.phase
+        """Ask once for each stand what to do: held, paused by the program, or a door that was opened."""
+        stand = (status.phase, status.acknowledged)
+        if status.phase not in ("held", "paused", "door") or stand == self._answered:
+            return
+        self._answered = stand
+        if status.phase == "paused" and self._resume_pauses:
             self._progress.console.print(f"pause: {status.message or 'M0'}; going on", markup=False)
             self._client.resume()
+        else:
+            self._ask(status)
 
     def _ask(self, status: SenderStatus) -> None:
         """A stop needs a word; nobody to ask means stop, for a tool must not stand in the work unwatched."""

@@ -1,0 +1,131 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The command line as a stranger uses it: exit states, findings, files."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from click.testing import CliRunner, Result
+
+from CNCStepper.cli.main import VERBS, group
+from CNCStepper.errors import CNCStepperError
+
+ROOT = Path(__file__).parents[3]
+JOBS = ROOT / "examples" / "jobs"
+SQUARE = "G21 G90 G17\nT1\nM3 S10000\nG4 P3\nG0 Z5\nG0 X0 Y0\nG1 Z-1 F100\nG1 X20 F500\nY20\nX0\nY0\nG0 Z5\nM5\nM2\n"
+
+
+def run(*arguments: str | Path) -> Result:
+    return CliRunner().invoke(group, [str(argument) for argument in arguments])
+
+
+@pytest.fixture
+def square(tmp_path: Path) -> Path:
+    path = tmp_path / "peça nº 1.nc"
+    path.write_text(SQUARE, encoding="utf-8")
+    return path
+
+
+@pytest.mark.parametrize("verb", VERBS)
+def test_every_verb_has_a_help_for_strangers(verb: str) -> None:
+    result = run(verb, "--help")
+    assert result.exit_code == 0
+    assert len(result.output.splitlines()) > 5
+
+
+def test_run_writes_program_report_and_picture(tmp_path: Path) -> None:
+    result = run("run", JOBS / "brazil-engraving.toml", "--out", tmp_path / "saída 1")
+    assert result.exit_code == 0, result.output
+    report = json.loads((tmp_path / "saída 1" / "report.json").read_text("utf-8"))
+    assert report["time_s"] > 40 and report["gouge_mm"] <= 0.01
+    assert (tmp_path / "saída 1" / "part.png").read_bytes().startswith(b"\x89PNG")
+    assert (tmp_path / "saída 1" / "program.nc").read_text("ascii").endswith("M2\n")
+
+
+def test_a_clean_program_is_exit_0(square: Path) -> None:
+    result = run("check", square, "--machine", "table-a", "--work-zero", "-200,-200,-40")
+    assert result.exit_code == 0, result.output
+    assert "clean" in result.output
+
+
+def test_with_stock_and_tool_the_clean_program_stays_clean(square: Path) -> None:
+    stock = ("--stock", "40,40,5", "--origin", "top-left-front", "--tool", "flat:6")
+    assert run("check", square, "--machine", "table-a", *stock).exit_code == 0
+
+
+def test_a_program_beyond_the_travel_is_exit_1_with_its_place(square: Path) -> None:
+    result = run("check", square, "--machine", "table-a", "--work-zero", "-10,-200,-40")
+    assert result.exit_code == 1
+    assert f"{square}:8:" in result.output
+
+
+def test_a_program_larger_than_the_travel_is_refused_without_a_zero(tmp_path: Path) -> None:
+    path = tmp_path / "large.nc"
+    path.write_text("G21 G90\nG0 Z5\nG0 X0 Y0\nG1 X400.01 F500\nM2\n", encoding="ascii")
+    result = run("check", path, "--machine", "table-a")
+    assert result.exit_code == 1
+    assert "large.nc:4:" in result.output
+
+
+def test_a_word_that_is_none_is_exit_1_with_line_and_column(tmp_path: Path) -> None:
+    path = tmp_path / "bad.nc"
+    path.write_text("G21 G90\nG1 X10 F100 Q5\n", encoding="ascii")
+    result = run("check", path, "--machine", "table-a")
+    assert isinstance(result.exception, CNCStepperError)
+    assert "bad.nc:2:13" in str(result.exception)
+    outside = subprocess.run(
+        [sys.executable, "-m", "CNCStepper.cli", "check", str(path), "--machine", "table-a"],
+        capture_output=True,
+        encoding="utf-8",
+    )
+    assert outside.returncode == 1
+    assert "bad.nc:2:13" in outside.stderr and "Traceback" not in outside.stderr
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        ("check", "none.nc", "--machine", "table-a"),
+        ("check", "SQUARE", "--machine", "table-z"),
+        ("check", "SQUARE", "--machine", "table-a", "--stock", "40,40"),
+        ("check", "SQUARE", "--machine", "table-a", "--stock", "40,40,5", "--tool", "round:6"),
+        ("check", "SQUARE", "--machine", "table-a", "--tool", "flat:6"),
+        ("check", "SQUARE"),
+        ("virtual", "grbl"),
+        ("send", "SQUARE"),
+        ("nonsense",),
+    ],
+)
+def test_wrong_usage_is_exit_2(arguments: tuple[str, ...], square: Path) -> None:
+    result = run(*(str(square) if argument == "SQUARE" else argument for argument in arguments))
+    assert result.exit_code == 2, result.output
+
+
+def test_time_is_one_number_on_the_last_line(square: Path) -> None:
+    result = run("time", square, "--machine", "table-a")
+    assert 17 < float(result.output.splitlines()[-1]) < 18.5
+
+
+def test_simulate_draws_and_reports(square: Path, tmp_path: Path) -> None:
+    out, told = tmp_path / "part.png", tmp_path / "part.json"
+    stock = ("--stock", "40,40,5", "--origin", "top-left-front", "--tool", "flat:6")
+    result = run("simulate", square, *stock, "--out", out, "--json", told)
+    assert result.exit_code == 0, result.output
+    assert out.stat().st_size > 10_000
+    assert json.loads(told.read_text("utf-8"))["removed_volume_mm3"] > 300
+
+
+def test_trace_prints_canonical_calls(square: Path) -> None:
+    assert "STRAIGHT_FEED(20.0000, 0.0000, -1.0000, 0.0000, 0.0000, 0.0000)" in run("trace", square).output
+
+
+def test_another_dialect_reads_another_language(tmp_path: Path) -> None:
+    path = tmp_path / "thesis.nc"
+    path.write_text("g0 x2 y11\nG2 X11 Y2 I1 J1\nG90\ny-8\n", encoding="ascii")
+    assert run("check", path, "--machine", "table-a").exit_code == 1  # I and J are no absolute centre for grbl
+    result = run("check", path, "--machine", "table-a", "--dialect", "thesis-a")
+    assert result.exit_code == 0, result.output
