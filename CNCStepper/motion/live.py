@@ -1,237 +1,196 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The planner and step generator as a live object: moves in, time passes, axes stand somewhere.
+"""`Motion`: the controller's planner and step generator as a live object with a clock of its own.
 
-    line() ──► ring of blocks ──► up to SEGMENT_PLACES segments ──► advance(): position
-                 may still change        are decided
-
-It is the heart of a controller that listens while it moves; whole programs go through `plan.py`, which uses
-the same kernels.
+It plans and steps through the same kernels as `plan.py`. Blocks are taken up as they come: motion begins
+with the first, and where the blocks come too slowly the axes brake and stop, as on the controller.
 """
 
 from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from typing import NamedTuple
 
 import numpy as np
 
 from CNCStepper.errors import MachineRefusal
-from CNCStepper.kernels import njit
+from CNCStepper.motion import run
 from CNCStepper.motion.limits import Limits
-from CNCStepper.motion.memory import (
-    BLOCKS,
-    EIGHTHS,
-    SEGMENT_PLACES,
-    TICKS_PER_S,
-    Planner,
-    Segments,
-    new_planner,
-    new_segments,
-)
-from CNCStepper.motion.planner import (
-    count_blocks,
-    empty_planner,
-    plan_again,
-    push_line,
-    reload_running_block,
-    set_overrides,
-)
-from CNCStepper.motion.ramp import next_segment
-from CNCStepper.motion.timeline import place_in
-from CNCStepper.units import S_PER_MIN
+from CNCStepper.motion.memory import BLOCKS, TICKS_PER_S, Segments, new_planner
+from CNCStepper.motion.planner import count_blocks, is_full, push_line, set_overrides
+from CNCStepper.motion.timeline import ends, step_table
+from CNCStepper.units import mm_min_from_mm_s, mm_s_from_mm_min
 
-RUNNING, HOLDING, HELD, IDLE = "running", "holding", "held", "idle"
-
-_FLOW = np.dtype(
-    [
-        ("clock", "i8"),  # ticks: now
-        ("free", "i8"),  # ticks: before this no segment can begin
-        ("oldest", "i8"),  # place of the running segment in the ring of segments
-        ("count", "i8"),  # segments that are decided
-        ("idle_delay", "i8"),  # ticks
-    ]
-)
-
-
-class _Ring(NamedTuple):
-    planner: Planner
-    segments: Segments
-    flow: np.ndarray
-    position: np.ndarray  # int64[axes], steps: where the last finished segment ended
+RECORD_ROWS = 1024
 
 
 class Motion:
-    """A controller's motion: queue moves while there is room, let time pass, look where the axes are.
+    """A planner of 15 blocks and the axes behind it.
 
-    Positions are machine coordinates; it begins at rest at `position_steps`. Not for several threads.
+    position_steps: where the axes stand at the begin (0 when left out), one value an axis.
+    record: keep the path that the axes take, for `path()` and `step_path()`.
     """
 
-    def __init__(self, limits: Limits, position_steps: Sequence[int] | None = None):
-        self._limits = limits
-        steps = np.array(position_steps or (0,) * limits.axes, np.int64)
-        flow = np.zeros(1, _FLOW).view(np.recarray)
-        flow[0].idle_delay = round(limits.idle_delay_s * TICKS_PER_S)
-        planner = new_planner(limits, tuple(steps / np.array(limits.steps_per_mm)))
-        planner.position[:] = steps
-        self._ring = _Ring(planner, new_segments(SEGMENT_PLACES, limits.axes), flow, steps)
-        self._holding = False
+    def __init__(self, limits: Limits, position_steps: Sequence[int] | None = None, record: bool = False):
+        self.limits = limits
+        planner = new_planner(limits, (0.0,) * limits.axes)
+        if position_steps is not None:
+            planner.position[:] = position_steps
+        idle_ticks = round(limits.idle_delay_s * TICKS_PER_S)
+        self._runner = run.new_runner(planner, idle_ticks, RECORD_ROWS if record else 0)
+        self._clockwork = self._runner.clockwork[0]
+        self._overrides = (1.0, 1.0)
+        self._overdue_ticks = 0.0  # the fraction of a tick that `advance` was asked for and did not run
+        self._recorded: list[Segments] = []
 
     @property
     def time_s(self) -> float:
-        """The time that has passed."""
-        return int(self._ring.flow[0].clock) / TICKS_PER_S
-
-    @property
-    def blocks(self) -> int:
-        """How many moves are queued, the running one included."""
-        return int(count_blocks(self._ring.planner))
+        """The simulated time since the begin."""
+        return self._clockwork.clock / TICKS_PER_S
 
     @property
     def room(self) -> int:
-        """How many further moves can be queued."""
+        """Blocks that can be queued now."""
         return BLOCKS - 1 - self.blocks
 
     @property
-    def state(self) -> str:
-        """What it does: RUNNING, HOLDING (slowing down), HELD (stopped on the path, moves wait) or IDLE."""
-        still = self._ring.flow[0].count == 0
-        if self._holding:
-            return HELD if still and (self._ring.planner.ramp[0].ended or not self.blocks) else HOLDING
-        return IDLE if still and not self.blocks else RUNNING
-
-    @property
-    def idle(self) -> bool:
-        """Whether no move is left to make."""
-        return self._ring.flow[0].count == 0 and not self.blocks
+    def blocks(self) -> int:
+        """Blocks that are queued, the one being cut into segments included."""
+        return int(count_blocks(self._runner.planner))
 
     @property
     def position_steps(self) -> tuple[int, ...]:
-        """Where the axes are."""
-        return tuple(_place_now(self._ring).tolist())
+        """Where the axes are, in steps."""
+        return tuple(self._runner.position.tolist())
 
     @property
     def position_mm(self) -> tuple[float, ...]:
-        """Where the axes are."""
-        return tuple(n / per_mm for n, per_mm in zip(self.position_steps, self._limits.steps_per_mm, strict=True))
+        """Where the axes are, in mm."""
+        return tuple((self._runner.position / self._runner.planner.steps_per_mm).tolist())
 
     @property
     def rate_mm_min(self) -> float:
-        """The speed along the path now."""
-        flow, segments = self._ring.flow[0], self._ring.segments
-        row = flow.oldest
-        if flow.count == 0 or segments.start[row] > flow.clock:
-            return 0.0
-        event_mm = math.hypot(*(segments.steps[row] / np.array(self._limits.steps_per_mm))) / segments.events[row]
-        tick_s = int(segments.cycles[row]) / TICKS_PER_S
-        return event_mm * int(segments.unit[row]) / EIGHTHS / tick_s * S_PER_MIN
+        """The speed along the path, as the controller reports it: that of the newest segment, 0 at rest."""
+        return mm_min_from_mm_s(float(self._runner.planner.ramp[0].speed)) if self._clockwork.running else 0.0
 
     @property
-    def line_tag(self) -> int:
-        """The tag of the move being made; -1 at rest."""
-        flow = self._ring.flow[0]
-        return int(self._ring.segments.tag[flow.oldest]) if flow.count else -1
+    def tag(self) -> int | None:
+        """The tag of the line that is running, None at rest."""
+        return int(self._runner.ring.tag[self._clockwork.oldest]) if self._clockwork.running else None
+
+    @property
+    def state(self) -> str:
+        """One of "idle", "run", "hold" (braking), "held"."""
+        if self.held:
+            return "held"
+        if self.holding:
+            return "hold"
+        return "idle" if self.idle else "run"
+
+    @property
+    def idle(self) -> bool:
+        """Whether all moves are done, the drivers' idle delay has passed and nothing is held."""
+        clockwork = self._clockwork
+        waiting = self.blocks or clockwork.waiting or clockwork.ready_at > clockwork.clock
+        return not waiting and not self._runner.planner.ramp[0].hold
+
+    @property
+    def holding(self) -> bool:
+        """Whether a hold is braking and has not come to its stop."""
+        return bool(self._runner.planner.ramp[0].hold) and not self.held
+
+    @property
+    def held(self) -> bool:
+        """Whether a hold has come to its stop."""
+        return bool(self._clockwork.held)
 
     @property
     def until_change_s(self) -> float:
-        """The time until the running segment ends, when room may fall free; infinite at rest."""
-        flow, segments = self._ring.flow[0], self._ring.segments
-        if flow.count == 0:
-            return math.inf if self.state in (IDLE, HELD) else 0.0
-        row = flow.oldest
-        end = int(segments.start[row] + segments.ticks[row] * segments.cycles[row])
-        return (end - int(flow.clock)) / TICKS_PER_S
+        """The time until the running segment, or the drivers' idle delay, is over; infinite at rest."""
+        clockwork, ring = self._clockwork, self._runner.ring
+        if self.held:
+            return math.inf
+        delay = max(int(clockwork.ready_at - clockwork.clock), 0)
+        if not clockwork.waiting:
+            return (delay or 1) / TICKS_PER_S if delay or self.blocks else math.inf
+        place = clockwork.oldest
+        length = int(ring.ticks[place] * ring.cycles[place])
+        if clockwork.running:
+            return (int(ring.start[place]) + length - int(clockwork.clock)) / TICKS_PER_S
+        return (delay + length) / TICKS_PER_S
 
     def line(self, target_mm: Sequence[float], feed_mm_min: float, rapid: bool = False, tag: int = 0) -> bool:
-        """Queue a straight move; returns whether it has any step. Raises MachineRefusal where there is no room."""
-        if self.room == 0:
+        """Queue a straight move in machine coordinates; returns False when it is shorter than a step.
+
+        A rapid goes as fast as the axes allow, whatever `feed_mm_min` says. Raises
+        MachineRefusal, and queues nothing, when there is no room or the target or feed is not a finite number.
+        """
+        if is_full(self._runner.planner):
             raise MachineRefusal(
-                "planner-full", "the planner is full", limit=f"{BLOCKS - 1} blocks", advice="let time pass first"
+                "planner-full", "the planner has no free block", limit=f"{BLOCKS - 1} blocks", advice="wait for room"
             )
         target = np.array(target_mm, float)
-        return bool(push_line(self._ring.planner, target, feed_mm_min / S_PER_MIN, rapid, tag))
+        if not (np.isfinite(target).all() and math.isfinite(feed_mm_min)):
+            raise MachineRefusal(
+                "not-finite", "a move to no known place", value=f"{list(target_mm)}", advice="give every axis a number"
+            )
+        return bool(push_line(self._runner.planner, target, mm_s_from_mm_min(float(feed_mm_min)), bool(rapid), tag))
 
-    def advance(self, duration_s: float) -> None:
-        """Let time pass."""
-        flow = self._ring.flow[0]
-        _flow(self._ring, int(flow.clock) + round(duration_s * TICKS_PER_S))
+    def advance(self, dt_s: float) -> None:
+        """Let `dt_s` seconds pass."""
+        ticks = dt_s * TICKS_PER_S + self._overdue_ticks
+        whole = int(ticks)
+        self._overdue_ticks = ticks - whole
+        until = int(self._clockwork.clock) + whole
+        run.run_until(self._runner, until)
+        while run.record_full(self._runner):
+            self._keep_record()
+            run.run_until(self._runner, until)
 
     def hold(self) -> None:
-        """Slow down along the path to a stop; what is decided already is still run."""
-        if not self._holding:
-            self._holding = True
-            reload_running_block(self._ring.planner)
-            self._ring.planner.ramp[0].hold = True
+        """Begin to brake along the path; `held` once the axes stand."""
+        run.hold(self._runner)
 
-    def resume(self) -> None:
-        """Go on from where a hold has stopped; before it has, nothing happens."""
-        if self.state == HELD:
-            ramp = self._ring.planner.ramp[0]
-            ramp.hold = ramp.ended = False
-            ramp.speed = 0.0
-            plan_again(self._ring.planner)
-            self._holding = False
+    def resume(self) -> bool:
+        """Go on after a hold; returns False, and does nothing, unless held, as the controller does."""
+        return bool(run.resume(self._runner))
 
     def reset(self) -> bool:
-        """Stop dead and forget all moves; returns whether the axes were moving, and so may have lost steps."""
-        moving = self._ring.flow[0].count > 0
-        position = _place_now(self._ring)
-        self._ring.position[:] = position
-        self._ring.flow[0].count = 0
-        empty_planner(self._ring.planner, position)
-        self._holding = False
+        """Stop at once and forget all moves and any hold; returns whether the axes were moving.
+
+        Steps are lost when they were. After a hold nothing is lost: hold and then reset cancels a jog.
+        """
+        moving = bool(run.stop_dead(self._runner))
+        self._overdue_ticks = 0.0
         return moving
 
     def override(self, feed: float, rapid: float) -> None:
-        """Let all moves, queued ones too, run at these factors of their speeds (1.0: as programmed)."""
-        set_overrides(self._ring.planner, feed, rapid)
+        """Run queued and coming moves at these factors (1.0 = as programmed) of their speeds."""
+        if (feed, rapid) != self._overrides:
+            self._overrides = (feed, rapid)
+            set_overrides(self._runner.planner, float(feed), float(rapid))
 
+    def path(self) -> np.ndarray:
+        """Return what the axes did since the last call, float64[k, 1 + axes]: t_s and position in steps.
 
-@njit
-def _flow(ring, until):
-    """Run segments until the clock stands at `until`, deciding further ones as their places fall free."""
-    flow = ring.flow[0]
-    while True:
-        _decide(ring)
-        row = flow.oldest
-        end = ring.segments.start[row] + ring.segments.ticks[row] * ring.segments.cycles[row]
-        if flow.count == 0 or end > until:
-            flow.clock = until
-            return
-        flow.clock = end
-        flow.free = end
-        place_in(ring.segments, row, ring.segments.ticks[row], ring.position)
-        flow.oldest = (row + 1) % SEGMENT_PLACES
-        flow.count -= 1
-        if flow.count == 0:
-            _decide(ring)
-        if flow.count == 0:  # the axes have come to rest: the firmware waits before it listens again
-            flow.free = end + flow.idle_delay
+        One row for the end of every segment (about every 10 ms); between two rows the axes go straight, so
+        that every point of the true path is within one step. Only complete segments are in it.
+        """
+        return self._drain(lambda segments: (segments.start + segments.ticks * segments.cycles, ends(segments)))
 
+    def step_path(self) -> np.ndarray:
+        """Return the same as `path()`, with one row for every moment at which an axis steps."""
+        return self._drain(step_table)
 
-@njit
-def _decide(ring):
-    """Cut segments from the planner while there is a place for them, and set them on the clock."""
-    flow = ring.flow[0]
-    while flow.count < SEGMENT_PLACES:
-        row = (flow.oldest + flow.count) % SEGMENT_PLACES
-        if not next_segment(ring.planner, ring.segments, row):
-            return
-        start = max(flow.clock, flow.free)
-        if flow.count > 0:
-            last = (row - 1) % SEGMENT_PLACES
-            start = ring.segments.start[last] + ring.segments.ticks[last] * ring.segments.cycles[last]
-        ring.segments.start[row] = start
-        flow.count += 1
+    def _drain(self, fold) -> np.ndarray:
+        self._keep_record()
+        recorded, self._recorded = self._recorded, []
+        pieces = [np.zeros((0, 1 + self.limits.axes))]
+        for segments in recorded:
+            clocks, positions = fold(segments)
+            pieces.append(np.column_stack([clocks / TICKS_PER_S, positions]))
+        return np.concatenate(pieces)
 
-
-@njit
-def _place_now(ring):
-    """Return where the axes stand at the clock, int64[axes]."""
-    flow = ring.flow[0]
-    place = ring.position.copy()
-    row = flow.oldest
-    if flow.count > 0 and flow.clock >= ring.segments.start[row]:
-        ticks = (flow.clock - ring.segments.start[row]) // ring.segments.cycles[row]
-        place_in(ring.segments, row, min(ticks, ring.segments.ticks[row]), place)
-    return place
+    def _keep_record(self) -> None:
+        if self._clockwork.recorded:
+            self._recorded.append(self._runner.record.copied(int(self._clockwork.recorded)))
+            self._clockwork.recorded = 0

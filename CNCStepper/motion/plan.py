@@ -132,14 +132,14 @@ class Stops:
         """Return the ticks of standstill before each row, int64[n]; -1 where the motion goes on."""
         dwell = np.full(len(chunk), -1, np.int64)
         changes = np.flatnonzero(np.diff(chunk.state, prepend=self.state))
-        for row in changes:
-            if self._stops(self.state, int(chunk.state[row])):
-                dwell[row] = 0
-            self.state = int(chunk.state[row])
+        for change in changes:
+            if self._stops(self.state, int(chunk.state[change])):
+                dwell[change] = 0
+            self.state = int(chunk.state[change])
         while self.next_event < len(self.events) and self.events[self.next_event].index < chunk.first + len(chunk):
             event = self.events[self.next_event]
             row = event.index - chunk.first
-            dwell[row] = max(0, int(dwell[row])) + _dwell_ticks(event)
+            dwell[row] = max(0, dwell[row]) + _dwell_ticks(event)
             self.next_event += 1
         return dwell
 

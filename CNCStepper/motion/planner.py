@@ -251,3 +251,4 @@ def empty_planner(planner, position_steps):
     ramp.loaded = ramp.replan = ramp.over_speed = ramp.hold = ramp.ended = False
     ramp.speed = 0.0
     planner.position[:] = position_steps
+    planner.known[:] = True

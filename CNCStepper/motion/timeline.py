@@ -29,10 +29,12 @@ def place_in(segments, row, ticks, position):
 
 
 @njit
-def ends(segments, positions):
-    """Write the position at the end of every segment to `positions`, int64[n, axes]."""
+def ends(segments):
+    """Return the position at the end of every segment, int64[n, axes]."""
+    positions = np.empty_like(segments.steps)
     for row in range(len(segments.tag)):
         place_in(segments, row, segments.ticks[row], positions[row])
+    return positions
 
 
 @njit
@@ -51,13 +53,7 @@ def positions_at(segments, clocks, positions):
 
 
 @njit
-def count_step_events(segments):
-    """Return the greatest number of ticks on which some axis steps."""
-    return int(np.sum(segments.ticks))
-
-
-@njit
-def step_events(segments, clocks, positions):
+def _write_step_events(segments, clocks, positions):
     """Write the clock of every tick on which an axis steps, and the position after it; returns their number."""
     count = 0
     position = np.empty_like(positions[0])
@@ -74,8 +70,8 @@ def step_events(segments, clocks, positions):
 
 def step_table(segments: Segments) -> tuple[np.ndarray, np.ndarray]:
     """Return every step event of the segments: clocks int64[k] and positions int64[k, axes] after each."""
-    room = count_step_events(segments) + 1
+    room = int(segments.ticks.sum()) + 1
     clocks = np.empty(room, np.int64)
     positions = np.empty((room, segments.steps.shape[1]), np.int64)
-    count = step_events(segments, clocks, positions)
+    count = _write_step_events(segments, clocks, positions)
     return clocks[:count], positions[:count]

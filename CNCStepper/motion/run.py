@@ -1,0 +1,182 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The step interrupt of the live controller: runs segments against a clock, one after the other.
+
+    planner ──next_segment──► ring of SEGMENT_PLACES ──► running segment ──► position, record
+
+A segment that is in the ring is run to its end whatever happens to the plan behind it; only a reset cuts
+one short. When the ring runs empty the axes stand, and the drivers' idle delay passes before the next move.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from CNCStepper.kernels import njit
+from CNCStepper.motion.memory import SEGMENT_PLACES, Planner, Segments, new_segments
+from CNCStepper.motion.planner import empty_planner, plan_again, reload_running_block
+from CNCStepper.motion.ramp import next_segment
+from CNCStepper.motion.timeline import place_in
+
+_CLOCKWORK = np.dtype(
+    [
+        ("clock", "i8"),  # ticks: now
+        ("ready_at", "i8"),  # ticks: no move can begin sooner
+        ("idle_delay", "i8"),  # ticks
+        ("running", "?"),  # the oldest segment has begun
+        ("held", "?"),
+        ("oldest", "i8"),  # place in the ring
+        ("waiting", "i8"),  # segments in the ring, the running one included
+        ("recorded", "i8"),  # rows of the record that are filled
+    ]
+)
+
+
+class Runner(NamedTuple):
+    """A planner, the ring of segments behind it, and what has been run."""
+
+    planner: Planner
+    ring: Segments
+    clockwork: np.ndarray
+    position: np.ndarray  # int64[axes], where the axes are
+    record: Segments  # the segments that were run; no rows when nothing is recorded
+
+
+def new_runner(planner: Planner, idle_delay_ticks: int, record_rows: int) -> Runner:
+    """Return a runner at clock 0 that stands where the planner stands."""
+    axes = len(planner.position)
+    clockwork = np.zeros(1, _CLOCKWORK).view(np.recarray)
+    clockwork[0].idle_delay = idle_delay_ticks
+    ring, record = new_segments(SEGMENT_PLACES, axes), new_segments(record_rows, axes)
+    return Runner(planner, ring, clockwork, planner.position.copy(), record)
+
+
+@njit
+def run_until(runner, until):
+    """Run to clock `until`; stops short, at the end of a segment, when the record is full."""
+    clockwork = runner.clockwork[0]
+    ring = runner.ring
+    while clockwork.clock < until and not record_full(runner):
+        _refill(runner)
+        place = clockwork.oldest
+        if clockwork.waiting == 0:
+            _stand(runner, until)
+            break
+        if not clockwork.running:
+            ring.start[place] = max(clockwork.clock, clockwork.ready_at)
+            clockwork.running = ring.start[place] < until
+        end = ring.start[place] + ring.ticks[place] * ring.cycles[place]
+        clockwork.clock = min(end, until)
+        if end <= until:
+            _finish(runner, ring.ticks[place])
+    if clockwork.waiting == 0:
+        _refill(runner)
+    if clockwork.running:
+        place = clockwork.oldest
+        done = (clockwork.clock - ring.start[place]) // ring.cycles[place]
+        place_in(ring, place, done, runner.position)
+
+
+@njit
+def record_full(runner):
+    """Return whether the record must be emptied before anything more is run."""
+    rows = len(runner.record.tag)
+    return rows > 0 and runner.clockwork[0].recorded == rows
+
+
+@njit
+def _refill(runner):
+    """Cut segments into the free places of the ring."""
+    clockwork = runner.clockwork[0]
+    while clockwork.waiting < SEGMENT_PLACES:
+        place = (clockwork.oldest + clockwork.waiting) % SEGMENT_PLACES
+        if clockwork.held or not next_segment(runner.planner, runner.ring, place):
+            break
+        clockwork.waiting += 1
+
+
+@njit
+def _finish(runner, ticks):
+    """Take the running segment out of the ring after `ticks` of it, and record it."""
+    clockwork = runner.clockwork[0]
+    place = clockwork.oldest
+    place_in(runner.ring, place, ticks, runner.position)
+    if len(runner.record.tag) > 0:
+        _copy(runner.ring, place, runner.record, clockwork.recorded)
+        runner.record.ticks[clockwork.recorded] = ticks
+        clockwork.recorded += 1
+    clockwork.oldest = (place + 1) % SEGMENT_PLACES
+    clockwork.waiting -= 1
+    clockwork.running = False
+    _refill(runner)
+    if clockwork.waiting == 0:
+        clockwork.ready_at = clockwork.clock + clockwork.idle_delay
+
+
+@njit
+def _copy(source, row, target, to):
+    """Copy one segment."""
+    target.start[to] = source.start[row]
+    target.ticks[to] = source.ticks[row]
+    target.cycles[to] = source.cycles[row]
+    target.unit[to] = source.unit[row]
+    target.eighths[to] = source.eighths[row]
+    target.events[to] = source.events[row]
+    target.steps[to] = source.steps[row]
+    target.begin[to] = source.begin[row]
+    target.tag[to] = source.tag[row]
+
+
+@njit
+def _stand(runner, until):
+    """Let the time pass without a move; a hold is complete once the drivers' idle delay is over."""
+    clockwork = runner.clockwork[0]
+    if runner.planner.ramp[0].hold and not clockwork.held and clockwork.ready_at <= until:
+        clockwork.held = True
+        plan_again(runner.planner)
+    clockwork.clock = until
+
+
+@njit
+def hold(runner):
+    """Begin to brake behind the segments that are already cut; at once held when nothing moves."""
+    planner = runner.planner
+    clockwork = runner.clockwork[0]
+    ramp = planner.ramp[0]
+    if ramp.hold:
+        return
+    reload_running_block(planner)
+    ramp.hold = True
+    clockwork.held = clockwork.waiting == 0 and clockwork.ready_at <= clockwork.clock
+    if clockwork.held:
+        ramp.ended = True
+        plan_again(planner)
+
+
+@njit
+def resume(runner):
+    """Go on after a completed hold; returns False, and changes nothing, while there is none."""
+    clockwork = runner.clockwork[0]
+    ramp = runner.planner.ramp[0]
+    if not clockwork.held:
+        return False
+    clockwork.held = ramp.hold = ramp.ended = False
+    return True
+
+
+@njit
+def stop_dead(runner):
+    """Forget segments, blocks and hold at once; returns whether the axes were moving."""
+    clockwork = runner.clockwork[0]
+    moving = clockwork.running
+    if moving:
+        ring, place = runner.ring, clockwork.oldest
+        done = (clockwork.clock - ring.start[place]) // ring.cycles[place]
+        clockwork.waiting = 1
+        empty_planner(runner.planner, runner.position)
+        _finish(runner, done)
+    clockwork.waiting = 0
+    clockwork.held = False
+    empty_planner(runner.planner, runner.position)
+    return moving
