@@ -19,7 +19,7 @@ import numpy as np
 import shapely
 
 from CNCStepper.simulation.cutter import Cutter
-from CNCStepper.simulation.region import Region, flat_edges
+from CNCStepper.simulation.region import EdgeTree, Region, climbed, flat_edges
 from CNCStepper.simulation.segments import Segments, split_ramps
 
 SMALL_MM = 0.0003  # what flattening may add; less is no gouge
@@ -110,7 +110,25 @@ def deepest(found: Entries, kept: Kept) -> Worst:
         centres[[best.centre]], tip[[best.centre]], index[[best.centre]], worst, kept, fine[None, :], (1.0,)
     )
     best = max(best, fine_best, key=lambda candidate: candidate.depth)
-    return Worst(best.depth, best.place, int(worst.pieces.row[best.piece]))
+    place = _climbed_inside(best, worst, kept)
+    depth = float(kept.depth(np.array([place[:2]]), np.array([place[2]]))[0])
+    return Worst(depth, place, int(worst.pieces.row[best.piece]))
+
+
+def _climbed_inside(best: _Best, worst: Entries, kept: Kept) -> tuple[float, ...]:
+    """Return the place moved to where it is deepest within the discs of those pieces that go as low."""
+    z_mm = best.place[2]
+    tip = np.maximum(worst.pieces.low_mm, kept.stock_bottom_mm)
+    lower = tip + worst.height_mm <= z_mm + 1e-9
+    path, radius_mm = EdgeTree.of_pieces(worst.pieces[lower]), float(worst.radius_mm[lower].min())
+
+    def depth(points: np.ndarray) -> np.ndarray:
+        within = path.distance(points) <= radius_mm
+        return np.where(within, kept.depth(points, np.full(len(points), z_mm)), -1.0)
+
+    (found,) = climbed(np.array([best.place[:2]]), depth, step_mm=radius_mm / 8, stop_mm=1e-4)
+    climbed_place = (*found.tolist(), z_mm)
+    return climbed_place if depth(found[None, :])[0] > best.depth else best.place
 
 
 @dataclass(frozen=True)

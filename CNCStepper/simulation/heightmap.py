@@ -71,7 +71,7 @@ def thinned(pieces: Segments, tolerance_mm: float) -> Segments:
     level = pieces.begin[:, 2] == pieces.end[:, 2]
     begins, ends = [pieces.begin[~level]], [pieces.end[~level]]
     for chain in chains(pieces[level]):
-        points = shapely.get_coordinates(shapely.LineString(chain[:, :2]).simplify(tolerance_mm, False))
+        points = shapely.get_coordinates(shapely.LineString(chain[:, :2]).simplify(tolerance_mm))
         points = np.column_stack([points, np.full(len(points), chain[0, 2])])
         begins.append(points[:-1])
         ends.append(points[1:])

@@ -32,6 +32,8 @@ WALL_STEP_MM = 0.1
 COARSE = 0.05  # share of the radius by which the path may be simplified to find where islands can be
 VORONOI_STEP = 0.1  # share of the radius between the points of that path
 RUN_POINTS = 400  # of the path are simplified at once
+ISLAND_REACH_MM = 0.5  # middles closer than twice this belong to one island
+MOST_CLIMBED = 100
 Cuts = list[tuple[Cutter, Segments]]  # the path below the stock's top, by cutter
 
 
@@ -68,6 +70,16 @@ class _Cover:
                 beside = beside + np.maximum(beside - cutter.radius_mm, 0.0)
             thickness = np.minimum(thickness, cutter.gap(beside, self.drop_mm))
         return thickness
+
+    def clearance(self, points: np.ndarray) -> np.ndarray:
+        """Return what grows with the thickness, and goes on falling below zero where a flat has cut."""
+        clearance = np.full(len(points), np.inf)
+        for cutter, _, tree in self.parts:
+            beside = tree.distance(points)
+            gap = cutter.gap(beside, self.drop_mm)
+            within = (beside <= cutter.radius_mm) & (not cutter.ball)
+            clearance = np.minimum(clearance, np.where(within, beside - cutter.radius_mm, gap))
+        return clearance
 
 
 def left_over(removal: Removal, cuts: Cuts) -> Left:
@@ -166,13 +178,19 @@ def _middles(region: BaseGeometry, cover: _Cover) -> np.ndarray:
     corners = _voronoi_corners(np.vstack([points for _, points in coarse]))
     shapely.prepare(uncut)
     shapely.prepare(region)
-    corners = corners[shapely.contains_xy(uncut, corners)]
-    corners = corners[cover.thickness(corners, alone=False) > cover.drop_mm + SAME_LEVEL_MM]
 
     def height(places: np.ndarray) -> np.ndarray:
-        return np.where(shapely.contains_xy(region, places), cover.thickness(places, alone=False), -np.inf)
+        return np.where(shapely.contains_xy(region, places), cover.clearance(places), -np.inf)
 
-    return climbed(corners, height, step_mm=0.1, stop_mm=2e-4)
+    corners = corners[shapely.contains_xy(uncut, corners)]
+    return np.vstack([corners, climbed(_most_promising(corners, cover), height, step_mm=0.1, stop_mm=2e-4)])
+
+
+def _most_promising(corners: np.ndarray, cover: _Cover) -> np.ndarray:
+    """Return at most MOST_CLIMBED of the points, those farthest from the cut, one in each small square."""
+    corners = corners[np.argsort(-cover.clearance(corners), kind="stable")]
+    first = np.unique(np.round(corners / ISLAND_REACH_MM), axis=0, return_index=True)[1]
+    return corners[np.sort(first)[:MOST_CLIMBED]]
 
 
 def _voronoi_corners(points: np.ndarray) -> np.ndarray:
@@ -195,8 +213,9 @@ def _coarse(cutter: Cutter, pieces: Segments) -> tuple[BaseGeometry, np.ndarray]
     """
     error_mm = COARSE * cutter.radius_mm
     runs = [run for chain in chains(pieces) for run in _runs(chain[:, :2])]
-    paths = shapely.simplify(np.array([shapely.LineString(run) for run in runs]), error_mm, preserve_topology=False)
-    spread = shapely.segmentize(paths, max(VORONOI_STEP * cutter.radius_mm, 0.01))
+    paths = shapely.simplify(np.array([shapely.LineString(run) for run in runs]), error_mm)
+    is_point = shapely.length(paths) == 0  # a plunge seen from above
+    spread = np.r_[shapely.segmentize(paths[~is_point], max(VORONOI_STEP * cutter.radius_mm, 0.01)), paths[is_point]]
     sure_mm = 0.0 if cutter.ball else cutter.radius_mm - error_mm
     return shapely.union_all(shapely.buffer(paths, sure_mm)), shapely.get_coordinates(spread)
 
@@ -220,15 +239,15 @@ def _answer(removal: Removal, wall: _Candidates, middles: _Candidates, covers: l
 
 def _islands(removal: Removal, middles: _Candidates, most_mm: float) -> list[Island]:
     """Return one island for each group of middles that lie in one another's reach, thickest first."""
-    islands: list[Island] = []
-    for k in np.argsort(-middles.thickness, kind="stable"):
-        thickness = min(float(middles.thickness[k]), most_mm)
-        if thickness <= removal.tolerance_mm:
-            break
-        place = (*middles.points[k].tolist(), removal.bottom_mm)
-        if all(np.hypot(*np.subtract(place, other.place_mm)[:2]) > other.thickness_mm for other in islands):
-            islands.append(Island(place, thickness))
-    return islands
+    thick = middles.thickness > removal.tolerance_mm
+    points, thickness = middles.points[thick], np.minimum(middles.thickness[thick], most_mm)
+    reach = shapely.union_all(shapely.buffer(shapely.points(points), thickness / 2 + ISLAND_REACH_MM, quad_segs=2))
+    islands = []
+    for part in shapely.get_parts(reach):
+        mine = np.flatnonzero(shapely.contains_xy(part, points))
+        k = mine[thickness[mine].argmax()]
+        islands.append(Island((*points[k].tolist(), removal.bottom_mm), float(thickness[k])))
+    return sorted(islands, key=lambda island: -island.thickness_mm)
 
 
 def _nearest_row(point: np.ndarray, covers: list[_Cover]) -> int:

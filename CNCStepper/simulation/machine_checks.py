@@ -105,19 +105,20 @@ def rates(subject: Subject) -> Iterator[Finding]:
 def starts(subject: Subject) -> Iterator[Finding]:
     """Yield feeds without a feed rate, feeds from an unknown position, and sideways rapids at an unknown height."""
     feeds = subject.is_feed
-    unknown = ~np.isfinite(subject.begin).all(axis=1)
-    blind = ~feeds & np.isnan(subject.begin[:, 2]) & np.isfinite(subject.end[:, :2]).any(axis=1)
+    from_nowhere = (np.isnan(subject.begin) & np.isfinite(subject.end)).any(axis=1)
+    has_height = bool(np.isfinite(subject.end[:, 2]).any())  # a table without Z never names one
+    sideways = np.isfinite(subject.end[:, :2]).any(axis=1) & np.isnan(subject.begin[:, 2])
     rules: tuple[tuple[np.ndarray, Severity, str, str, str], ...] = (
         (feeds & (subject.table.feed <= 0), "error", "no-feed", "a cutting move has no feed rate", "give F before it"),
         (
-            feeds & unknown,
-            "error",
+            feeds & from_nowhere,
+            "warning",
             "position-unknown",
-            "a cutting move begins at an unknown position",
+            "a cutting move begins at an unknown position, so it is not checked against the stock",
             "begin with rapids that name X, Y and Z",
         ),
         (
-            blind,
+            ~feeds & sideways & has_height,
             "warning",
             "height-unknown",
             "a rapid goes sideways while the height is not known",

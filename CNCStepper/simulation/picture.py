@@ -8,6 +8,7 @@ inside FreeCAD too.
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -130,12 +131,15 @@ def _iso_axis(axes: Axes, name: str, corner: np.ndarray, axis: int, end: float, 
         start = corner.copy()
         start[axis] = value
         axes.plot(*projected(*np.stack([start, start + 0.015 * out], axis=1)), color=GREY, lw=0.8)
-        axes.text(
-            *projected(*(start + 0.042 * out)), number_text(value), ha="center", va="center", fontsize=9, color=GREY
-        )
+        _iso_text(axes, start + 0.042 * out, number_text(value), 9.0, GREY)
     middle = corner + 0.13 * out
     middle[axis] = (corner[axis] + end) / 2
-    axes.text(*projected(*middle), TEXTS["axis"].format(name=name), ha="center", va="center", fontsize=10.5)
+    _iso_text(axes, middle, TEXTS["axis"].format(name=name), 10.5, "black")
+
+
+def _iso_text(axes: Axes, point: np.ndarray, text: str, size: float, colour: str) -> None:
+    u, v = projected(*point)
+    axes.text(float(u), float(v), text, ha="center", va="center", fontsize=size, color=colour)
 
 
 def _ticks(low: float, high: float, span: float) -> list[float]:
@@ -195,7 +199,7 @@ def _fitted(
 
 
 def _legend() -> list[Line2D]:
-    styles = {
+    styles: dict[str, dict[str, Any]] = {
         "rapids": {"ls": "--"},
         "feeds": {"ls": "-"},
         "arcs": {"ls": "-"},

@@ -3,11 +3,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import numpy as np
 import shapely
 from shapely.geometry.base import BaseGeometry
 
 from CNCStepper.simulation.segments import Segments
+
+ENOUGH_GAIN = 0.1  # of the step; less is no progress, and the step is halved
 
 
 class EdgeTree:
@@ -85,21 +89,22 @@ class Region:
         return short & np.logical_and.reduce([shapely.contains_xy(core, end[:, :2]) for end in ends])
 
 
-def climbed(points: np.ndarray, height, step_mm: float, stop_mm: float) -> np.ndarray:
+def climbed(
+    points: np.ndarray, height: Callable[[np.ndarray], np.ndarray], step_mm: float, stop_mm: float
+) -> np.ndarray:
     """Return the points float64[n, 2] moved uphill by pattern search until no step above `stop_mm` gains.
 
-    height: function of points float64[m, 2] that returns float64[m].
+    height: function of points float64[m, 2] that returns float64[m]; it rises by at most 1 mm a mm.
     """
-    angle = np.arange(16) * np.pi / 8
+    angle = np.arange(8) * np.pi / 4
     ways = np.stack([np.cos(angle), np.sin(angle)], axis=1)
-    points, heights = points.copy(), height(points)
-    while step_mm > stop_mm and len(points):
-        trials = points[:, None, :] + step_mm * ways
-        found = height(trials.reshape(-1, 2)).reshape(len(points), -1)
-        best = found.argmax(axis=1)
-        gain = found.max(axis=1) > heights + 1e-9
-        points[gain] = trials[gain, best[gain]]
-        heights[gain] = found[gain, best[gain]]
-        if not gain.any():
-            step_mm /= 2
+    points, heights, steps = points.copy(), height(points), np.full(len(points), step_mm)
+    while (open_ := np.flatnonzero(steps > stop_mm)).size:
+        trials = points[open_, None, :] + steps[open_, None, None] * ways
+        found = height(trials.reshape(-1, 2)).reshape(len(open_), -1)
+        best, highest = found.argmax(axis=1), found.max(axis=1)
+        gain = highest > heights[open_] + ENOUGH_GAIN * steps[open_]
+        points[open_[gain]] = trials[gain, best[gain]]
+        heights[open_[gain]] = highest[gain]
+        steps[open_[~gain]] /= 2
     return points
