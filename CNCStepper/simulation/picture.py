@@ -161,13 +161,13 @@ def _heading(figure: Figure, box: tuple[float, float, float, float], text: str) 
 
 
 def _draw_plan(figure: Figure, part: HeightMap, heights: Normalize, path: DrawnPath) -> None:
-    low, high = part.stock.low_mm, part.stock.high_mm
+    low, high = _plan_bounds(part, path)
     box = _fitted(RIGHT_BOX, high[0] - low[0], high[1] - low[1])
-    axes = figure.add_axes(box)
-    extent = (low[0], high[0], low[1], high[1])
+    axes = figure.add_axes(box, facecolor="#f1f3f5")
+    stock_low, stock_high = part.stock.low_mm, part.stock.high_mm
     image = axes.imshow(
         part.heights_mm,
-        extent=extent,
+        extent=(stock_low[0], stock_high[0], stock_low[1], stock_high[1]),
         origin="lower",
         cmap=MATERIAL,
         norm=heights,
@@ -177,15 +177,28 @@ def _draw_plan(figure: Figure, part: HeightMap, heights: Normalize, path: DrawnP
     for name, lines, style in (("feeds", path.feeds, "-"), ("arcs", path.arcs, "-"), ("rapids", path.rapids, "--")):
         flat = [line[:, :2] for line in lines]
         axes.add_collection(LineCollection(flat, colors=COLOURS[name], linewidths=0.8, linestyles=style))
-    axes.plot(*path.plunges[:, :2].T, "v", color=COLOURS["plunges"], ms=7, mec="white", mew=0.7, clip_on=False)
+    axes.plot(*path.plunges[:, :2].T, "v", color=COLOURS["plunges"], ms=7, mec="white", mew=0.7)
     axes.plot(0, 0, "+", color=COLOURS["zero"], ms=14, mew=2.0, clip_on=False)
     axes.set(xlabel=TEXTS["axis"].format(name="X"), ylabel=TEXTS["axis"].format(name="Y"))
-    axes.set(xlim=extent[:2], ylim=extent[2:])
+    axes.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]))
     _heading(figure, RIGHT_BOX, TEXTS["plan"])
     scale = figure.colorbar(image, cax=figure.add_axes((box[0] + box[2] + 0.014, box[1], 0.011, box[3])))
     scale.set_label(TEXTS["height"])
     centre = (RIGHT_BOX[0] + RIGHT_BOX[2] / 2, box[1] - 0.075)
     figure.legend(handles=_legend(), loc="upper center", bbox_to_anchor=centre, ncols=5, frameon=False, fontsize=11)
+
+
+def _plan_bounds(part: HeightMap, path: DrawnPath) -> tuple[np.ndarray, np.ndarray]:
+    """Return the corners of what the plan shows: the stock, and the path beside it up to half the stock's length."""
+    low, high = np.array(part.stock.low_mm[:2]), np.array(part.stock.high_mm[:2])
+    span = float(max(high - low))
+    points = np.vstack(
+        [line[:, :2] for line in path.rapids + path.feeds + path.arcs] + [path.plunges[:, :2], [low, high]]
+    )
+    margin = np.where((points < low).any(axis=0) | (points > high).any(axis=0), 0.03 * span, 0.0)
+    return np.maximum(points.min(axis=0) - margin, low - span / 2), np.minimum(
+        points.max(axis=0) + margin, high + span / 2
+    )
 
 
 def _fitted(
