@@ -57,9 +57,7 @@ class CNCStepperError(Exception):
 
     def at(self, place: Place) -> CNCStepperError:
         """Return the same error, naming `place`."""
-        return type(self)(
-            self.code, self.what, advice=self.advice, value=self.value, limit=self.limit, place=place
-        )
+        return type(self)(self.code, self.what, advice=self.advice, value=self.value, limit=self.limit, place=place)
 
 
 class GeometryError(CNCStepperError, ValueError):

@@ -7,13 +7,46 @@ Import this module only from modules that hold kernels: numba costs 0.4 s.
 
 from __future__ import annotations
 
+import hashlib
 import os
+import shutil
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 import platformdirs
 
-os.environ.setdefault("NUMBA_CACHE_DIR", platformdirs.user_cache_dir("cncstepper", appauthor=False))
+PACKAGE = Path(__file__).resolve().parent
+KEPT_CACHES = 4
+
+
+def cache_folder(root: Path) -> Path:
+    """Return the folder below `root` for the machine code of exactly these sources; older ones are pruned.
+
+    numba looks only at the file of the kernel that is called: code of a changed kernel that it calls would
+    live on in a cache shared by two versions.
+    """
+    digest = hashlib.sha256()
+    for path in sorted(PACKAGE.rglob("*.py")):
+        state = path.stat()
+        digest.update(f"{path}|{state.st_size}|{state.st_mtime_ns}\n".encode())
+    folder = root / digest.hexdigest()[:16]
+    if not folder.is_dir():
+        _prune(root)
+        folder.mkdir(parents=True, exist_ok=True)
+    return folder
+
+
+def _prune(root: Path) -> None:
+    """Delete all but the newest caches; another process may be doing the same."""
+    if root.is_dir():
+        caches = sorted((path for path in root.iterdir() if path.is_dir()), key=lambda path: path.stat().st_mtime_ns)
+        for path in caches[: -KEPT_CACHES + 1]:
+            shutil.rmtree(path, ignore_errors=True)
+
+
+if "NUMBA_CACHE_DIR" not in os.environ:
+    os.environ["NUMBA_CACHE_DIR"] = str(cache_folder(platformdirs.user_cache_path("cncstepper", appauthor=False)))
 
 numba: Any
 try:
