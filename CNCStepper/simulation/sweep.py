@@ -75,9 +75,10 @@ def judge(
     Without a stock everything below z = 0 outside the removals is to stay. Rows with a tool that is not
     among `tools` are not judged.
     """
+    _, lines = _areas_and_lines(removals)  # drawn lines may leave the stock: beside it the tool cuts air
     removals = [_inside_stock(removal, stock) for removal in removals]
     cuts = cutting_path(toolpath, tools, 0.0)
-    areas, lines = _areas_and_lines(removals)
+    areas, _ = _areas_and_lines(removals)
     kept = _kept(areas, stock)
     everything = [entries(cutter, pieces, kept) for cutter, pieces in cuts]
     rest, engraved = _split_engraving(everything, lines, alone=not areas)
@@ -133,7 +134,7 @@ def _nearest_tolerance_mm(gouge: Worst, removals: list[Removal]) -> float:
     return min(removals, key=lambda removal: removal.region.distance(point)).tolerance_mm
 
 
-def _areas_and_lines(removals: list[Removal]) -> tuple[list[Removal], list[Removal]]:
+def _areas_and_lines(removals: Sequence[Removal]) -> tuple[list[Removal], list[Removal]]:
     areas = [removal for removal in removals if removal.region.area > 0]
     lines = [removal for removal in removals if removal.region.area == 0 and removal.region.length > 0]
     return areas, lines

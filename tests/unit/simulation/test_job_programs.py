@@ -10,6 +10,7 @@ from CNCStepper.gcode.interpret import interpret
 from CNCStepper.job.make import make_program
 from CNCStepper.job.model import load_job
 from CNCStepper.simulation.check import check
+from CNCStepper.simulation.stock import Stock
 from CNCStepper.state import Start
 
 JOBS = Path(__file__).parents[3] / "examples" / "jobs"
@@ -55,6 +56,13 @@ def test_another_tool_than_the_programs_is_found():
 def test_an_engraving_with_one_point_moved_is_found():
     found = dict(findings("brazil-engraving.toml", lambda text: text.replace("Y36.378", "Y36.428")))
     assert found == {"gouge": pytest.approx(0.05, abs=0.01), "left-over": pytest.approx(0.05, abs=0.01)}
+
+
+def test_a_drawing_larger_than_the_stock_cuts_air_beside_it():
+    job, machine, program = made("brazil-engraving.toml")
+    toolpath = interpret(program.program, START, machine.controller)
+    small = Stock((150.0, 150.0, 6.0), "top-left-front")
+    assert check(toolpath, machine, stock=small, tools=job.tools, removals=program.removals) == []
 
 
 def test_a_missing_finishing_pass_is_found():
