@@ -15,7 +15,7 @@ import numpy as np
 from CNCStepper.errors import MachineRefusal
 from CNCStepper.motion import run
 from CNCStepper.motion.limits import Limits
-from CNCStepper.motion.memory import BLOCKS, TICKS_PER_S, Segments, new_planner
+from CNCStepper.motion.memory import BLOCKS, TICKS_PER_S, new_planner
 from CNCStepper.motion.planner import count_blocks, is_full, push_line, set_overrides
 from CNCStepper.motion.timeline import ends, step_table
 from CNCStepper.units import mm_min_from_mm_s, mm_s_from_mm_min
@@ -40,7 +40,7 @@ class Motion:
         self._clockwork = self._runner.clockwork[0]
         self._overrides = (1.0, 1.0)
         self._overdue_ticks = 0.0  # the fraction of a tick that `advance` was asked for and did not run
-        self._recorded: list[Segments] = []
+        self._recorded: list[np.recarray] = []
 
     @property
     def time_s(self) -> float:
@@ -75,7 +75,7 @@ class Motion:
     @property
     def tag(self) -> int | None:
         """The tag of the line that is running, None at rest."""
-        return int(self._runner.ring.tag[self._clockwork.oldest]) if self._clockwork.running else None
+        return int(self._runner.ring[self._clockwork.oldest].tag) if self._clockwork.running else None
 
     @property
     def state(self) -> str:
@@ -113,9 +113,9 @@ class Motion:
         if not clockwork.waiting:
             return (delay or 1) / TICKS_PER_S if delay or self.blocks else math.inf
         place = clockwork.oldest
-        length = int(ring.ticks[place] * ring.cycles[place])
+        length = int(ring[place].ticks * ring[place].cycles)
         if clockwork.running:
-            return (int(ring.start[place]) + length - int(clockwork.clock)) / TICKS_PER_S
+            return (int(ring[place].start) + length - int(clockwork.clock)) / TICKS_PER_S
         return (delay + length) / TICKS_PER_S
 
     def line(self, target_mm: Sequence[float], feed_mm_min: float, rapid: bool = False, tag: int = 0) -> bool:
@@ -192,5 +192,5 @@ class Motion:
 
     def _keep_record(self) -> None:
         if self._clockwork.recorded:
-            self._recorded.append(self._runner.record.copied(int(self._clockwork.recorded)))
+            self._recorded.append(self._runner.record[: self._clockwork.recorded].copy().view(np.recarray))
             self._clockwork.recorded = 0

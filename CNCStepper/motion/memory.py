@@ -59,46 +59,44 @@ _RAMP = np.dtype(
 )
 
 
-class Blocks(NamedTuple):
-    """The look-ahead ring: straight moves, as columns of BLOCKS places."""
+def _block(axes: int) -> np.dtype:
+    """One straight move in the look-ahead ring."""
+    return np.dtype(
+        [
+            ("begin", "i8", (axes,)),  # position in steps
+            ("steps", "i8", (axes,)),  # signed
+            ("events", "i8"),  # the steps of the axis that goes farthest
+            ("tag", "i8"),  # the caller's own number of the line
+            ("length", "f8"),  # mm not yet cut into segments
+            ("acceleration", "f8"),
+            ("rapid_speed", "f8"),  # the greatest that the axes allow along the block
+            ("programmed_speed", "f8"),
+            ("entry_sqr", "f8"),
+            ("max_entry_sqr", "f8"),
+            ("max_junction_sqr", "f8"),
+            ("rapid", "i8"),  # 1 or 0
+        ]
+    )
 
-    begin: np.ndarray  # int64[BLOCKS, axes], position in steps
-    steps: np.ndarray  # int64[BLOCKS, axes], signed
-    events: np.ndarray  # int64, the steps of the axis that goes farthest
-    length: np.ndarray  # float64, mm not yet cut into segments
-    acceleration: np.ndarray
-    rapid_speed: np.ndarray  # the greatest that the axes allow along the block
-    programmed_speed: np.ndarray
-    rapid: np.ndarray  # bool
-    entry_sqr: np.ndarray
-    max_entry_sqr: np.ndarray
-    max_junction_sqr: np.ndarray
-    tag: np.ndarray  # int64, the caller's own number of the line
 
+def _segment(axes: int) -> np.dtype:
+    """A piece of a block with one pace: `ticks` ticks, each `cycles` of the clock long.
 
-class Segments(NamedTuple):
-    """Pieces of blocks with one pace, as columns; `ticks` ticks, each `cycles` of the clock long.
-
-    Within its block a segment starts after `eighths` of step events, and each tick adds `unit` of them.
+    Within its block it starts after `eighths` of step events, and each tick adds `unit` of them.
     """
-
-    start: np.ndarray  # int64, clock at the first tick's begin
-    ticks: np.ndarray
-    cycles: np.ndarray
-    unit: np.ndarray
-    eighths: np.ndarray
-    events: np.ndarray  # of the whole block
-    steps: np.ndarray  # int64[n, axes], of the whole block
-    begin: np.ndarray  # int64[n, axes], position where the block begins
-    tag: np.ndarray
-
-    def first(self, count: int) -> Segments:
-        """Return the first `count` rows as views."""
-        return Segments(*(column[:count] for column in self))
-
-    def copied(self, count: int) -> Segments:
-        """Return copies of the first `count` rows."""
-        return Segments(*(column[:count].copy() for column in self))
+    return np.dtype(
+        [
+            ("start", "i8"),  # clock at the first tick's begin
+            ("ticks", "i8"),
+            ("cycles", "i8"),
+            ("unit", "i8"),
+            ("eighths", "i8"),
+            ("events", "i8"),  # of the whole block
+            ("steps", "i8", (axes,)),  # of the whole block
+            ("begin", "i8", (axes,)),  # position where the block begins
+            ("tag", "i8"),
+        ]
+    )
 
 
 class Planner(NamedTuple):
@@ -108,7 +106,7 @@ class Planner(NamedTuple):
     max_speed: np.ndarray
     max_acceleration: np.ndarray
     settings: np.ndarray
-    blocks: Blocks
+    blocks: np.recarray  # BLOCKS places
     queue: np.ndarray
     ramp: np.ndarray
     position: np.ndarray  # int64[axes], where the newest block ends
@@ -117,11 +115,9 @@ class Planner(NamedTuple):
     unit: np.ndarray  # direction of the block in the making
 
 
-def new_segments(rows: int, axes: int) -> Segments:
+def new_segments(rows: int, axes: int) -> np.recarray:
     """Return room for `rows` segments."""
-    start, ticks, cycles, unit, eighths, events, tag = (np.zeros(rows, np.int64) for _ in range(7))
-    steps, begin = (np.zeros((rows, axes), np.int64) for _ in range(2))
-    return Segments(start, ticks, cycles, unit, eighths, events, steps, begin, tag)
+    return np.zeros(rows, _segment(axes)).view(np.recarray)
 
 
 def new_planner(limits: Limits, position_mm: tuple[float, ...]) -> Planner:
@@ -138,30 +134,11 @@ def new_planner(limits: Limits, position_mm: tuple[float, ...]) -> Planner:
         np.array(limits.max_speed_mm_s, float),
         np.array(limits.acceleration_mm_s2, float),
         settings,
-        _new_blocks(axes),
+        np.zeros(BLOCKS, _block(axes)).view(np.recarray),
         queue,
         ramp,
         position,
         known,
         np.zeros(axes),
         np.zeros(axes),
-    )
-
-
-def _new_blocks(axes: int) -> Blocks:
-    floats = [np.zeros(BLOCKS) for _ in range(7)]
-    length, acceleration, rapid_speed, programmed_speed, entry, max_entry, junction = floats
-    return Blocks(
-        np.zeros((BLOCKS, axes), np.int64),
-        np.zeros((BLOCKS, axes), np.int64),
-        np.zeros(BLOCKS, np.int64),
-        length,
-        acceleration,
-        rapid_speed,
-        programmed_speed,
-        np.zeros(BLOCKS, np.bool_),
-        entry,
-        max_entry,
-        junction,
-        np.zeros(BLOCKS, np.int64),
     )

@@ -15,7 +15,7 @@ import numpy as np
 
 from CNCStepper.machine.profile import Machine
 from CNCStepper.motion.limits import Limits
-from CNCStepper.motion.memory import TICKS_PER_S, Segments, new_planner, new_segments
+from CNCStepper.motion.memory import TICKS_PER_S, new_planner, new_segments
 from CNCStepper.motion.rows import Course, Rows, new_course, run_empty, run_rows, stand_still
 from CNCStepper.motion.timeline import positions_at, step_table
 from CNCStepper.state import State
@@ -81,7 +81,7 @@ class _Run:
         """Ticks from the begin to the end of what has been yielded."""
         return int(self.course.cursor[0].clock)
 
-    def segments(self) -> Iterator[Segments]:
+    def segments(self) -> Iterator[np.recarray]:
         """Yield all segments, at most SEGMENT_ROWS at a time; each is valid until the next is asked for."""
         cursor = self.course.cursor[0]
         for chunk in self.toolpath.chunks:
@@ -90,10 +90,10 @@ class _Run:
             while cursor.row < len(chunk):
                 count = run_rows(self.course, rows, self.table)
                 if count:
-                    yield self.table.first(count)
+                    yield self.table[:count].view(np.recarray)
             self.not_before.append(rows.not_before)
         while count := run_empty(self.course, self.table, 0):
-            yield self.table.first(count)
+            yield self.table[:count].view(np.recarray)
         for dwell in self.stops.last():
             stand_still(self.course, dwell)
 

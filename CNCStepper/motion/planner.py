@@ -59,31 +59,29 @@ def limit_along(unit, axis_limits):
 @njit
 def push_line(planner, target_mm, speed_mm_s, rapid, tag):
     """Queue a straight move to `target_mm`; returns whether it has any step. The ring must have room."""
-    blocks = planner.blocks
     queue = planner.queue[0]
-    place = queue.head
-    if not _set_course(planner, target_mm, place):
+    block = planner.blocks[queue.head]
+    if not _set_course(planner, target_mm, block):
         return False
     unit = planner.unit
-    blocks.acceleration[place] = limit_along(unit, planner.max_acceleration)
-    blocks.rapid_speed[place] = limit_along(unit, planner.max_speed)
-    blocks.programmed_speed[place] = blocks.rapid_speed[place] if rapid else speed_mm_s
-    blocks.rapid[place] = rapid
-    blocks.tag[place] = tag
-    blocks.entry_sqr[place] = 0.0
+    block.acceleration = limit_along(unit, planner.max_acceleration)
+    block.rapid_speed = limit_along(unit, planner.max_speed)
+    block.programmed_speed = block.rapid_speed if rapid else speed_mm_s
+    block.rapid = rapid
+    block.tag = tag
+    block.entry_sqr = 0.0
     at_rest = queue.head == queue.tail
-    blocks.max_junction_sqr[place] = 0.0 if at_rest else _junction_sqr(planner)
-    queue.previous_nominal = _limit_entry(planner, place, queue.previous_nominal)
+    block.max_junction_sqr = 0.0 if at_rest else _junction_sqr(planner)
+    queue.previous_nominal = _limit_entry(block, queue, queue.previous_nominal)
     planner.previous_unit[:] = unit
-    queue.head = next_place(place)
+    queue.head = next_place(queue.head)
     recalculate(planner)
     return True
 
 
 @njit
-def _set_course(planner, target_mm, place):
+def _set_course(planner, target_mm, block):
     """Set steps, length and direction of the move; an axis whose place is unknown does not move."""
-    blocks = planner.blocks
     events = 0
     length_sqr = 0.0
     for axis in range(len(target_mm)):
@@ -93,16 +91,16 @@ def _set_course(planner, target_mm, place):
         if planner.known[axis]:
             planner.position[axis] = _nearest_step(target_mm[axis], planner.steps_per_mm[axis])
         steps = planner.position[axis] - before if known else 0
-        blocks.steps[place, axis] = steps
-        blocks.begin[place, axis] = planner.position[axis] - steps
+        block.steps[axis] = steps
+        block.begin[axis] = planner.position[axis] - steps
         events = max(events, abs(steps))
         planner.unit[axis] = steps / planner.steps_per_mm[axis]
         length_sqr += planner.unit[axis] ** 2
     if events == 0:
         return False
-    blocks.events[place] = events
-    blocks.length[place] = math.sqrt(length_sqr)
-    planner.unit[:] /= blocks.length[place]
+    block.events = events
+    block.length = math.sqrt(length_sqr)
+    planner.unit[:] /= block.length
     return True
 
 
@@ -136,22 +134,20 @@ def _junction_sqr(planner):
 
 
 @njit
-def nominal_speed(planner, place):
+def nominal_speed(block, queue):
     """Return the block's cruising speed under the overrides in force."""
-    blocks = planner.blocks
-    queue = planner.queue[0]
-    if blocks.rapid[place]:
-        return max(MINIMUM_FEED_MM_S, blocks.rapid_speed[place] * queue.rapid_override)
-    speed = min(blocks.programmed_speed[place] * queue.feed_override, blocks.rapid_speed[place])
+    if block.rapid:
+        return max(MINIMUM_FEED_MM_S, block.rapid_speed * queue.rapid_override)
+    speed = min(block.programmed_speed * queue.feed_override, block.rapid_speed)
     return max(MINIMUM_FEED_MM_S, speed)
 
 
 @njit
-def _limit_entry(planner, place, previous_nominal):
+def _limit_entry(block, queue, previous_nominal):
     """Limit the entry by both nominal speeds and the junction; returns the block's own nominal speed."""
-    nominal = nominal_speed(planner, place)
+    nominal = nominal_speed(block, queue)
     slower = min(nominal, previous_nominal)
-    planner.blocks.max_entry_sqr[place] = min(slower**2, planner.blocks.max_junction_sqr[place])
+    block.max_entry_sqr = min(slower**2, block.max_junction_sqr)
     return nominal
 
 
@@ -166,14 +162,13 @@ def recalculate(planner):
 
 @njit
 def _reverse_pass(planner):
-    blocks = planner.blocks
     queue = planner.queue[0]
     place = (queue.head - 1) % BLOCKS
     exit_sqr = 0.0
     while place != queue.planned:
-        reachable = exit_sqr + 2.0 * blocks.acceleration[place] * blocks.length[place]
-        blocks.entry_sqr[place] = min(blocks.max_entry_sqr[place], reachable)
-        exit_sqr = blocks.entry_sqr[place]
+        block = planner.blocks[place]
+        block.entry_sqr = min(block.max_entry_sqr, exit_sqr + 2.0 * block.acceleration * block.length)
+        exit_sqr = block.entry_sqr
         place = (place - 1) % BLOCKS
         if place == queue.tail:
             reload_running_block(planner)
@@ -181,17 +176,16 @@ def _reverse_pass(planner):
 
 @njit
 def _forward_pass(planner):
-    blocks = planner.blocks
     queue = planner.queue[0]
     place = queue.planned
     after = next_place(place)
     while after != queue.head:
-        if blocks.entry_sqr[place] < blocks.entry_sqr[after]:
-            reachable = blocks.entry_sqr[place] + 2.0 * blocks.acceleration[place] * blocks.length[place]
-            if reachable < blocks.entry_sqr[after]:
-                blocks.entry_sqr[after] = reachable
-                queue.planned = after
-        if blocks.entry_sqr[after] == blocks.max_entry_sqr[after]:
+        block, next_block = planner.blocks[place], planner.blocks[after]
+        reachable = block.entry_sqr + 2.0 * block.acceleration * block.length
+        if reachable < next_block.entry_sqr:
+            next_block.entry_sqr = reachable
+            queue.planned = after
+        if next_block.entry_sqr == next_block.max_entry_sqr:
             queue.planned = after
         place = after
         after = next_place(after)
@@ -226,7 +220,7 @@ def set_overrides(planner, feed, rapid):
     previous = UNLIMITED
     place = queue.tail
     while place != queue.head:
-        previous = _limit_entry(planner, place, previous)
+        previous = _limit_entry(planner.blocks[place], queue, previous)
         place = next_place(place)
     queue.previous_nominal = previous
     plan_again(planner)

@@ -32,8 +32,8 @@ TIMER_RESTART = 1  # the timer counts from 0 up to its limit: every tick is one 
 
 
 @njit
-def next_segment(planner, segments, row):
-    """Cut the next segment into `row` of `segments`; returns whether there was one."""
+def next_segment(planner, segment):
+    """Cut the next segment into `segment`; returns whether there was one."""
     queue = planner.queue[0]
     ramp = planner.ramp[0]
     if ramp.ended or (not ramp.loaded and queue.head == queue.tail):
@@ -45,7 +45,7 @@ def next_segment(planner, segments, row):
         else:
             _shape_profile(planner)
     duration = _advance_ramp(planner)
-    if not _emit(planner, segments, row, duration):
+    if not _emit(planner, segment, duration):
         ramp.ended = True
         return False
     _close(planner)
@@ -55,50 +55,47 @@ def next_segment(planner, segments, row):
 @njit
 def _load_block(planner):
     """Take up the oldest block, or go on with it when only its profile is to be made anew."""
-    blocks = planner.blocks
     ramp = planner.ramp[0]
-    place = planner.queue[0].tail
+    block = planner.blocks[planner.queue[0].tail]
     ramp.loaded = True
     if ramp.replan:
         ramp.replan = False
         return
-    ramp.steps_left = blocks.events[place]
-    ramp.steps_per_mm = blocks.events[place] / blocks.length[place]
+    ramp.steps_left = block.events
+    ramp.steps_per_mm = block.events / block.length
     ramp.least_mm = LEAST_STEPS / ramp.steps_per_mm
     ramp.time_left = 0.0
     ramp.eighths = 0
     if ramp.hold or ramp.over_speed:
-        blocks.entry_sqr[place] = ramp.exit_speed**2
+        block.entry_sqr = ramp.exit_speed**2
         ramp.over_speed = False
-    ramp.speed = math.sqrt(blocks.entry_sqr[place])
+    ramp.speed = math.sqrt(block.entry_sqr)
 
 
 @njit
 def _shape_hold(planner):
     """Brake from the start of what remains, to a stop or into the next block."""
-    blocks = planner.blocks
     ramp = planner.ramp[0]
-    place = planner.queue[0].tail
-    length, entry_sqr = blocks.length[place], blocks.entry_sqr[place]
+    block = planner.blocks[planner.queue[0].tail]
+    length, entry_sqr = block.length, block.entry_sqr
     ramp.kind = DECELERATE
-    ramp.stop_at = max(0.0, length - 0.5 * entry_sqr / blocks.acceleration[place])
+    ramp.stop_at = max(0.0, length - 0.5 * entry_sqr / block.acceleration)
     ramp.exit_speed = 0.0
     if ramp.stop_at == 0.0:
-        ramp.exit_speed = math.sqrt(max(0.0, entry_sqr - 2.0 * blocks.acceleration[place] * length))
+        ramp.exit_speed = math.sqrt(max(0.0, entry_sqr - 2.0 * block.acceleration * length))
 
 
 @njit
 def _shape_profile(planner):
     """Choose the shape of what remains of the block, from its entry speed to the next block's."""
-    blocks = planner.blocks
     ramp = planner.ramp[0]
     queue = planner.queue[0]
-    place = queue.tail
-    length, entry_sqr = blocks.length[place], blocks.entry_sqr[place]
-    acceleration = blocks.acceleration[place]
-    after = next_place(place)
-    exit_sqr = 0.0 if after == queue.head else blocks.entry_sqr[after]
-    nominal = nominal_speed(planner, place)
+    block = planner.blocks[queue.tail]
+    length, entry_sqr = block.length, block.entry_sqr
+    acceleration = block.acceleration
+    after = next_place(queue.tail)
+    exit_sqr = 0.0 if after == queue.head else planner.blocks[after].entry_sqr
+    nominal = nominal_speed(block, queue)
     brake_sqr = entry_sqr - 2.0 * acceleration * length  # speed squared at the end after full braking
     ramp.over_speed = brake_sqr > exit_sqr + CRUMB_SQR
     if ramp.over_speed:
@@ -140,15 +137,13 @@ def _meet_ramps(ramp, crossing, entry_sqr, exit_sqr, acceleration):
 def _advance_ramp(planner):
     """Move `ramp.remaining` and `ramp.speed` on by one segment; returns its duration in s."""
     ramp = planner.ramp[0]
-    place = planner.queue[0].tail
-    length = planner.blocks.length[place]
-    acceleration = planner.blocks.acceleration[place]
-    ramp.remaining = length
-    enough = max(0.0, length - ramp.least_mm)
+    block = planner.blocks[planner.queue[0].tail]
+    ramp.remaining = block.length
+    enough = max(0.0, block.length - ramp.least_mm)
     duration, longest = 0.0, SEGMENT_S
     span = longest
     while True:
-        duration += _advance_piece(ramp, acceleration, span)
+        duration += _advance_piece(ramp, block.acceleration, span)
         if duration < longest:
             span = longest - duration
         elif ramp.remaining > enough:
@@ -214,11 +209,10 @@ def _decelerate_piece(ramp, change, span):
 
 
 @njit
-def _emit(planner, segments, row, duration):
+def _emit(planner, segment, duration):
     """Write the segment with the whole steps that were passed; returns False when there are none."""
-    blocks = planner.blocks
     ramp = planner.ramp[0]
-    place = planner.queue[0].tail
+    block = planner.blocks[planner.queue[0].tail]
     steps_to_go = ramp.steps_per_mm * ramp.remaining
     whole_to_go = math.ceil(steps_to_go)
     steps = int(ramp.steps_left - whole_to_go)
@@ -229,14 +223,14 @@ def _emit(planner, segments, row, duration):
     level = 0
     for limit in SMOOTH_CYCLES:
         level += cycles >= limit
-    segments.ticks[row] = steps << level
-    segments.cycles[row] = min(cycles >> level, MAX_CYCLES) + TIMER_RESTART
-    segments.unit[row] = EIGHTHS >> level
-    segments.eighths[row] = ramp.eighths
-    segments.events[row] = blocks.events[place]
-    segments.steps[row] = blocks.steps[place]
-    segments.begin[row] = blocks.begin[place]
-    segments.tag[row] = blocks.tag[place]
+    segment.ticks = steps << level
+    segment.cycles = min(cycles >> level, MAX_CYCLES) + TIMER_RESTART
+    segment.unit = EIGHTHS >> level
+    segment.eighths = ramp.eighths
+    segment.events = block.events
+    segment.steps[:] = block.steps
+    segment.begin[:] = block.begin
+    segment.tag = block.tag
     ramp.eighths += steps * EIGHTHS
     ramp.steps_left = whole_to_go
     ramp.time_left = (whole_to_go - steps_to_go) * s_per_step
@@ -247,8 +241,7 @@ def _emit(planner, segments, row, duration):
 def _close(planner):
     """Note what is left of the block; free its place when that is nothing."""
     ramp = planner.ramp[0]
-    place = planner.queue[0].tail
-    planner.blocks.length[place] = ramp.remaining
+    planner.blocks[planner.queue[0].tail].length = ramp.remaining
     if ramp.remaining == 0.0:
         ramp.loaded = False
         discard_block(planner)

@@ -89,7 +89,7 @@ def run_rows(course, rows, segments):
         row = cursor.row
         if rows.dwell[row] >= 0 and not cursor.inside:
             count = run_empty(course, segments, count)
-            if count == len(segments.tag):
+            if count == len(segments):
                 return count
             stand_still(course, rows.dwell[row])
             rows.not_before[row] = cursor.clock
@@ -100,7 +100,7 @@ def run_rows(course, rows, segments):
             start_arc(course.arc[0], course.place, rows.end[row], rows.centre[row], kind, plane, turns, tolerance)
             cursor.inside = True
         count = _make_room(course, segments, count)
-        if is_full(course.planner) or count == len(segments.tag):
+        if is_full(course.planner) or count == len(segments):
             return count
         _queue_next(course, rows, row)
     return count
@@ -111,11 +111,11 @@ def _make_room(course, segments, count):
     """Cut segments as their places fall free, until a block can be queued or `segments` is full."""
     cursor = course.cursor[0]
     while True:
-        while count < len(segments.tag) and course.ends[cursor.cut % SEGMENT_PLACES] <= cursor.processor:
+        while count < len(segments) and course.ends[cursor.cut % SEGMENT_PLACES] <= cursor.processor:
             if not _cut(course, segments, count):
                 break
             count += 1
-        if count == len(segments.tag) or not is_full(course.planner):
+        if count == len(segments) or not is_full(course.planner):
             return count
         cursor.processor = course.ends[cursor.cut % SEGMENT_PLACES]
 
@@ -152,7 +152,7 @@ def _work(course, ticks):
 @njit
 def run_empty(course, segments, count):
     """Cut all that is queued, from row `count` of `segments` on; full before the end when all rows are used."""
-    while count < len(segments.tag) and _cut(course, segments, count):
+    while count < len(segments) and _cut(course, segments, count):
         count += 1
     return count
 
@@ -172,14 +172,15 @@ def stand_still(course, ticks):
 def _cut(course, segments, row):
     """Cut one segment and set it on the clock; a segment that comes too late finds the drivers idle."""
     cursor = course.cursor[0]
-    if not next_segment(course.planner, segments, row):
+    segment = segments[row]
+    if not next_segment(course.planner, segment):
         return False
     if cursor.clock < cursor.processor:
         stand_still(course, 0)
-    segments.start[row] = cursor.clock
-    cursor.clock += segments.ticks[row] * segments.cycles[row]
+    segment.start = cursor.clock
+    cursor.clock += segment.ticks * segment.cycles
     course.ends[cursor.cut % SEGMENT_PLACES] = cursor.clock
     cursor.cut += 1
-    cursor.cycles = max(segments.cycles[row], 2 * INTERRUPT_TICKS)
+    cursor.cycles = max(segment.cycles, 2 * INTERRUPT_TICKS)
     cursor.moved = True
     return True

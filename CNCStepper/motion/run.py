@@ -14,7 +14,7 @@ from typing import NamedTuple
 import numpy as np
 
 from CNCStepper.kernels import njit
-from CNCStepper.motion.memory import SEGMENT_PLACES, Planner, Segments, new_segments
+from CNCStepper.motion.memory import SEGMENT_PLACES, Planner, new_segments
 from CNCStepper.motion.planner import empty_planner, plan_again, reload_running_block
 from CNCStepper.motion.ramp import next_segment
 from CNCStepper.motion.timeline import place_in
@@ -37,10 +37,10 @@ class Runner(NamedTuple):
     """A planner, the ring of segments behind it, and what has been run."""
 
     planner: Planner
-    ring: Segments
+    ring: np.recarray  # segments
     clockwork: np.ndarray
     position: np.ndarray  # int64[axes], where the axes are
-    record: Segments  # the segments that were run; no rows when nothing is recorded
+    record: np.recarray  # the segments that were run; no rows when nothing is recorded
 
 
 def new_runner(planner: Planner, idle_delay_ticks: int, record_rows: int) -> Runner:
@@ -56,32 +56,34 @@ def new_runner(planner: Planner, idle_delay_ticks: int, record_rows: int) -> Run
 def run_until(runner, until):
     """Run to clock `until`; stops short, at the end of a segment, when the record is full."""
     clockwork = runner.clockwork[0]
-    ring = runner.ring
     while clockwork.clock < until and not record_full(runner):
         _refill(runner)
-        place = clockwork.oldest
+        segment = runner.ring[clockwork.oldest]
         if clockwork.waiting == 0:
             _stand(runner, until)
             break
         if not clockwork.running:
-            ring.start[place] = max(clockwork.clock, clockwork.ready_at)
-            clockwork.running = ring.start[place] < until
-        end = ring.start[place] + ring.ticks[place] * ring.cycles[place]
+            segment.start = max(clockwork.clock, clockwork.ready_at)
+            clockwork.running = segment.start < until
+        end = segment.start + segment.ticks * segment.cycles
         clockwork.clock = min(end, until)
         if end <= until:
-            _finish(runner, ring.ticks[place])
-    if clockwork.waiting == 0:
-        _refill(runner)
+            _finish(runner, segment.ticks)
     if clockwork.running:
-        place = clockwork.oldest
-        done = (clockwork.clock - ring.start[place]) // ring.cycles[place]
-        place_in(ring, place, done, runner.position)
+        segment = runner.ring[clockwork.oldest]
+        place_in(segment, _ticks_done(clockwork, segment), runner.position)
+
+
+@njit
+def _ticks_done(clockwork, segment):
+    """Return how many ticks of the running segment are over."""
+    return (clockwork.clock - segment.start) // segment.cycles
 
 
 @njit
 def record_full(runner):
     """Return whether the record must be emptied before anything more is run."""
-    rows = len(runner.record.tag)
+    rows = len(runner.record)
     return rows > 0 and runner.clockwork[0].recorded == rows
 
 
@@ -91,7 +93,7 @@ def _refill(runner):
     clockwork = runner.clockwork[0]
     while clockwork.waiting < SEGMENT_PLACES:
         place = (clockwork.oldest + clockwork.waiting) % SEGMENT_PLACES
-        if clockwork.held or not next_segment(runner.planner, runner.ring, place):
+        if clockwork.held or not next_segment(runner.planner, runner.ring[place]):
             break
         clockwork.waiting += 1
 
@@ -100,32 +102,18 @@ def _refill(runner):
 def _finish(runner, ticks):
     """Take the running segment out of the ring after `ticks` of it, and record it."""
     clockwork = runner.clockwork[0]
-    place = clockwork.oldest
-    place_in(runner.ring, place, ticks, runner.position)
-    if len(runner.record.tag) > 0:
-        _copy(runner.ring, place, runner.record, clockwork.recorded)
-        runner.record.ticks[clockwork.recorded] = ticks
+    segment = runner.ring[clockwork.oldest]
+    segment.ticks = ticks
+    place_in(segment, ticks, runner.position)
+    if len(runner.record) > 0:
+        runner.record[clockwork.recorded] = segment
         clockwork.recorded += 1
-    clockwork.oldest = (place + 1) % SEGMENT_PLACES
+    clockwork.oldest = (clockwork.oldest + 1) % SEGMENT_PLACES
     clockwork.waiting -= 1
     clockwork.running = False
     _refill(runner)
     if clockwork.waiting == 0:
         clockwork.ready_at = clockwork.clock + clockwork.idle_delay
-
-
-@njit
-def _copy(source, row, target, to):
-    """Copy one segment."""
-    target.start[to] = source.start[row]
-    target.ticks[to] = source.ticks[row]
-    target.cycles[to] = source.cycles[row]
-    target.unit[to] = source.unit[row]
-    target.eighths[to] = source.eighths[row]
-    target.events[to] = source.events[row]
-    target.steps[to] = source.steps[row]
-    target.begin[to] = source.begin[row]
-    target.tag[to] = source.tag[row]
 
 
 @njit
@@ -171,11 +159,9 @@ def stop_dead(runner):
     clockwork = runner.clockwork[0]
     moving = clockwork.running
     if moving:
-        ring, place = runner.ring, clockwork.oldest
-        done = (clockwork.clock - ring.start[place]) // ring.cycles[place]
         clockwork.waiting = 1
         empty_planner(runner.planner, runner.position)
-        _finish(runner, done)
+        _finish(runner, _ticks_done(clockwork, runner.ring[clockwork.oldest]))
     clockwork.waiting = 0
     clockwork.held = False
     empty_planner(runner.planner, runner.position)

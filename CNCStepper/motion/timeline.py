@@ -14,26 +14,26 @@ from __future__ import annotations
 import numpy as np
 
 from CNCStepper.kernels import njit
-from CNCStepper.motion.memory import EIGHTHS, Segments
+from CNCStepper.motion.memory import EIGHTHS
 
 
 @njit
-def place_in(segments, row, ticks, position):
+def place_in(segment, ticks, position):
     """Write to `position` where the axes stand after `ticks` of the segment's ticks."""
-    eighths = segments.eighths[row] + ticks * segments.unit[row]
-    events = segments.events[row]
+    eighths = segment.eighths + ticks * segment.unit
+    events = segment.events
     for axis in range(len(position)):
-        steps = segments.steps[row, axis]
+        steps = segment.steps[axis]
         made = (EIGHTHS // 2 * events + eighths * abs(steps) - 1) // (EIGHTHS * events)
-        position[axis] = segments.begin[row, axis] + (made if steps > 0 else -made)
+        position[axis] = segment.begin[axis] + (made if steps > 0 else -made)
 
 
 @njit
 def ends(segments):
     """Return the position at the end of every segment, int64[n, axes]."""
-    positions = np.empty_like(segments.steps)
-    for row in range(len(segments.tag)):
-        place_in(segments, row, segments.ticks[row], positions[row])
+    positions = np.empty((len(segments), len(segments[0].steps)), np.int64)
+    for row in range(len(segments)):
+        place_in(segments[row], segments[row].ticks, positions[row])
     return positions
 
 
@@ -46,10 +46,11 @@ def positions_at(segments, clocks, positions):
     """
     row = 0
     for query in range(len(clocks)):
-        while row + 1 < len(segments.tag) and segments.start[row + 1] <= clocks[query]:
+        while row + 1 < len(segments) and segments[row + 1].start <= clocks[query]:
             row += 1
-        ticks = (clocks[query] - segments.start[row]) // segments.cycles[row]
-        place_in(segments, row, min(ticks, segments.ticks[row]), positions[query])
+        segment = segments[row]
+        ticks = (clocks[query] - segment.start) // segment.cycles
+        place_in(segment, min(ticks, segment.ticks), positions[query])
 
 
 @njit
@@ -57,18 +58,19 @@ def _write_step_events(segments, clocks, positions):
     """Write the clock of every tick on which an axis steps, and the position after it; returns their number."""
     count = 0
     position = np.empty_like(positions[0])
-    for row in range(len(segments.tag)):
-        place_in(segments, row, 0, position)
-        for tick in range(1, segments.ticks[row] + 1):
-            place_in(segments, row, tick, positions[count])
+    for row in range(len(segments)):
+        segment = segments[row]
+        place_in(segment, 0, position)
+        for tick in range(1, segment.ticks + 1):
+            place_in(segment, tick, positions[count])
             if np.any(positions[count] != position):
                 position[:] = positions[count]
-                clocks[count] = segments.start[row] + tick * segments.cycles[row]
+                clocks[count] = segment.start + tick * segment.cycles
                 count += 1
     return count
 
 
-def step_table(segments: Segments) -> tuple[np.ndarray, np.ndarray]:
+def step_table(segments: np.recarray) -> tuple[np.ndarray, np.ndarray]:
     """Return every step event of the segments: clocks int64[k] and positions int64[k, axes] after each."""
     room = int(segments.ticks.sum()) + 1
     clocks = np.empty(room, np.int64)
