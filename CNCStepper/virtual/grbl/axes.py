@@ -4,11 +4,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from dataclasses import replace
 
 from CNCStepper.machine.profile import AXIS_NAMES
 from CNCStepper.motion.limits import Limits
 from CNCStepper.motion.live import Motion
-from CNCStepper.virtual.grbl.settings import STEPS, TRAVEL, Settings
+from CNCStepper.virtual.grbl.settings import ALWAYS_ON_MS, IDLE_DELAY_MS, STEPS, TRAVEL, Settings
 from CNCStepper.virtual.grbl.words import f32
 
 
@@ -22,7 +23,8 @@ class Axes:
     def __init__(self, settings: Settings):
         self._settings = settings
         self._steps_per_mm = self._resolutions()
-        self._motion = Motion(Limits.of(settings.profile()))
+        self._motion = Motion(self._limits())
+        self.position_steps = self._motion.position_steps  # machine position
         self.declared = 0  # how often a place was declared rather than reached
         self._lost = [
             round(-travel / 2 * steps) for travel, steps in zip(self._travels(), self._steps_per_mm, strict=True)
@@ -34,6 +36,12 @@ class Axes:
         return self._motion.room
 
     @property
+    def idle_delay_s(self) -> float:
+        """How long the drivers stay under current after the last step; the longest value means for ever."""
+        delay_ms = self._settings[IDLE_DELAY_MS]
+        return 0.0 if delay_ms == ALWAYS_ON_MS else delay_ms / 1000
+
+    @property
     def idle(self) -> bool:
         """Whether no move is left to make."""
         return self._motion.idle
@@ -41,7 +49,7 @@ class Axes:
     @property
     def stopped(self) -> bool:
         """Whether a hold has come to its end."""
-        return self._motion.idle or self._motion.state == "held"
+        return self._motion.idle or self._motion.held
 
     @property
     def until_change_s(self) -> float:
@@ -52,11 +60,6 @@ class Axes:
     def rate_mm_min(self) -> float:
         """The speed along the path."""
         return self._motion.rate_mm_min
-
-    @property
-    def position_steps(self) -> tuple[int, ...]:
-        """Machine position in steps."""
-        return tuple(int(steps) for steps in self._motion.position_steps)
 
     @property
     def position_mm(self) -> list[float]:
@@ -78,6 +81,7 @@ class Axes:
     def advance(self, dt_s: float) -> None:
         """Move on by `dt_s` seconds."""
         self._motion.advance(dt_s)
+        self.position_steps = self._motion.position_steps
 
     def hold(self) -> None:
         """Begin to slow down to a stop on the path."""
@@ -90,6 +94,7 @@ class Axes:
     def reset(self) -> None:
         """Stop at once and forget all moves."""
         self._motion.reset()
+        self.position_steps = self._motion.position_steps
 
     def override(self, feed_percent: int, rapid_percent: int) -> None:
         """Change the speeds, also of moves under way."""
@@ -123,7 +128,11 @@ class Axes:
 
     def _stand_at(self, steps: tuple[int, ...]) -> None:
         self.declared += 1
-        self._motion = Motion(Limits.of(self._settings.profile()), steps)
+        self._motion = Motion(self._limits(), steps)
+        self.position_steps = steps
+
+    def _limits(self) -> Limits:
+        return replace(Limits.of(self._settings.profile()), idle_delay_s=self.idle_delay_s)
 
     def _resolutions(self) -> list[float]:
         return [self._settings[STEPS + axis] for axis in range(3)]

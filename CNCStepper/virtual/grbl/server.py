@@ -26,7 +26,8 @@ from CNCStepper.virtual.grbl.machine import Grbl
 from CNCStepper.virtual.grbl.ports import Port, PtyPort, TcpPort
 from CNCStepper.virtual.grbl.trace import Trace
 
-STEP_S, LONGEST_STEP_S = 0.001, 0.002  # of simulated time: at normal speed, and above
+SHORTEST_STEP_S, LONGEST_STEP_S = 0.001, 0.01  # of simulated time
+STEP_S = 0.0001  # of real time, within those bounds
 QUIET_WAIT_S = 0.02
 POWER_UP_S = 0.1  # a client that opens a port throws away what came before
 LONGEST_LAG_S = 0.02  # of real time, made up for at once
@@ -41,7 +42,7 @@ class Server:
         self._speed = speed
         self._trace = trace
         self._stopping = False
-        self._step_s = STEP_S if speed <= 1 else LONGEST_STEP_S
+        self._step_s = min(max(STEP_S * speed, SHORTEST_STEP_S), LONGEST_STEP_S)
 
     def stop(self) -> None:
         """Let `run` return; may be called from a signal handler or another thread."""
@@ -108,6 +109,7 @@ def serve(
     """
     _check(speed, baud, pty, tcp)
     with contextlib.ExitStack() as stack:
+        _compile(machine)
         board = Grbl(machine, homing=homing, probe_height_mm=probe_height_mm)
         record = stack.enter_context(contextlib.closing(Trace(trace, board))) if trace else None
         port: Port = PtyPort(str(pty)) if pty else _tcp_port(str(tcp))
@@ -118,6 +120,15 @@ def serve(
         if ready:
             ready(port.address)
         server.run()
+
+
+def _compile(machine: Machine) -> None:
+    """Let a scratch board make every kind of move, so that no kernel is compiled under a client's eyes."""
+    board = Grbl(machine)
+    for data in (b"G1X1F600\nG2X2I.5\n", b"\x91!", b"~", b"\x18"):
+        board.receive(data)
+        for _ in range(10):
+            board.advance(0.02)
 
 
 def _check(speed: float, baud: int, pty: object, tcp: object) -> None:

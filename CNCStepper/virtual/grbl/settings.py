@@ -10,15 +10,16 @@ from CNCStepper.virtual.grbl.codes import refused
 from CNCStepper.virtual.grbl.words import f32
 
 STEPS, RATE, ACCELERATION, TRAVEL = 100, 110, 120, 130
-PULSE, REPORT, DEVIATION, ARC_TOLERANCE, INCHES = 0, 10, 11, 12, 13
+PULSE, IDLE_DELAY_MS, REPORT, DEVIATION, ARC_TOLERANCE, INCHES = 0, 1, 10, 11, 12, 13
 SOFT_LIMITS, HARD_LIMITS, HOMING, HOMING_SIDES = 20, 21, 22, 23
 HOMING_FEED, HOMING_SEEK, DEBOUNCE_MS, PULL_OFF = 24, 25, 26, 27
 MAX_RPM, MIN_RPM, LASER = 30, 31, 32
 
-BYTES = (0, 1, 2, 3, REPORT, HOMING_SIDES, DEBOUNCE_MS)
+BYTES = (PULSE, IDLE_DELAY_MS, 2, 3, REPORT, HOMING_SIDES, DEBOUNCE_MS)
 SWITCHES = (4, 5, 6, INCHES, SOFT_LIMITS, HARD_LIMITS, HOMING, LASER)
 WHOLE = (*BYTES, *SWITCHES, MAX_RPM, MIN_RPM)  # printed without decimals
 SHORTEST_PULSE_US = 3
+ALWAYS_ON_MS = 255
 REPORTS_MPOS, REPORTS_BUFFER = 1, 2  # bits of $10
 
 
@@ -30,7 +31,7 @@ def defaults(machine: Machine, homing: bool) -> dict[int, float]:
     """
     sides = sum(1 << number for number, axis in enumerate(machine.axes) if axis.homing == "min")
     planner, spindle = machine.planner, machine.spindle
-    values: dict[int, float] = {PULSE: 10, 1: 25, 2: 0, 3: 0, 4: 0, 5: 0, 6: 0}
+    values: dict[int, float] = {PULSE: 10, IDLE_DELAY_MS: 25, 2: 0, 3: 0, 4: 0, 5: 0, 6: 0}
     values |= {REPORT: REPORTS_MPOS | REPORTS_BUFFER}
     values |= {DEVIATION: planner.junction_deviation_mm, ARC_TOLERANCE: planner.arc_tolerance_mm, INCHES: 0}
     values |= {SOFT_LIMITS: 0, HARD_LIMITS: 0, HOMING: int(homing), HOMING_SIDES: sides}

@@ -116,6 +116,6 @@ class Suspension:
         machine.suspension = Suspension()
         machine.state = State.IDLE
         machine.override_motion()
+        machine.axes.resume()
         if not machine.axes.idle:
-            machine.axes.resume()
             machine.state = State.RUN

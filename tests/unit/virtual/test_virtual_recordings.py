@@ -16,7 +16,7 @@ from CNCStepper.virtual.grbl.machine import Grbl
 
 RECORDINGS = sorted((Path(__file__).parents[2] / "data" / "firmware").glob("*.json"))
 WINDOW = 127
-STEP_S = 0.002
+STEP_S = 0.005
 LONGEST_S = 300.0
 LATEST_S = 0.01
 
