@@ -30,6 +30,7 @@ SHORTEST_STEP_S, LONGEST_STEP_S = 0.001, 0.01  # of simulated time
 STEP_S = 0.0001  # of real time, within those bounds
 QUIET_WAIT_S = 0.02
 POWER_UP_S = 0.1  # a client that opens a port throws away what came before
+LOOPBACK = ("127.0.0.1", "localhost", "")
 LONGEST_LAG_S = 0.02  # of real time, made up for at once
 
 
@@ -144,6 +145,12 @@ def _tcp_port(address: str) -> TcpPort:
     host, _, port = address.rpartition(":")
     if not port.isdecimal() or int(port) > 65535:
         raise LinkError("tcp-address", f"'{address}' is not an address", advice="write HOST:PORT, as 127.0.0.1:2300")
+    if host not in LOOPBACK:
+        raise LinkError(
+            "tcp-address",
+            f"the virtual machine asks nobody for a password, so it does not listen on '{host}'",
+            advice=f"give one of: {', '.join(LOOPBACK[:2])}",
+        )
     return TcpPort(host or "127.0.0.1", int(port))
 
 

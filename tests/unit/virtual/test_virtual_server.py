@@ -245,3 +245,10 @@ def stream(link: serial.SerialBase, lines: list[bytes]) -> None:
         for answer in answers:
             assert answer == b"ok"
             unanswered.popleft()
+
+
+@pytest.mark.parametrize("address", ["0.0.0.0:0", "192.168.1.1:2300", "127.0.0.1:x"])
+def test_only_this_machine_may_connect(address: str, machine: Machine) -> None:
+    with pytest.raises(LinkError) as caught:
+        serve(machine, tcp=address)
+    assert caught.value.code == "tcp-address"
