@@ -74,7 +74,7 @@ class _Run:
         self.course: Course = new_course(new_planner(self.limits, start_mm), start_mm, idle_ticks)
         self.table = new_segments(SEGMENT_ROWS, self.limits.axes)
         self.stops = Stops(toolpath.states, toolpath.events, self.limits.laser)
-        self.not_before: list[np.ndarray] = []
+        self.ends: np.ndarray | None = None  # ticks, kept only where the end of every row is asked for
 
     @property
     def clock(self) -> int:
@@ -91,7 +91,9 @@ class _Run:
                 count = run_rows(self.course, rows, self.table)
                 if count:
                     yield self.table[:count].view(np.recarray)
-            self.not_before.append(rows.not_before)
+            if self.ends is not None:
+                ends = self.ends[chunk.first - self.first :][: len(chunk)]
+                np.maximum(ends, rows.not_before, out=ends)
         while count := run_empty(self.course, self.table, 0):
             yield self.table[:count].view(np.recarray)
         for dwell in self.stops.last():
@@ -99,12 +101,16 @@ class _Run:
 
     def times_s(self) -> np.ndarray:
         """Return the end time of every row in s."""
-        ends = np.zeros(len(self.toolpath), np.int64)
+        self.ends = np.zeros(len(self.toolpath), np.int64)
         for segments in self.segments():
-            np.maximum.at(ends, segments.tag, segments.start + segments.ticks * segments.cycles)
-        if len(ends):
-            np.maximum(ends, np.concatenate(self.not_before), out=ends)
-        return np.maximum.accumulate(ends) / TICKS_PER_S
+            ends = segments.start + segments.ticks * segments.cycles
+            np.maximum.at(self.ends, segments.tag - self.first, ends)
+        return np.maximum.accumulate(self.ends) / TICKS_PER_S
+
+    @property
+    def first(self) -> int:
+        """The execution index of the first row."""
+        return self.toolpath.chunks[0].first if self.toolpath.chunks else 0
 
     def _rows(self, chunk: Chunk) -> Rows:
         kind, plane, turns = (column.astype(np.int64) for column in (chunk.kind, chunk.plane, chunk.turns))

@@ -25,9 +25,11 @@ from CNCStepper.motion.planner import is_full, push_line
 from CNCStepper.motion.ramp import next_segment
 from CNCStepper.toolpath import ARC_CW, RAPID
 
-LINE_TICKS = round(0.0031 * TICKS_PER_S)  # to read and queue a line; this and the next fitted to recordings
-CHORD_TICKS = round(0.0016 * TICKS_PER_S)  # to queue one chord of an arc
-REPLAN_TICKS = round(0.00024 * TICKS_PER_S)  # to look again at one queued block
+LINE_TICKS = round(0.0031 * TICKS_PER_S)  # to read and queue a line, fitted to the recording with a dwell
+CHORD_TICKS = round(0.0016 * TICKS_PER_S)  # to queue one chord of an arc, an estimate: nothing is read
+REPLAN_TICKS = round(
+    0.00024 * TICKS_PER_S
+)  # to look again at one queued block, fitted to a recording bound by look-ahead
 INTERRUPT_TICKS = 450  # of the processor's time that each tick of the step interrupt takes
 
 _CURSOR = np.dtype(
