@@ -14,27 +14,29 @@ grows along the longer axis, and `ae` bounds the larger one.
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
+from itertools import accumulate
 from typing import Literal
 
-import numpy as np
 from pydantic import BaseModel, ConfigDict, Field
-from shapely import LineString, Point, Polygon, union_all
+from shapely import Polygon
 
+from CNCStepper.cycles.elliptical_rings import (
+    OUTLINE_ERROR_MM,
+    Way,
+    offset_deviation_mm,
+    parallel_way,
+    rings_along,
+    similar_way,
+)
 from CNCStepper.cycles.entry import Entry, entry_of
 from CNCStepper.cycles.form import Answer, Removal, Setup
-from CNCStepper.cycles.moves import Moves, require_feeds
-from CNCStepper.cycles.passes import whole_passes
+from CNCStepper.cycles.moves import Moves, point_of, require_setup
+from CNCStepper.cycles.passes import require_few_blocks, whole_passes
 from CNCStepper.errors import CycleError
 from CNCStepper.geometry.curve import Curve
-from CNCStepper.geometry.dda import ellipse_by_dda
 from CNCStepper.geometry.ellipse import Ellipse
 from CNCStepper.toolpath import TableBuilder
-
-OUTLINE_ERROR_MM = 0.0002  # of the wanted region's polygon
-ROUNDING_MM = 0.002  # what writing three decimals may add to a fitted arc, end and centre together
-ISLAND_ERROR_MM = 0.01  # flattening where passes are tested for islands
 
 
 class EllipticalPocket(BaseModel):
@@ -62,7 +64,7 @@ class EllipticalPocket(BaseModel):
     tolerance_mm: float = Field(default=0.01, ge=0.003, le=1.0)
     resolution_mm: float = Field(default=0.05, gt=0)
     entry: Literal["helix", "ramp", "plunge"] = "helix"
-    entry_angle_deg: float = Field(default=3.0, gt=0, le=45.0)
+    entry_angle_deg: float = Field(default=3.0, ge=0.1, le=45.0)
     direction: Literal["climb", "conventional"] = "climb"
 
     def cut(self, setup: Setup, table: TableBuilder) -> Answer:
@@ -76,8 +78,7 @@ class EllipticalPocket(BaseModel):
             table.close_span()
             top_mm = floor_mm
         moves.retract()
-        region = Polygon(plan.ellipse.points(OUTLINE_ERROR_MM))
-        return Answer([Removal(region, 0.0, -self.depth_mm, plan.promise_mm)], plan.figures)
+        return Answer([Removal(plan.region, 0.0, -self.depth_mm, plan.promise_mm)], plan.figures)
 
     def _level(
         self, plan: _Plan, moves: Moves, table: TableBuilder, top_mm: float, floor_mm: float, setup: Setup
@@ -89,24 +90,26 @@ class EllipticalPocket(BaseModel):
         for number, ring in enumerate(plan.rings, start=1):
             finishing = number == len(plan.rings)
             table.open_span("pass", "finishing" if finishing else f"roughing {number}")
-            moves.feed(_point(ring.xy[0]), feed)
+            moves.feed(point_of(ring.xy[0]), feed)
             moves.follow(ring, (self.finish_feed_mm_min or feed) if finishing else feed)
             table.close_span()
 
     def _plan(self, setup: Setup) -> _Plan:
         self._check(setup)
         ellipse = Ellipse.of_radii(self.centre_mm, self.radius_x_mm, self.radius_y_mm, self.rotation_deg)
-        tool_mm = setup.tool.radius_mm
-        levels = whole_passes(self.depth_mm, self.stepdown_mm, self.finish_stepdown_mm, "finish_stepdown_mm")
-        floors = [-sum(levels[: n + 1]) for n in range(len(levels))]
+        region = Polygon(ellipse.points(OUTLINE_ERROR_MM))
+        levels = whole_passes(self.depth_mm, self.stepdown_mm, self.finish_stepdown_mm, "stepdown_mm")
+        way, promise_mm, figures = self._way(ellipse, setup.tool.radius_mm)
+        finish_mm = self.finish_stepover_mm
+        rings = rings_along(way, self.centre_mm, setup.tool.radius_mm, self.stepover_mm, finish_mm, len(levels))
+        curves = rings.curves if self.direction == "climb" else [ring.reversed() for ring in rings.curves]
+        roughed = curves[-2] if finish_mm else curves[-1]
+        entry = entry_of(self.entry, ellipse, setup.tool.radius_mm, roughed, self.entry_angle_deg)
+        require_few_blocks(entry.blocks(setup.retract_mm + self.depth_mm) + len(levels) * sum(map(len, curves)))
+        floors = [-depth_mm for depth_mm in accumulate(levels)]
         floors[-1] = -self.depth_mm
-        maker = self._parallel_rings if self.method == "tolerance" else self._dda_rings
-        rings, steps, figures, promise_mm = maker(ellipse, tool_mm)
-        if self.direction == "conventional":
-            rings = [ring.reversed() for ring in rings]
-        entry = entry_of(self.entry, ellipse, tool_mm, self.finish_stepover_mm, self.entry_angle_deg)
-        figures |= {"ap_mm": levels[0], "levels": len(levels), "passes": len(rings), "ae_mm": steps}
-        return _Plan(ellipse, rings, floors, entry, figures, promise_mm)
+        figures |= {"ap_mm": levels[0], "levels": len(levels), "passes": len(curves), "ae_mm": rings.stepover_mm}
+        return _Plan(region, curves, floors, entry, figures, promise_mm)
 
     def _check(self, setup: Setup) -> None:
         tool = setup.tool
@@ -129,89 +132,49 @@ class EllipticalPocket(BaseModel):
                 limit=f"{tool.diameter_mm:g} mm",
                 advice="make it smaller, or islands remain",
             )
-        if self.finish_stepover_mm > tool.radius_mm:
-            raise CycleError(
-                "finish-wide",
-                "finish_stepover_mm (ae_acab) is larger than the tool's radius",
-                value=f"{self.finish_stepover_mm:g} mm",
-                limit=f"{tool.radius_mm:g} mm",
-                advice="leave less for the finishing pass",
+        require_setup(setup)
+
+    def _way(self, ellipse: Ellipse, tool_mm: float) -> tuple[Way, float, dict[str, float]]:
+        """Return the curves to run along, how far off the wanted wall they promise to be, and the method's figure."""
+        if self.method == "tolerance":
+            figures = {"unreachable_mm": ellipse.unreachable_mm(tool_mm)}
+            return (
+                parallel_way(ellipse, tool_mm, self.finish_stepover_mm, self.tolerance_mm),
+                self.tolerance_mm,
+                figures,
             )
-        require_feeds(setup)
+        error_mm = self.resolution_mm * max(1.0, self.radius_x_mm / self.radius_y_mm)
+        self._check_dda(ellipse, tool_mm, error_mm)
+        radii_mm = (self.radius_x_mm, self.radius_y_mm)
+        off_mm = offset_deviation_mm(ellipse, tool_mm)
+        way = similar_way(self.centre_mm, radii_mm, self.rotation_deg, tool_mm, error_mm)
+        return way, off_mm + error_mm, {"offset_deviation_mm": off_mm}
 
-    def _parallel_rings(self, ellipse: Ellipse, tool_mm: float) -> _Rings:
-        """True parallel curves; where a step beyond the tool's radius would leave islands there is one pass more."""
-        reach_mm = ellipse.minor_mm - tool_mm
-        stepover_mm = self.stepover_mm
-        while True:
-            steps = whole_passes(reach_mm, stepover_mm, self.finish_stepover_mm, "finish_stepover_mm")
-            rings = self._rings_at(ellipse, np.cumsum(steps), reach_mm)
-            if steps[0] <= tool_mm or not leaves_islands(rings, ellipse.centre, tool_mm):
-                break
-            stepover_mm = (reach_mm - self.finish_stepover_mm) / (len(steps) - bool(self.finish_stepover_mm) + 1)
-        figures = {"unreachable_mm": ellipse.unreachable_mm(tool_mm)}
-        return rings, steps[0], figures, self.tolerance_mm
-
-    def _rings_at(self, ellipse: Ellipse, from_centre_mm: np.ndarray, reach_mm: float) -> list[Curve]:
-        fit_mm = 0.8 * (self.tolerance_mm - ROUNDING_MM)
-        rough_mm = max(fit_mm, 0.2 * self.finish_stepover_mm)  # stays clear of the wall by four fifths of the stock
-        inner = [ellipse.parallel(ellipse.minor_mm - out_mm, rough_mm) for out_mm in from_centre_mm[:-1]]
-        return [*inner, ellipse.parallel(ellipse.minor_mm - reach_mm, fit_mm)]
-
-    def _dda_rings(self, ellipse: Ellipse, tool_mm: float) -> _Rings:
-        """Similar ellipses, point by point; they promise the resolution and what an ellipse differs from an offset."""
-        if tool_mm > ellipse.minor_mm**2 / ellipse.major_mm:
+    def _check_dda(self, ellipse: Ellipse, tool_mm: float, error_mm: float) -> None:
+        tightest_mm = ellipse.minor_mm**2 / ellipse.major_mm
+        if tool_mm > tightest_mm:
             raise CycleError(
                 "dda-tight",
                 "the ellipse's ends are tighter than the tool, where similar ellipses would cut into the wall",
                 value=f"{tool_mm:g} mm radius",
-                limit=f"{ellipse.minor_mm**2 / ellipse.major_mm:.3f} mm",
+                limit=f"{tightest_mm:.3f} mm",
                 advice='use method "tolerance" or a smaller tool',
             )
-        wide_mm, high_mm = self.radius_x_mm - tool_mm, self.radius_y_mm - tool_mm
-        larger = max(wide_mm / high_mm, 1.0)
-        steps = whole_passes(high_mm, self.stepover_mm / larger, self.finish_stepover_mm, "finish_stepover_mm")
-        rings = []
-        for share in np.cumsum(steps) / high_mm:
-            ring = ellipse_by_dda(wide_mm * share, high_mm * share, self.resolution_mm)
-            rings.append(ring.rotated(self.rotation_deg).moved(*self.centre_mm))
-        off_mm = offset_deviation_mm(ellipse, tool_mm)
-        promise_mm = off_mm + self.resolution_mm * max(1.0, self.radius_x_mm / self.radius_y_mm)
-        return rings, steps[0] * larger, {"offset_deviation_mm": off_mm}, promise_mm
-
-
-_Rings = tuple[list[Curve], float, dict[str, float], float]
+        if error_mm > tool_mm / 2.0:
+            raise CycleError(
+                "dda-coarse",
+                "resolution_mm is too coarse for the tool",
+                value=f"{self.resolution_mm:g} mm",
+                limit=f"{self.resolution_mm * tool_mm / 2.0 / error_mm:.3g} mm",
+                advice="make it smaller, or islands remain",
+            )
 
 
 @dataclass(frozen=True)
 class _Plan:
-    ellipse: Ellipse
+    region: Polygon
     rings: list[Curve]  # from the centre outwards, the last on the wall
     floors_mm: list[float]
     entry: Entry
     figures: dict[str, float]
     promise_mm: float
-
-
-def leaves_islands(rings: list[Curve], centre: tuple[float, float], tool_mm: float) -> bool:
-    """Return whether a tool that runs along `rings` and has been at `centre` leaves something between them."""
-    lines = [LineString(ring.points(ISLAND_ERROR_MM)).buffer(tool_mm, quad_segs=32) for ring in rings]
-    swept = union_all([*lines, Point(centre).buffer(tool_mm, quad_segs=32)])
-    return any(Polygon(hole).area > ISLAND_ERROR_MM for part in _parts(swept) for hole in part.interiors)
-
-
-def offset_deviation_mm(ellipse: Ellipse, tool_mm: float) -> float:
-    """Return how far the ellipse with both radii smaller by the tool leaves the true path of the tool's centre."""
-    t = np.linspace(0.0, math.pi / 2.0, 721)
-    own = np.column_stack([(ellipse.major_mm - tool_mm) * np.cos(t), (ellipse.minor_mm - tool_mm) * np.sin(t)])
-    wall = Ellipse((0.0, 0.0), ellipse.major_mm, ellipse.minor_mm, 0.0).points(OUTLINE_ERROR_MM)
-    ring = Polygon(wall).exterior
-    return max(abs(ring.distance(Point(p)) - tool_mm) for p in own)
-
-
-def _parts(geometry) -> list[Polygon]:
-    return list(getattr(geometry, "geoms", [geometry]))
-
-
-def _point(row: np.ndarray) -> tuple[float, float]:
-    return float(row[0]), float(row[1])

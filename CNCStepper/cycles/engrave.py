@@ -9,8 +9,8 @@ from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, PlainSeriali
 from shapely import LineString
 
 from CNCStepper.cycles.form import Answer, Removal, Setup
-from CNCStepper.cycles.moves import Moves, require_feeds
-from CNCStepper.cycles.passes import whole_passes
+from CNCStepper.cycles.moves import Moves, point_of, require_setup
+from CNCStepper.cycles.passes import require_few_blocks, whole_passes
 from CNCStepper.errors import CycleError, GeometryError
 from CNCStepper.geometry.curve import Curve
 from CNCStepper.geometry.simplify import simplified
@@ -56,9 +56,10 @@ class Engrave(BaseModel):
 
     def cut(self, setup: Setup, table: TableBuilder) -> Answer:
         """Append the engraving to `table`; raises CycleError before any row when it cannot be cut."""
-        require_feeds(setup)
+        require_setup(setup)
         curves = [self._prepared(curve) for curve in self.curves]
-        steps = whole_passes(self.depth_mm, self.stepdown_mm or self.depth_mm, 0.0, "")
+        steps = whole_passes(self.depth_mm, self.stepdown_mm or self.depth_mm, 0.0, "stepdown_mm")
+        require_few_blocks(len(steps) * sum(map(len, curves)))
         floors = [-self.depth_mm * (n + 1) / len(steps) for n in range(len(steps))]
         moves = Moves(table, setup)
         for number, curve in enumerate(curves, start=1):
@@ -84,7 +85,7 @@ class Engrave(BaseModel):
 
     def _line(self, moves: Moves, curve: Curve, floors_mm: list[float], feed_mm_min: float) -> None:
         """Cut one curve at every depth: an open one to and fro, a closed one round and round."""
-        moves.approach((float(curve.xy[0, 0]), float(curve.xy[0, 1])))
+        moves.approach(point_of(curve.xy[0]))
         for floor_mm in floors_mm:
             moves.plunge(floor_mm)
             moves.follow(curve, feed_mm_min)

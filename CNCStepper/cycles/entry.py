@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from CNCStepper.cycles.moves import Moves
+from CNCStepper.cycles.moves import Moves, point_of
 from CNCStepper.errors import CycleError
 from CNCStepper.geometry.curve import Curve
 from CNCStepper.geometry.ellipse import Ellipse
@@ -27,6 +27,10 @@ class Plunge:
         _begin(moves, self.ellipse.centre, feed_mm_min)
         moves.plunge(floor_mm)
 
+    def blocks(self, fall_mm: float) -> int:
+        """Return about how many blocks a fall takes."""
+        return 1
+
 
 @dataclass(frozen=True)
 class Helix:
@@ -39,11 +43,15 @@ class Helix:
     def descend(self, moves: Moves, top_mm: float, floor_mm: float, feed_mm_min: float) -> None:
         centre = self.ellipse.centre
         _begin(moves, (centre[0] + self.radius_mm, centre[1]), feed_mm_min)
-        a_turn_mm = 2.0 * math.pi * self.radius_mm * math.tan(math.radians(self.angle_deg))
-        turns = math.ceil((top_mm - floor_mm) / a_turn_mm)
+        turns = self.blocks(top_mm - floor_mm)
         for number in range(1, turns + 1):
             moves.turn(centre, top_mm + (floor_mm - top_mm) * number / turns, feed_mm_min)
         moves.turn(centre, floor_mm, feed_mm_min)
+
+    def blocks(self, fall_mm: float) -> int:
+        """Return how many turns a fall takes."""
+        a_turn_mm = 2.0 * math.pi * self.radius_mm * math.tan(math.radians(self.angle_deg))
+        return math.ceil(fall_mm / a_turn_mm)
 
 
 @dataclass(frozen=True)
@@ -56,31 +64,36 @@ class Ramp:
 
     def descend(self, moves: Moves, top_mm: float, floor_mm: float, feed_mm_min: float) -> None:
         ends = self.ellipse.placed(Curve(np.array([(-self.reach_mm, 0.0), (self.reach_mm, 0.0)]), np.zeros(1))).xy
-        there, back = _point(ends[1]), _point(ends[0])
+        there, back = point_of(ends[1]), point_of(ends[0])
         _begin(moves, self.ellipse.centre, feed_mm_min)
-        fall_mm = 4.0 * self.reach_mm * math.tan(math.radians(self.angle_deg))
-        rounds = math.ceil((top_mm - floor_mm) / fall_mm)
+        rounds = self.blocks(top_mm - floor_mm) // 3
         for number in range(rounds):
             for xy, share in ((there, 0.25), (back, 0.75), (self.ellipse.centre, 1.0)):
                 moves.feed(xy, feed_mm_min, top_mm + (floor_mm - top_mm) * (number + share) / rounds)
+
+    def blocks(self, fall_mm: float) -> int:
+        """Return how many blocks a fall takes, three for each time to and fro."""
+        a_round_mm = 4.0 * self.reach_mm * math.tan(math.radians(self.angle_deg))
+        return 3 * math.ceil(fall_mm / a_round_mm)
 
 
 Entry = Plunge | Helix | Ramp
 
 
-def entry_of(name: str, ellipse: Ellipse, tool_mm: float, stock_mm: float, angle_deg: float) -> Entry:
-    """Return the entry called `name` that stays `stock_mm` inside the wall's pass; `tool_mm` is the tool's radius.
+def entry_of(name: str, ellipse: Ellipse, tool_mm: float, roughed: Curve, angle_deg: float) -> Entry:
+    """Return the entry called `name` that stays inside the last roughing pass; `tool_mm` is the tool's radius.
 
     Raises CycleError when the pocket has no room for it.
     """
-    free_mm = ellipse.minor_mm - tool_mm - stock_mm
     if name == "helix":
+        free_mm = float(roughed.distances_mm(np.array([ellipse.centre]))[0])
         radius_mm = min(HELIX_SHARE * tool_mm, free_mm)
         if radius_mm < 0.1 * tool_mm:
             raise _no_room("helix", radius_mm, 0.1 * tool_mm, 'use entry "ramp" or "plunge"')
         return Helix(ellipse, radius_mm, angle_deg)
     if name == "ramp":
-        reach_mm = min(ellipse.tip_mm(tool_mm + stock_mm), LONGEST_RAMP * 2.0 * tool_mm)
+        free_mm = float(np.hypot(*(roughed.xy - ellipse.centre).T).max())  # its vertices on the long axis
+        reach_mm = min(free_mm, LONGEST_RAMP * 2.0 * tool_mm)
         if reach_mm < 0.25 * tool_mm:
             raise _no_room("ramp", reach_mm, 0.25 * tool_mm, 'use entry "plunge"')
         return Ramp(ellipse, reach_mm, angle_deg)
@@ -93,10 +106,6 @@ def _begin(moves: Moves, xy: tuple[float, float], feed_mm_min: float) -> None:
         moves.approach(xy)
     else:
         moves.feed(xy, feed_mm_min)
-
-
-def _point(row: np.ndarray) -> tuple[float, float]:
-    return float(row[0]), float(row[1])
 
 
 def _no_room(entry: str, value_mm: float, limit_mm: float, advice: str) -> CycleError:

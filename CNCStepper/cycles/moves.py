@@ -15,7 +15,7 @@ import numpy as np
 
 from CNCStepper.cycles.form import Setup
 from CNCStepper.errors import CycleError
-from CNCStepper.geometry.curve import Curve
+from CNCStepper.geometry.curve import LIMIT_MM, Curve
 from CNCStepper.toolpath import ARC_CCW, ARC_CW, TableBuilder
 
 Point = tuple[float, float]
@@ -53,19 +53,15 @@ class Moves:
         run_mm = math.hypot(xy[0] - self.position[0], xy[1] - self.position[1])
         self._feed((*xy, z_mm), self.sinking_feed(feed_mm_min, run_mm, self.z_mm - z_mm))
 
-    def follow(self, curve: Curve, feed_mm_min: float, z_mm: float | None = None) -> None:
-        """Run along `curve`, which begins where the tool stands, sinking evenly to `z_mm` when it is given."""
-        top_mm = self.z_mm
-        bottom_mm = top_mm if z_mm is None else z_mm
-        done = np.cumsum(curve.lengths_mm) / curve.length_mm
-        heights = top_mm + (bottom_mm - top_mm) * done
-        feed_mm_min = self.sinking_feed(feed_mm_min, curve.length_mm, top_mm - bottom_mm)
-        rows = zip(curve.xy[1:].tolist(), curve.bulge.tolist(), curve.centres.tolist(), heights.tolist(), strict=True)
-        for end, bulge, centre, height in rows:
+    def follow(self, curve: Curve, feed_mm_min: float) -> None:
+        """Run along `curve`, which begins where the tool stands, at this height."""
+        z_mm = self.z_mm
+        rows = zip(curve.xy[1:].tolist(), curve.bulge.tolist(), curve.centres.tolist(), strict=True)
+        for (x, y), bulge, (i, j) in rows:
             if bulge:
-                self._arc((end[0], end[1]), bulge, (centre[0], centre[1]), height, feed_mm_min)
+                self._arc((x, y, z_mm), bulge, (i, j), feed_mm_min)
             else:
-                self._feed((*end, height), feed_mm_min)
+                self._feed((x, y, z_mm), feed_mm_min)
 
     def turn(self, centre: Point, z_mm: float, feed_mm_min: float) -> None:
         """Run one full counter-clockwise turn about `centre`, ending at height `z_mm`."""
@@ -81,10 +77,9 @@ class Moves:
             return feed_mm_min
         return min(feed_mm_min, self._setup.tool.plunge_mm_min * math.hypot(run_mm, fall_mm) / fall_mm)
 
-    def _arc(self, end: Point, bulge: float, centre: Point, z_mm: float, feed_mm_min: float) -> None:
-        kind = ARC_CCW if bulge > 0 else ARC_CW
-        self.position = (*end, z_mm)
-        self._table.arc(kind, self.position, (*centre, 0.0), feed_mm_min)
+    def _arc(self, end: tuple[float, float, float], bulge: float, centre: Point, feed_mm_min: float) -> None:
+        self._table.arc(ARC_CCW if bulge > 0 else ARC_CW, end, (*centre, 0.0), feed_mm_min)
+        self.position = end
 
     def _feed(self, end: tuple[float, float, float], feed_mm_min: float) -> None:
         if end != self.position:
@@ -97,13 +92,28 @@ class Moves:
             self.position = end
 
 
-def require_feeds(setup: Setup) -> None:
-    """Raise CycleError when the tool has no feed or no plunge feed."""
+def require_setup(setup: Setup) -> None:
+    """Raise CycleError when the tool has no feed or no plunge feed, or the heights are not above the stock."""
     for name in ("feed_mm_min", "plunge_mm_min"):
-        if not getattr(setup.tool, name) > 0:
+        feed_mm_min = getattr(setup.tool, name)
+        if not 0 < feed_mm_min < math.inf:
             raise CycleError(
                 "feed-missing",
                 f"tool {setup.tool.number} has no {name}",
-                advice=f"give the tool a {name} above 0",
-                value=f"{getattr(setup.tool, name):g} mm/min",
+                value=f"{feed_mm_min:g} mm/min",
+                limit="above 0 mm/min",
+                advice=f"give the tool a {name}",
             )
+    if not 0 < setup.retract_mm <= setup.clearance_mm <= LIMIT_MM:
+        raise CycleError(
+            "heights",
+            "retract_mm must be above the stock, and clearance_mm not below it",
+            value=f"retract {setup.retract_mm:g} mm, clearance {setup.clearance_mm:g} mm",
+            limit=f"0 mm to {LIMIT_MM:g} mm",
+            advice="correct the two heights",
+        )
+
+
+def point_of(row: np.ndarray) -> Point:
+    """Return one vertex of a curve as a point."""
+    return float(row[0]), float(row[1])

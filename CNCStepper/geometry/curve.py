@@ -14,6 +14,7 @@ import itertools
 import math
 from collections.abc import Iterable
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -21,6 +22,9 @@ from CNCStepper.errors import GeometryError
 
 LIMIT_MM = 1e6  # coordinates beyond a kilometre are mistakes
 COINCIDENT_MM = 1e-9
+STRAIGHT_MM = 1e-7  # an arc that rises less above its chord is kept as a line: its centre would be noise
+FLAT_RAD = 1e-3  # below, the area under an arc is sweep / 12 of its chord's square to eight digits
+BLOCK = 1 << 18  # distances held at once
 
 
 @dataclass(frozen=True, eq=False)
@@ -31,14 +35,19 @@ class Curve:
     bulge: np.ndarray
 
     def __post_init__(self) -> None:
-        xy = np.asarray(self.xy, float).reshape(-1, 2)
-        bulge = np.asarray(self.bulge, float).reshape(-1)
+        xy, bulge = _pairs(self.xy), _numbers(self.bulge).reshape(-1)
         if len(xy) < 2 or len(bulge) != len(xy) - 1:
-            raise GeometryError("curve-short", "a curve needs at least two points", value=f"{len(xy)} points")
-        if not (np.isfinite(xy).all() and np.isfinite(bulge).all() and np.abs(xy).max() <= LIMIT_MM):
-            raise GeometryError("curve-range", "a coordinate is not a length in mm", limit=f"{LIMIT_MM:g} mm")
+            raise GeometryError(
+                "curve-short",
+                "a curve needs at least two points and a bulge for each segment",
+                value=f"{len(xy)} points, {len(bulge)} bulges",
+            )
+        _require_lengths(xy)
+        rise_mm = np.abs(bulge) * np.hypot(*np.diff(xy, axis=0).T) / 2.0
+        if not (np.isfinite(bulge).all() and rise_mm.max() <= LIMIT_MM):
+            raise GeometryError("curve-range", "a bulge is not that of an arc in mm", limit=f"{LIMIT_MM:g} mm high")
         object.__setattr__(self, "xy", xy)
-        object.__setattr__(self, "bulge", bulge)
+        object.__setattr__(self, "bulge", np.where(rise_mm > STRAIGHT_MM, bulge, 0.0))
 
     def __len__(self) -> int:
         return len(self.bulge)
@@ -84,18 +93,27 @@ class Curve:
         return (begin + end) / 2.0 + left * factor[:, None]
 
     @property
+    def curvatures(self) -> np.ndarray:
+        """One over the radius of each segment, float64[n], 1/mm, positive when it turns left, 0 for lines."""
+        chord = np.hypot(*np.diff(self.xy, axis=0).T)
+        return 2.0 * np.sin(self.sweeps_rad / 2.0) / np.where(chord > 0.0, chord, 1.0)
+
+    @property
     def radii_mm(self) -> np.ndarray:
         """The arc radii, float64[n]; NaN for lines."""
-        return np.hypot(*(self.xy[:-1] - self.centres).T)
+        curvatures = np.abs(self.curvatures)
+        return 1.0 / np.where(self.bulge != 0.0, curvatures, np.nan)
 
     @property
     def area_mm2(self) -> float:
         """The signed area of a closed curve, positive when it runs counter-clockwise."""
         x, y = self.xy.T
         polygon = 0.5 * float(np.dot(x[:-1], y[1:]) - np.dot(x[1:], y[:-1]))
-        sweeps, arcs = self.sweeps_rad, self.bulge != 0.0
-        segments = 0.5 * self.radii_mm[arcs] ** 2 * (sweeps[arcs] - np.sin(sweeps[arcs]))
-        return polygon + float(segments.sum())
+        sweeps, square = self.sweeps_rad, (np.diff(self.xy, axis=0) ** 2).sum(axis=1)
+        arcs = np.abs(sweeps) > FLAT_RAD
+        rounded = np.where(arcs, sweeps, math.pi)
+        segments = (rounded - np.sin(rounded)) / (8.0 * np.sin(rounded / 2.0) ** 2)
+        return polygon + float(np.dot(square, np.where(arcs, segments, sweeps / 12.0)))
 
     def reversed(self) -> Curve:
         """Return the same curve run backwards."""
@@ -129,10 +147,15 @@ class Curve:
 
     def points(self, tolerance_mm: float) -> np.ndarray:
         """Return points on the curve, float64[m, 2], whose chords stay within `tolerance_mm` of it."""
-        pieces = [self.xy[:1]]
-        for i, sweep in enumerate(self.sweeps_rad):
-            pieces.append(self._arc_points(i, sweep, tolerance_mm) if sweep else self.xy[i + 1 : i + 2])
-        return np.vstack(pieces)
+        if not tolerance_mm > 0:
+            raise GeometryError("curve-tolerance", "a tolerance must be above 0", value=f"{tolerance_mm:g} mm")
+        counts = self._chords(tolerance_mm)
+        last = np.cumsum(counts)
+        segment = np.repeat(np.arange(len(self)), counts)
+        share = (np.arange(1, last[-1] + 1) - (last - counts)[segment]) / counts[segment]
+        points = _xy(self._at(segment, share))
+        points[last - 1] = self.xy[1:]
+        return np.vstack([self.xy[:1], points])
 
     def at_length(self, length_mm: float) -> tuple[np.ndarray, np.ndarray]:
         """Return the point and the unit direction at `length_mm` from the start (clamped to the curve)."""
@@ -141,61 +164,63 @@ class Curve:
         length_mm = min(max(length_mm, 0.0), before[-1])
         i = min(int(np.searchsorted(before, length_mm, side="right")) - 1, len(self) - 1)
         share = (length_mm - before[i]) / lengths[i] if lengths[i] else 0.0
-        return self._at_share(i, share)
+        chord = np.diff(_complex(self.xy[i : i + 2]))[0]
+        direction = chord / max(abs(chord), COINCIDENT_MM) * np.exp(1j * self.sweeps_rad[i] * (share - 0.5))
+        return _xy(self._at(i, share)), _xy(direction)
 
     def distances_mm(self, points: np.ndarray) -> np.ndarray:
         """Return the distance of each point, float64[m, 2], to the curve."""
-        points = np.asarray(points, float).reshape(-1, 2)
-        nearest = np.full(len(points), np.inf)
-        for i in range(len(self)):
-            nearest = np.minimum(nearest, self._segment_distances(i, points))
+        places = _complex(_pairs(points))
+        nearest = np.full(len(places), np.inf)
+        width = max(BLOCK // max(len(places), 1), 1)
+        for first in range(0, len(self), width):
+            nearest = np.minimum(nearest, self._distances(places, first, first + width).min(axis=1))
         return nearest
 
-    def _segment_distances(self, i: int, points: np.ndarray) -> np.ndarray:
-        begin, end = self.xy[i], self.xy[i + 1]
-        ends = np.minimum(np.hypot(*(points - begin).T), np.hypot(*(points - end).T))
-        if self.bulge[i] == 0.0:
-            chord = end - begin
-            square = float(chord @ chord)
-            share = np.clip((points - begin) @ chord / square, 0.0, 1.0) if square else np.zeros(len(points))
-            return np.hypot(*(points - begin - share[:, None] * chord).T)
-        centre, radius, sweep = self.centres[i], self.radii_mm[i], self.sweeps_rad[i]
-        angle = np.arctan2(*(points - centre).T[::-1]) - math.atan2(*(begin - centre)[::-1])
-        inside = np.mod(angle * np.sign(sweep), 2.0 * math.pi) <= abs(sweep)
-        return np.where(inside, np.abs(np.hypot(*(points - centre).T) - radius), ends)
+    def _chords(self, tolerance_mm: float) -> np.ndarray:
+        """Return into how many chords each segment is divided; sagitta = 2 radius sin²(step / 4)."""
+        share = np.minimum(np.nan_to_num(tolerance_mm / (2.0 * self.radii_mm)), 1.0)
+        steps = np.maximum(4.0 * np.arcsin(np.sqrt(share)), 1e-6)
+        counts = np.maximum(np.ceil(np.abs(self.sweeps_rad) / steps), 2.0)
+        return np.where(self.bulge != 0.0, counts, 1.0).astype(int)
 
-    def _arc_points(self, i: int, sweep: float, tolerance_mm: float) -> np.ndarray:
-        centre, radius = self.centres[i], self.radii_mm[i]
-        step = 2.0 * math.acos(max(1.0 - tolerance_mm / radius, -1.0)) if tolerance_mm < 2 * radius else math.pi
-        count = max(math.ceil(abs(sweep) / max(step, 1e-6)), 2)
-        begin = math.atan2(*(self.xy[i] - centre)[::-1])
-        angles = begin + sweep * np.arange(1, count + 1) / count
-        points = centre + radius * np.column_stack([np.cos(angles), np.sin(angles)])
-        points[-1] = self.xy[i + 1]
-        return points
+    def _at(self, segment: np.ndarray | int, share: np.ndarray | float) -> np.ndarray:
+        """Return the points at a share of the segments' sweeps, as complex numbers.
 
-    def _at_share(self, i: int, share: float) -> tuple[np.ndarray, np.ndarray]:
-        begin, chord = self.xy[i], self.xy[i + 1] - self.xy[i]
-        if self.bulge[i] == 0.0:
-            return begin + share * chord, chord / max(float(np.hypot(*chord)), COINCIDENT_MM)
-        centre, sweep = self.centres[i], self.sweeps_rad[i]
-        angle = sweep * share
-        c, s = math.cos(angle), math.sin(angle)
-        spoke = np.array([[c, -s], [s, c]]) @ (begin - centre)
-        tangent = np.array([-spoke[1], spoke[0]]) * math.copysign(1.0, sweep)
-        return centre + spoke, tangent / np.hypot(*tangent)
+        The chord to such a point is the whole chord, shortened and turned back; no centre, however far, comes in.
+        """
+        begin, chord, sweep = _complex(self.xy)[segment], np.diff(_complex(self.xy))[segment], self.sweeps_rad[segment]
+        whole = np.sin(sweep / 2.0)
+        shortened = np.where(whole != 0.0, np.sin(share * sweep / 2.0) / np.where(whole != 0.0, whole, 1.0), share)
+        return begin + chord * shortened * np.exp(-0.5j * sweep * (1.0 - share))
+
+    def _distances(self, places: np.ndarray, first: int, last: int) -> np.ndarray:
+        """Return the distances, float64[m, k], to the segments [first, last).
+
+        `local` is a point seen from the segment's begin along its tangent: | |k local - i| - 1 | / k, with the
+        curvature k, is its distance to the circle; written so that lines (k = 0) need no case of their own.
+        """
+        vertices, part = _complex(self.xy[first : last + 1]), slice(first, last)
+        chord, sweep, curvature = np.diff(vertices), self.sweeps_rad[part], self.curvatures[part]
+        tangent = chord / np.where(chord != 0.0, np.abs(chord), 1.0) + (chord == 0.0)
+        turn = np.exp(0.5j * sweep)
+        local = (places[:, None] - vertices[:-1]) * np.conj(tangent / turn)
+        beyond = (places[:, None] - vertices[1:]) * np.conj(tangent * turn)
+        ahead, behind = local.real >= 0.0, beyond.real <= 0.0
+        beside = np.where(np.abs(sweep) <= math.pi, ahead & behind, ahead | behind)
+        away = np.abs(curvature * np.abs(local) ** 2 - 2.0 * local.imag) / (np.abs(curvature * local - 1j) + 1.0)
+        return np.where(beside, away, np.minimum(np.abs(local), np.abs(beyond)))
 
 
 def from_points(points: Iterable[Iterable[float]], closed: bool = False) -> Curve:
     """Return the polyline through `points`, closed back to the first when asked; doubled points are dropped."""
-    xy = np.array([tuple(point) for point in points], float).reshape(-1, 2)
-    if not len(xy):
-        raise GeometryError("curve-short", "a curve needs at least two points", value="0 points")
-    keep = np.concatenate([[True], np.hypot(*np.diff(xy, axis=0).T) > COINCIDENT_MM])
+    xy = _pairs([tuple(point) for point in points])
+    _require_lengths(xy)
+    keep = np.concatenate([[True], np.hypot(*np.diff(xy, axis=0).T) > COINCIDENT_MM])[: len(xy)]
     xy = xy[keep]
-    if closed and np.hypot(*(xy[-1] - xy[0])) > COINCIDENT_MM:
+    if closed and len(xy) and np.hypot(*(xy[-1] - xy[0])) > COINCIDENT_MM:
         xy = np.vstack([xy, xy[:1]])
-    return Curve(xy, np.zeros(len(xy) - 1))
+    return Curve(xy, np.zeros(max(len(xy) - 1, 0)))
 
 
 def circle(centre: tuple[float, float], radius_mm: float) -> Curve:
@@ -213,3 +238,36 @@ def joined(curves: Iterable[Curve]) -> Curve:
             raise GeometryError("curve-gap", "curves do not meet", value=f"{gap_mm:g} mm", limit="0.000001 mm")
     xy = np.vstack([parts[0].xy, *(part.xy[1:] for part in parts[1:])])
     return Curve(xy, np.concatenate([part.bulge for part in parts]))
+
+
+def _numbers(values: Any) -> np.ndarray:
+    try:
+        return np.array(values, float)
+    except (TypeError, ValueError, OverflowError) as error:
+        raise GeometryError("curve-numbers", f"not the numbers of a curve: {error}") from error
+
+
+def _pairs(values: Any) -> np.ndarray:
+    """Return values as float64[n, 2]; raises GeometryError when they are not pairs."""
+    xy = _numbers(values)
+    if xy.size and (xy.ndim != 2 or xy.shape[1] != 2):
+        raise GeometryError("curve-pairs", "points are not pairs of x and y", value=f"shape {xy.shape}")
+    return xy.reshape(-1, 2)
+
+
+def _require_lengths(xy: np.ndarray) -> None:
+    if not (np.abs(xy) <= LIMIT_MM).all():
+        raise GeometryError(
+            "curve-range",
+            "a coordinate is not a length in mm",
+            value=f"{xy[~(np.abs(xy) <= LIMIT_MM)][0]:g} mm",
+            limit=f"{LIMIT_MM:g} mm",
+        )
+
+
+def _complex(xy: np.ndarray) -> np.ndarray:
+    return xy[..., 0] + 1j * xy[..., 1]
+
+
+def _xy(places: np.ndarray) -> np.ndarray:
+    return np.stack([places.real, places.imag], axis=-1)

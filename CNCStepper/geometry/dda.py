@@ -20,7 +20,7 @@ import numpy as np
 from CNCStepper.errors import GeometryError
 from CNCStepper.geometry.curve import Curve
 
-MOST_STEPS = 1_000_000
+MOST_STEPS = 200_000
 
 
 def ellipse_by_dda(radius_x_mm: float, radius_y_mm: float, resolution_mm: float) -> Curve:
@@ -33,7 +33,11 @@ def ellipse_by_dda(radius_x_mm: float, radius_y_mm: float, resolution_mm: float)
         raise GeometryError("dda", "radii and resolution must be positive", value=f"{resolution_mm:g} mm")
     if radius_y_mm / resolution_mm > MOST_STEPS:
         raise GeometryError(
-            "dda", "the resolution is too fine", value=f"{resolution_mm:g} mm", limit=f"{radius_y_mm / MOST_STEPS:g} mm"
+            "dda-fine",
+            "the resolution is too fine for the ellipse",
+            value=f"{resolution_mm:g} mm",
+            limit=f"{radius_y_mm / MOST_STEPS:g} mm",
+            advice="make resolution_mm larger",
         )
     count = max(round(radius_y_mm / resolution_mm), 1)
     unit = _unit_quadrant(count)

@@ -101,11 +101,10 @@ class Ellipse:
         return np.column_stack([x, (self.minor_mm - inside_mm * self.major_mm / stretch) * sine])
 
     def _tip_parameter(self, inside_mm: float) -> float:
-        """Return the parameter at which the parallel curve meets the long axis: sin² t of the crossing, else 0."""
-        if inside_mm <= self.minor_mm**2 / self.major_mm:
-            return 0.0
-        numerator = (inside_mm * self.major_mm / self.minor_mm) ** 2 - self.minor_mm**2
-        return math.asin(math.sqrt(min(numerator / (self.major_mm**2 - self.minor_mm**2), 1.0)))
+        """Return the parameter at which the parallel curve meets the long axis; 0 where it has no corner."""
+        beyond = (inside_mm * self.major_mm / self.minor_mm) ** 2 - self.minor_mm**2
+        within = self.minor_mm**2 - inside_mm**2
+        return math.atan2(math.sqrt(max(beyond, 0.0)), math.sqrt(max(within, 0.0)) * self.major_mm / self.minor_mm)
 
 
 def _half_turned(curve: Curve) -> Curve:

@@ -23,8 +23,9 @@ from CNCStepper.errors import GeometryError
 from CNCStepper.geometry.curve import Curve
 
 SAMPLES = 33
+SAMPLED = 0.99  # of the tolerance: between samples the deviation may be this much larger
 MOST_ARCS = 10_000
-FINEST = 1e-3  # of the remaining stretch: how closely the longest arc is sought
+FINEST = 0.01  # of the remaining stretch: how closely the longest arc is sought
 Function = Callable[[np.ndarray], np.ndarray]  # parameters float64[m] -> float64[m, 2]
 
 
@@ -33,42 +34,51 @@ def fit_arcs(point: Function, first: float, last: float, tolerance_mm: float) ->
 
     The curve must be smooth between. Raises GeometryError when the tolerance cannot be reached.
     """
-    ends, bulges = [point(np.array([first]))[0]], []
-    begin = first
-    while begin != last:
-        begin, arc = _longest(point, begin, last, tolerance_mm)
-        ends.append(arc.xy[1])
-        bulges.append(arc.bulge[0])
+    if not tolerance_mm > 0:
+        raise GeometryError("fit", "the tolerance must be above 0", value=f"{tolerance_mm:g} mm")
+    parameters, bulges = [first], []
+    while parameters[-1] != last:
+        end, bulge = _longest(point, parameters[-1], last, SAMPLED * tolerance_mm)
+        parameters.append(end)
+        bulges.append(bulge)
         if len(bulges) > MOST_ARCS:
             raise GeometryError("fit", "the tolerance is too small for this curve", value=f"{tolerance_mm:g} mm")
-    return Curve(np.array(ends), np.array(bulges))
+    return Curve(point(np.array(parameters)), np.array(bulges))
 
 
-def _longest(point: Function, begin: float, last: float, tolerance_mm: float) -> tuple[float, Curve]:
-    """Return how far one arc serves, found by halving, and that arc; the way's end where it serves that far."""
-    arc, deviation_mm = _arc(point, begin, last)
+def _longest(point: Function, begin: float, last: float, tolerance_mm: float) -> tuple[float, float]:
+    """Return how far one arc serves, found by halving, and its bulge; the way's end where it serves that far."""
+    bulge, deviation_mm = _arc(point, begin, last)
     if deviation_mm <= tolerance_mm:
-        return last, arc
+        return last, bulge
     good, bad, best = begin, last, None
     while best is None or abs(bad - good) > FINEST * abs(last - begin):
         middle = 0.5 * (good + bad)
         if middle in (good, bad):
             raise GeometryError("fit", "the curve is not smooth here", value=f"parameter {begin:g}")
-        arc, deviation_mm = _arc(point, begin, middle)
+        bulge, deviation_mm = _arc(point, begin, middle)
         if deviation_mm <= tolerance_mm:
-            good, best = middle, arc
+            good, best = middle, bulge
         else:
             bad = middle
     return good, best
 
 
-def _arc(point: Function, begin: float, end: float) -> tuple[Curve, float]:
-    """Return the arc for a stretch of the curve and how far the curve leaves it."""
-    samples = point(np.linspace(begin, end, SAMPLES))
+def _arc(point: Function, begin: float, end: float) -> tuple[float, float]:
+    """Return the bulge of the arc for a stretch of the curve and how far the curve leaves it.
+
+    Seen from the first end along the chord of length c, the circle with sagitta h is f(x, y) = 0 with
+    f = h (x² + y² - c x) + (c²/4 - h²) y, and the distance from it 2 |f| / (|grad f| + c²/4 + h²).
+    """
+    samples = point(np.linspace(begin, end, SAMPLES)) @ (1.0, 1j)
     chord = samples[-1] - samples[0]
-    length_mm = float(np.hypot(*chord))
-    along = (samples - samples[0]) @ chord / length_mm**2
-    left_mm = (samples - samples[0]) @ np.array([-chord[1], chord[0]]) / length_mm
-    sagitta_mm = float(np.interp(0.5, along, left_mm))
-    arc = Curve(samples[[0, -1]], np.array([-2.0 * sagitta_mm / length_mm]))
-    return arc, float(arc.distances_mm(samples).max())
+    length = abs(chord)
+    local = (samples - samples[0]) * (np.conj(chord) / length if length else 0.0)
+    x, y = local.real, local.imag
+    if not (np.diff(x) > 0.0).all():
+        return 0.0, float(np.abs(samples - samples[0]).max())  # it turns back: serves where it is smaller than that
+    h = float(np.interp(length / 2.0, x, y))
+    square = length**2 / 4.0
+    f = h * (x * x + y * y - length * x) + (square - h * h) * y
+    gradient = np.hypot(h * (2.0 * x - length), 2.0 * h * y + square - h * h)
+    return -2.0 * h / length, float((2.0 * np.abs(f) / (gradient + square + h * h)).max())
