@@ -1,5 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What all tests share: golden files, compared as they stand, written anew with --update-golden."""
+"""What all tests share: golden files (written anew with --update-golden), and how property tests choose their cases.
+
+At a desk every run tries new cases and prints how to repeat one that fails; in CI the cases are the same each
+time, so that a change is judged by what it changed.
+"""
 
 from __future__ import annotations
 
@@ -8,8 +12,13 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
+from hypothesis import settings
 
 GOLDEN = Path(__file__).parent / "golden"
+
+settings.register_profile("desk", deadline=None, print_blob=True)
+settings.register_profile("ci", deadline=None, print_blob=True, derandomize=True)
+settings.load_profile("ci" if os.environ.get("CI") else "desk")
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:

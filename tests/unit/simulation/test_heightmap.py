@@ -3,6 +3,7 @@
 
 import numpy as np
 import pytest
+import shapely
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from programs import BALL, FLAT, begun
@@ -71,7 +72,9 @@ def test_heights_agree_with_a_walk_along_the_segment(begin, end, ball):
         want = np.minimum(want, z)
     off = np.abs(part.heights_mm - want)
     assert np.quantile(off, 0.98) < 0.02  # at the rim a walk in steps may miss a cell
-    assert (part.heights_mm <= want + 1e-9).all()
+    path = shapely.LineString([begin[:2], end[:2]])
+    rim = np.abs(shapely.distance(path, shapely.points(x, y)) - R) < 1e-9  # there rounding decides
+    assert (part.heights_mm <= want + 1e-9)[~rim].all()
 
 
 def test_without_numba_the_kernel_gives_the_same():
