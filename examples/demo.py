@@ -27,6 +27,7 @@ from rich.table import Table
 from CNCStepper.geometry.ellipse import Ellipse
 from CNCStepper.job.model import load_job
 from CNCStepper.job.prove import Proof, prove_job
+from CNCStepper.state import Start
 
 ROOT = Path(__file__).resolve().parent.parent
 OUT = ROOT / "build" / "demo"
@@ -82,7 +83,8 @@ def prove() -> Proof:
     """Prove the program against the shapes of the drawing; write report and picture."""
     job, machine = load_job(OUT / "job.json")
     text = (OUT / "program.nc").read_text("ascii")
-    proof = prove_job(job, machine, text, str(OUT / "program.nc"), work_zero_mm=part.ZERO_MM)
+    start = Start((0.0, 0.0, 0.0), work_offsets_mm={job.work_offset: part.ZERO_MM}, zero_known=True)
+    proof = prove_job(job, machine, text, str(OUT / "program.nc"), start)
     (OUT / "report.json").write_text(json.dumps(proof.report, indent=2, allow_nan=False), encoding="utf-8")
     proof.draw(OUT / "part.png", "Demo part: elliptical pocket and freehand map", job.cutters)
     for finding in proof.findings:

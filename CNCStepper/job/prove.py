@@ -91,18 +91,13 @@ def prove(
     return Proof(wire, toolpath, ends_s, findings, part, told)
 
 
-def prove_job(
-    job: Job, machine: Machine, text: str, file: str = "", work_zero_mm: tuple[float, float, float] | None = None
-) -> Proof:
-    """Return the proof of a job's program text against the shapes that the job wants removed.
-
-    work_zero_mm: where the job's work zero lies in machine coordinates, None where that is not known.
-    """
+def prove_job(job: Job, machine: Machine, text: str, file: str = "", start: Start | None = None) -> Proof:
+    """Return the proof of a job's program text, as `prove` does, against the shapes that the job wants removed."""
     return prove(
         text,
         machine,
         file=file,
-        start=Start.with_work_zero(work_zero_mm, job.work_offset) if work_zero_mm else None,
+        start=start,
         stock=job.stock.stock(),
         tools=job.tools,
         removals=make_program(job, machine).removals,

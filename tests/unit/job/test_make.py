@@ -21,7 +21,11 @@ def both() -> Job:
     pocket, _ = load_job(JOBS / "elliptical-pocket.toml")
     brazil, _ = load_job(JOBS / "brazil-engraving.toml")
     return pocket.model_copy(
-        update={"tool": pocket.tool + brazil.tool, "operation": pocket.operation + brazil.operation, "machine": "table-a"}
+        update={
+            "tool": pocket.tool + brazil.tool,
+            "operation": pocket.operation + brazil.operation,
+            "machine": "table-a",
+        }
     )
 
 

@@ -12,6 +12,7 @@ from CNCStepper.job.make import Made, make_program
 from CNCStepper.job.model import Job, load_job
 from CNCStepper.job.prove import Proof, prove_job
 from CNCStepper.machine.profile import Machine
+from CNCStepper.state import Start
 
 JOBS = Path(__file__).parents[3] / "examples" / "jobs"
 
@@ -24,7 +25,7 @@ def pocket() -> tuple[Job, Machine, Made]:
 
 def proven(pocket: tuple[Job, Machine, Made], text: str) -> Proof:
     job, machine, _ = pocket
-    return prove_job(job, machine, text, "pocket.nc", work_zero_mm=(-200, -200, -40))
+    return prove_job(job, machine, text, "pocket.nc", Start.with_work_zero((-200, -200, -40)))
 
 
 def lines_of(pocket: tuple[Job, Machine, Made]) -> list[str]:
@@ -43,7 +44,7 @@ def test_the_pocket_is_clean_and_within_its_tolerance(pocket: tuple[Job, Machine
 
 def test_the_engraving_is_clean() -> None:
     job, machine = load_job(JOBS / "brazil-engraving.toml")
-    proof = prove_job(job, machine, make_program(job, machine).program, work_zero_mm=(-300, -300, -40))
+    proof = prove_job(job, machine, make_program(job, machine).program, start=Start.with_work_zero((-300, -300, -40)))
     assert not proof.findings
     assert len(proof.toolpath) > 202
 
@@ -77,9 +78,9 @@ def test_a_shifted_arc_centre_is_caught(pocket: tuple[Job, Machine, Made]) -> No
 
 def test_a_work_zero_off_the_table_is_caught(pocket: tuple[Job, Machine, Made]) -> None:
     job, machine, made = pocket
-    proof = prove_job(job, machine, made.program, work_zero_mm=(-36.99, -200, -40))
+    proof = prove_job(job, machine, made.program, start=Start.with_work_zero((-36.99, -200, -40)))
     assert [finding.code for finding in proof.findings if finding.severity == "error"] == ["travel"]
-    assert not prove_job(job, machine, made.program, work_zero_mm=(-37.0, -200, -40)).refused
+    assert not prove_job(job, machine, made.program, start=Start.with_work_zero((-37.0, -200, -40))).refused
 
 
 def bulged(before: str, arc: str, more_mm: float) -> str:
