@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Point lists: one "x,y" in mm a line, in drawing order; `#` comments and one heading line may precede.
+"""Point lists: one "x,y" in mm a line, in drawing order; `#` begins a comment, a heading "x,y" is passed over.
 
 Spreadsheets of countries with a decimal comma write "12,5;7,25": where a line has a semicolon, or
 a tab, that is the separator and a comma the decimal point.
@@ -11,27 +11,42 @@ import re
 from pathlib import Path
 
 from CNCStepper.errors import JobError, Place
-from CNCStepper.geometry.curve import Curve, from_points
+from CNCStepper.geometry.curve import LIMIT_MM, Curve, from_points
 
-HEADING = re.compile(r"\s*x\w*\s*[,;\t]\s*y\w*\s*$", re.IGNORECASE)
+HEADING = re.compile(r"\W*x[^,;\t]*[,;\t]\W*y[^,;\t]*$", re.IGNORECASE)
+NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?", re.IGNORECASE | re.ASCII)
 
 
 def read_points(path: Path, closed: bool = False) -> Curve:
     """Return the polyline through the points of a file; raises JobError that names file and line."""
-    if not path.is_file():
-        raise JobError("points-missing", f"there is no point list '{path}'", advice="correct the path")
-    try:
-        text = path.read_text("utf-8-sig")
-    except UnicodeDecodeError as error:
-        raise JobError("points-text", "not a text file", place=Place(str(path))) from error
+    lines = [line.split("#")[0].strip() for line in _text(path).splitlines()]
     points = [
         _point(line, Place(str(path), number))
-        for number, line in enumerate(text.splitlines(), start=1)
-        if line.strip() and not line.lstrip().startswith("#") and not HEADING.match(line)
+        for number, line in enumerate(lines, start=1)
+        if line and not HEADING.match(line)
     ]
-    if len(points) < 2:
-        raise JobError("points-few", "a line needs at least two points", value=str(len(points)), place=Place(str(path)))
+    different = len(set(points))
+    if different < 2:
+        raise JobError(
+            "points-few",
+            "a line needs at least two different points",
+            value=str(different),
+            limit="2",
+            advice="write one x,y in mm a line",
+            place=Place(str(path)),
+        )
     return from_points(points, closed)
+
+
+def _text(path: Path) -> str:
+    try:
+        return path.read_text("utf-8-sig")
+    except UnicodeDecodeError as error:
+        raise JobError("points-text", "not a text file", advice="save it as UTF-8", place=Place(str(path))) from error
+    except (OSError, ValueError) as error:
+        raise JobError(
+            "points-missing", f"the point list '{path}' cannot be read: {error}", advice="correct the path"
+        ) from error
 
 
 def _point(line: str, place: Place) -> tuple[float, float]:
@@ -39,10 +54,21 @@ def _point(line: str, place: Place) -> tuple[float, float]:
     parts = [part.strip() for part in line.split(separator)]
     if separator != ",":
         parts = [part.replace(",", ".") for part in parts]
-    try:
-        x, y = (float(part) for part in parts[:2])
-    except ValueError:
+    if len(parts) != 2 or not all(NUMBER.fullmatch(part) for part in parts):
         raise JobError(
-            "points-line", f"not a point: '{line.strip()[:40]}'", advice="write x,y in mm", place=place
-        ) from None
+            "points-line",
+            f"not a point: '{line[:40]}'",
+            advice="write x,y in mm, or x;y where the comma is the decimal sign",
+            place=place,
+        )
+    x, y = (float(part) for part in parts)
+    if max(abs(x), abs(y)) > LIMIT_MM:
+        raise JobError(
+            "points-far",
+            "a point is too far away",
+            value=line[:40],
+            limit=f"{LIMIT_MM:g} mm",
+            advice="write mm",
+            place=place,
+        )
     return x, y
