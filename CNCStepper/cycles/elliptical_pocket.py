@@ -30,7 +30,7 @@ from CNCStepper.cycles.elliptical_rings import (
     similar_way,
 )
 from CNCStepper.cycles.entry import Entry, entry_of
-from CNCStepper.cycles.form import Answer, Removal, Setup
+from CNCStepper.cycles.form import Answer, Coordinate, Removal, Setup
 from CNCStepper.cycles.moves import Moves, point_of, require_setup
 from CNCStepper.cycles.passes import require_few_blocks, whole_passes
 from CNCStepper.errors import CycleError
@@ -50,7 +50,7 @@ class EllipticalPocket(BaseModel):
 
     cycle: Literal["elliptical_pocket"] = "elliptical_pocket"
     tool: int
-    centre_mm: tuple[float, float] = (0.0, 0.0)
+    centre_mm: tuple[Coordinate, Coordinate] = (0.0, 0.0)
     radius_x_mm: float = Field(gt=0, le=100_000)
     radius_y_mm: float = Field(gt=0, le=100_000)
     rotation_deg: float = 0.0
@@ -62,7 +62,7 @@ class EllipticalPocket(BaseModel):
     finish_feed_mm_min: float = Field(default=0.0, ge=0)
     method: Literal["tolerance", "dda"] = "tolerance"
     tolerance_mm: float = Field(default=0.01, ge=0.003, le=1.0)
-    resolution_mm: float = Field(default=0.05, gt=0)
+    resolution_mm: float = Field(default=0.05, ge=0.001)
     entry: Literal["helix", "ramp", "plunge"] = "helix"
     entry_angle_deg: float = Field(default=3.0, ge=0.1, le=45.0)
     direction: Literal["climb", "conventional"] = "climb"

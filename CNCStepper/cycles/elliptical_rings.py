@@ -114,14 +114,19 @@ def rings_along(
 
 
 def leaves_islands(rings: Iterable[Curve], centre: tuple[float, float], tool_mm: float) -> bool:
-    """Return whether a tool that runs along `rings` and has been at `centre` leaves something between two of them."""
-    inner = Point(centre)
+    """Return whether a tool that runs along `rings` and has been at `centre` leaves something between two of them.
+
+    Each ring stands for its convex hull, and the tool is taken smaller by what the ring dents it.
+    """
+    reached = Point(centre).buffer(tool_mm)
     for ring in rings:
-        outer = Polygon(ring.points(ISLAND_ERROR_MM))
-        missed = outer.buffer(ISLAND_ERROR_MM - tool_mm)
-        if missed.difference(inner.buffer(tool_mm, quad_segs=32)).area > ISLAND_MM2:
+        points = ring.points(ISLAND_ERROR_MM)
+        hull = Polygon(points).convex_hull
+        shapely.prepare(hull.exterior)
+        width_mm = tool_mm - float(shapely.distance(hull.exterior, shapely.points(points)).max())
+        if hull.buffer(ISLAND_ERROR_MM - width_mm).difference(reached).area > ISLAND_MM2:
             return True
-        inner = outer
+        reached = hull.buffer(width_mm, quad_segs=32)
     return False
 
 

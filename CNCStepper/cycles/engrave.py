@@ -8,7 +8,7 @@ from typing import Annotated, Any, Literal
 from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, PlainSerializer
 from shapely import LineString
 
-from CNCStepper.cycles.form import Answer, Removal, Setup
+from CNCStepper.cycles.form import Answer, Coordinate, Removal, Setup
 from CNCStepper.cycles.moves import Moves, point_of, require_setup
 from CNCStepper.cycles.passes import require_few_blocks, whole_passes
 from CNCStepper.errors import CycleError, GeometryError
@@ -47,7 +47,7 @@ class Engrave(BaseModel):
     cycle: Literal["engrave"] = "engrave"
     tool: int
     curves: tuple[CurveField, ...] = Field(min_length=1)
-    offset_mm: tuple[float, float] = (0.0, 0.0)
+    offset_mm: tuple[Coordinate, Coordinate] = (0.0, 0.0)
     depth_mm: float = Field(gt=0, le=10_000)
     stepdown_mm: float = Field(default=0.0, ge=0)
     closed: bool = False

@@ -92,7 +92,8 @@ def entry_of(name: str, ellipse: Ellipse, tool_mm: float, roughed: Curve, angle_
             raise _no_room("helix", radius_mm, 0.1 * tool_mm, 'use entry "ramp" or "plunge"')
         return Helix(ellipse, radius_mm, angle_deg)
     if name == "ramp":
-        free_mm = float(np.hypot(*(roughed.xy - ellipse.centre).T).max())  # its vertices on the long axis
+        angle = math.radians(ellipse.angle_deg)
+        free_mm = float(((roughed.xy - ellipse.centre) @ (math.cos(angle), math.sin(angle))).max())
         reach_mm = min(free_mm, LONGEST_RAMP * 2.0 * tool_mm)
         if reach_mm < 0.25 * tool_mm:
             raise _no_room("ramp", reach_mm, 0.25 * tool_mm, 'use entry "plunge"')

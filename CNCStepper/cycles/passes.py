@@ -8,7 +8,7 @@ import math
 from CNCStepper.errors import CycleError
 
 MOST_PASSES = 10_000
-MOST_BLOCKS = 2_000_000  # of one operation
+MOST_BLOCKS = 1_000_000  # of one operation
 THINNEST_MM = 1e-6  # what is left to rough below this is rounding
 
 
