@@ -26,7 +26,7 @@ test: setup lint
 
 quick:
 	@tools/setup.sh python
-	@.venv/bin/python -m pytest -m "not slow and not freecad"
+	@.venv/bin/python -m pytest -n 2 --dist loadfile -m "not slow and not freecad"
 
 bench: setup
 	@for script in bench/bench_*.py; do .venv/bin/python "$$script"; done

@@ -81,6 +81,7 @@ def assert_sampled_places(streamed: Streamed, samples: np.ndarray) -> None:
     assert np.all(samples[:, 1:] <= np.max(around, axis=0) + 1)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("path", RECORDINGS, ids=lambda path: path.stem)
 def test_a_recorded_program_runs_as_it_did(path: Path) -> None:
     recording = json.loads(path.read_text("utf-8"))
