@@ -217,7 +217,7 @@ class TableBuilder:
             self._rows = []
 
     def _chunk(self, first: int, rows: list[tuple]) -> Chunk:
-        kind, end, centre, plane, turns, feed, state, line = zip(*rows) if rows else ((),) * 8
+        kind, end, centre, plane, turns, feed, state, line = zip(*rows, strict=True) if rows else ((),) * 8
         return Chunk(
             first,
             np.array(kind, np.uint8),

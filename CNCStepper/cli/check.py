@@ -45,17 +45,26 @@ def command(
     Exit 0 clean, 1 refused; each finding is file:line:column: text. Where --work-zero is not given, the place of
     the program on the table is reported as unknown.
     """
+    from CNCStepper.gcode.read_back import refused_lines
     from CNCStepper.job.prove import prove
     from CNCStepper.state import Start
 
     if tool and not stock:
         raise click.UsageError("--tool goes with --stock")
+    text, language = read_program(program), dialect_name(dialect, machine)
+    start = Start.with_work_zero(work_zero) if work_zero else None
+    unreadable = list(refused_lines(text, start, language, str(program)))
+    if unreadable:
+        for error in unreadable:
+            click.echo(str(error))
+        click.echo(f"{program}: refused; it cannot be read")
+        sys.exit(1)
     proof = prove(
-        read_program(program),
+        text,
         machine,
         file=str(program),
-        dialect=dialect_name(dialect, machine),
-        start=Start.with_work_zero(work_zero) if work_zero else None,
+        dialect=language,
+        start=start,
         stock=stock_of(stock, origin),
         tools=tool,
     )

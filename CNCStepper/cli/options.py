@@ -9,6 +9,7 @@ from typing import Any
 import click
 
 from CNCStepper.errors import CNCStepperError
+from CNCStepper.gcode.dialects import dialect_names
 from CNCStepper.machine.profile import Machine, load_machine
 from CNCStepper.machine.tool import tool_from_text
 from CNCStepper.simulation.stock import Stock
@@ -19,6 +20,9 @@ class NumbersType(click.ParamType):
 
     name = "X,Y,Z"
 
+    def __init__(self, low: float = -1e6):
+        self._low = low
+
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> tuple[float, ...]:
         if isinstance(value, tuple):
             return value
@@ -26,8 +30,9 @@ class NumbersType(click.ParamType):
             numbers = tuple(float(part) for part in value.split(","))
         except ValueError:
             numbers = ()
-        if len(numbers) != 3 or not all(abs(number) < 1e6 for number in numbers):
-            self.fail(f"'{value}' is not three numbers in mm with decimal points, such as 100,70,20", param, ctx)
+        if len(numbers) != 3 or not all(self._low <= number < 1e6 for number in numbers):
+            kind = "lengths above 0" if self._low > 0 else "numbers"
+            self.fail(f"'{value}' is not three {kind} in mm with decimal points, such as 100,70,20", param, ctx)
         return numbers
 
 
@@ -51,7 +56,9 @@ FilePath = click.Path(exists=True, dir_okay=False, path_type=Path)
 
 program_argument = click.argument("program", type=FilePath)
 dialect_option = click.option(
-    "--dialect", default=None, help="How the program is to be read: grbl, linuxcnc, thesis-a. [default: the machine's]"
+    "--dialect",
+    type=click.Choice(dialect_names()),
+    help="How the program is to be read. [default: as the machine does; without one grbl, for trace linuxcnc]",
 )
 
 
@@ -79,7 +86,7 @@ def stock_options(required: bool) -> Any:
                 show_default=True,
                 help="Where on the stock the work zero lies.",
             ),
-            click.option("--stock", type=NumbersType(), required=required, help="Size of the stock in mm."),
+            click.option("--stock", type=NumbersType(low=1e-3), required=required, help="Size of the stock in mm."),
         ):
             function = option(function)
         return function

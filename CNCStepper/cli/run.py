@@ -33,6 +33,9 @@ def command(job: Path, out: Path) -> None:
     write_json(out / "report.json", proof.report)
     proof.draw(out / "part.png", job.stem, loaded.cutters)
     show_findings(proof.findings)
+    for operation in proof.report["operations"]:
+        figures = ", ".join(f"{name} {value:.4g}" for name, value in operation["figures"].items())
+        click.echo(f"{operation['name']}: {figures}")
     blocks, minutes = proof.report["blocks"], proof.report["time_s"] / 60
     click.echo(f"{program}: {blocks} blocks, {minutes:.1f} min; {out / 'report.json'}; {out / 'part.png'}")
     sys.exit(1 if proof.refused else 0)

@@ -38,6 +38,8 @@ from CNCStepper.geometry.curve import Curve
 from CNCStepper.geometry.ellipse import Ellipse
 from CNCStepper.toolpath import TableBuilder
 
+FINE = 256  # segments a quarter: the edge of the reachable region is exact to 0.0001 mm
+
 
 class EllipticalPocket(BaseModel):
     """Parameters of the elliptical pocket, named as in a job file.
@@ -78,7 +80,21 @@ class EllipticalPocket(BaseModel):
             table.close_span()
             top_mm = floor_mm
         moves.retract()
-        return Answer([Removal(plan.region, 0.0, -self.depth_mm, plan.promise_mm)], plan.figures)
+        return self._answer(plan, setup.tool.radius_mm)
+
+    def _answer(self, plan: _Plan, tool_mm: float) -> Answer:
+        """Return what is to be removed, and a warning where the ends of the long axis are too tight for the tool."""
+        bottom_mm = -self.depth_mm
+        thick_mm = plan.figures.get("unreachable_mm", 0.0)
+        if thick_mm <= self.tolerance_mm:
+            return Answer([Removal(plan.region, 0.0, bottom_mm, plan.promise_mm)], plan.figures)
+        reachable = plan.region.buffer(-tool_mm, quad_segs=FINE).buffer(tool_mm, quad_segs=FINE)
+        long_mm, short_mm = sorted((self.radius_x_mm, self.radius_y_mm), reverse=True)
+        warning = (
+            f"{thick_mm:.3f} mm of material stays at each end of the long axis, where the ellipse is tighter than "
+            f"the tool; a tool of at most {2.0 * short_mm**2 / long_mm:.3g} mm diameter reaches it"
+        )
+        return Answer([Removal(plan.region, 0.0, bottom_mm, plan.promise_mm, reachable)], plan.figures, [warning])
 
     def _level(
         self, plan: _Plan, moves: Moves, table: TableBuilder, top_mm: float, floor_mm: float, setup: Setup
@@ -147,7 +163,7 @@ class EllipticalPocket(BaseModel):
         self._check_dda(ellipse, tool_mm, error_mm)
         radii_mm = (self.radius_x_mm, self.radius_y_mm)
         off_mm = offset_deviation_mm(ellipse, tool_mm)
-        way = similar_way(self.centre_mm, radii_mm, self.rotation_deg, tool_mm, error_mm)
+        way = similar_way(self.centre_mm, radii_mm, self.rotation_deg, tool_mm, self.resolution_mm, error_mm)
         return way, off_mm + error_mm, {"offset_deviation_mm": off_mm}
 
     def _check_dda(self, ellipse: Ellipse, tool_mm: float, error_mm: float) -> None:

@@ -72,7 +72,12 @@ def parallel_way(ellipse: Ellipse, tool_mm: float, finish_mm: float, tolerance_m
 
 
 def similar_way(
-    centre: tuple[float, float], radii_mm: tuple[float, float], rotation_deg: float, tool_mm: float, error_mm: float
+    centre: tuple[float, float],
+    radii_mm: tuple[float, float],
+    rotation_deg: float,
+    tool_mm: float,
+    resolution_mm: float,
+    error_mm: float,
 ) -> Way:
     """Return similar ellipses about `centre`, each within `error_mm` of its own; steps are counted along Y."""
     wide_mm, high_mm = radii_mm[0] - tool_mm, radii_mm[1] - tool_mm
@@ -80,7 +85,7 @@ def similar_way(
 
     def ring(out_mm: float, is_wall: bool) -> Curve:
         share = 1.0 if is_wall else out_mm / high_mm
-        curve = ellipse_by_dda(wide_mm * share, high_mm * share, error_mm / stretch)
+        curve = ellipse_by_dda(wide_mm * share, high_mm * share, resolution_mm, error_mm)
         return curve.rotated(rotation_deg).moved(*centre)
 
     return Way(high_mm, stretch, error_mm, error_mm, ring)

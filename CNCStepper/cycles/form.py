@@ -38,21 +38,24 @@ class Removal:
 
     region: shapely polygon(s) whose boundary lies within 0.0005 mm of the true shape. An engraving
     wants its line at its depth: there `region` is the line itself (no area) and the tool makes the width.
-    tolerance_mm: how far from it the cycle promises to stay; a check refuses what leaves it.
+    tolerance_mm: how far from it the cycle promises to stay; a check refuses what leaves it. reachable: the part
+    of the region that the tool can reach, where that is not all; only there material left is refused.
     """
 
     region: BaseGeometry
     top_mm: float
     bottom_mm: float
     tolerance_mm: float = 0.01
+    reachable: BaseGeometry | None = None
 
 
 @dataclass(frozen=True)
 class Answer:
-    """What a cycle reports: the wanted removals and its figures (recalculated ae, ap, passes) by name."""
+    """What a cycle reports: the wanted removals, its figures (recalculated ae, ap, passes) by name, and warnings."""
 
     removals: list[Removal]
     figures: dict[str, float] = field(default_factory=dict)
+    warnings: list[str] = field(default_factory=list)
 
 
 class Cycle(Protocol):

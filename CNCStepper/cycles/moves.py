@@ -15,7 +15,7 @@ import numpy as np
 
 from CNCStepper.cycles.form import Setup
 from CNCStepper.errors import CycleError
-from CNCStepper.geometry.curve import LIMIT_MM, Curve
+from CNCStepper.geometry.curve import Curve
 from CNCStepper.toolpath import ARC_CCW, ARC_CW, TableBuilder
 
 Point = tuple[float, float]
@@ -93,7 +93,7 @@ class Moves:
 
 
 def require_setup(setup: Setup) -> None:
-    """Raise CycleError when the tool has no feed or no plunge feed, or the heights are not above the stock."""
+    """Raise CycleError when the tool has no feed or no plunge feed; a job has checked its heights."""
     for name in ("feed_mm_min", "plunge_mm_min"):
         feed_mm_min = getattr(setup.tool, name)
         if not 0 < feed_mm_min < math.inf:
@@ -104,14 +104,6 @@ def require_setup(setup: Setup) -> None:
                 limit="above 0 mm/min",
                 advice=f"give the tool a {name}",
             )
-    if not 0 < setup.retract_mm <= setup.clearance_mm <= LIMIT_MM:
-        raise CycleError(
-            "heights",
-            "retract_mm must be above the stock, and clearance_mm not below it",
-            value=f"retract {setup.retract_mm:g} mm, clearance {setup.clearance_mm:g} mm",
-            limit=f"0 mm to {LIMIT_MM:g} mm",
-            advice="correct the two heights",
-        )
 
 
 def point_of(row: np.ndarray) -> Point:

@@ -3,13 +3,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from CNCStepper.errors import ProgramError
 from CNCStepper.gcode.dialects import Dialect
 from CNCStepper.gcode.interpret import Interpreter, interpret
-from CNCStepper.gcode.prepare import WireText
+from CNCStepper.gcode.prepare import WireText, prepare
 from CNCStepper.gcode.words import program_lines
 from CNCStepper.state import Start
 from CNCStepper.toolpath import Toolpath
+
+MOST_REFUSALS = 50
 
 
 def read_back(
@@ -29,3 +33,28 @@ def read_back(
     except ProgramError:
         interpret(text, start, dialect_name, file)  # refuses the same line, naming the column in the file
         raise
+
+
+def refused_lines(
+    text: str, start: Start | None = None, dialect_name: str | Dialect = "grbl", file: str = ""
+) -> Iterator[ProgramError]:
+    """Yield why lines of a program are refused, each with its place, at most MOST_REFUSALS; nothing for a good one.
+
+    A refused line changes nothing, so reading goes on after it; what only fails in the wire text comes last.
+    """
+    reader = Interpreter(start, dialect_name, file)
+    count = 0
+    for line in program_lines(text):
+        try:
+            reader.line(line)
+        except ProgramError as error:
+            count += 1
+            yield error
+            if count == MOST_REFUSALS:
+                return
+    if not count:
+        try:
+            reader.toolpath()
+            prepare(text, dialect_name, file)
+        except ProgramError as error:
+            yield error

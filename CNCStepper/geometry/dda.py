@@ -15,19 +15,23 @@ to 1.015 steps, and there the resolution is made finer until the promise holds.
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 
 from CNCStepper.errors import GeometryError
 from CNCStepper.geometry.curve import Curve
 
+FIRST_ORDER = 1.005  # covers the terms of higher order: a deviation is below a hundredth of the radii
 MOST_STEPS = 200_000
 
 
-def ellipse_by_dda(radius_x_mm: float, radius_y_mm: float, resolution_mm: float) -> Curve:
+def ellipse_by_dda(radius_x_mm: float, radius_y_mm: float, resolution_mm: float, promise_mm: float = math.inf) -> Curve:
     """Return the closed point-by-point ellipse about the origin, counter-clockwise from its +Y vertex.
 
-    The resolution is adjusted so that Ry/Res is whole. Raises GeometryError for values that are not positive or
-    a resolution that asks for more than MOST_STEPS steps a radius.
+    The resolution is adjusted so that Ry/Res is whole, and made finer only where a point would be farther from
+    the ellipse than Res * max(1, Rx/Ry), or than `promise_mm` where that is less. Raises GeometryError for
+    values that are not positive or a resolution that asks for more than MOST_STEPS steps a radius.
     """
     if not (radius_x_mm > 0 and radius_y_mm > 0 and resolution_mm > 0):
         raise GeometryError("dda", "radii and resolution must be positive", value=f"{resolution_mm:g} mm")
@@ -40,11 +44,12 @@ def ellipse_by_dda(radius_x_mm: float, radius_y_mm: float, resolution_mm: float)
             advice="make resolution_mm larger",
         )
     count = max(round(radius_y_mm / resolution_mm), 1)
-    unit = _unit_quadrant(count)
-    while np.abs(np.hypot(*unit.T) - 1.0).max() * radius_y_mm > resolution_mm and count > 1:
+    promise_mm = min(promise_mm, resolution_mm * max(1.0, radius_x_mm / radius_y_mm))
+    radii_mm = np.array([radius_x_mm, radius_y_mm])
+    quadrant = _unit_quadrant(count) * radii_mm
+    while _deviation_mm(quadrant, radii_mm) > promise_mm and count > 1:
         count += 1
-        unit = _unit_quadrant(count)
-    quadrant = unit * (radius_x_mm, radius_y_mm)
+        quadrant = _unit_quadrant(count) * radii_mm
     left = quadrant * (-1.0, 1.0)  # from +Y to -X: counter-clockwise
     half = np.vstack([left, -quadrant[::-1][1:]])
     xy = np.vstack([half, -half[1:]])
@@ -53,6 +58,13 @@ def ellipse_by_dda(radius_x_mm: float, radius_y_mm: float, resolution_mm: float)
 
 def _unit_quadrant(count: int) -> np.ndarray:
     return np.array(quadrant_steps(count), float) / count
+
+
+def _deviation_mm(points: np.ndarray, radii_mm: np.ndarray) -> float:
+    """Return how far the worst point is off the ellipse, to first order (the deviations are far below the radii)."""
+    off = np.abs(((points / radii_mm) ** 2).sum(axis=1) - 1.0)
+    slope = 2.0 * np.hypot(*(points / radii_mm**2).T)
+    return float((off / slope).max()) * FIRST_ORDER
 
 
 def quadrant_steps(count: int) -> list[tuple[int, int]]:

@@ -6,18 +6,19 @@ Nothing here looks at what the cycles meant to do, except at the shapes that the
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from CNCStepper.cycles.form import Removal
-from CNCStepper.errors import JobError
+from CNCStepper.errors import JobError, Place
 from CNCStepper.gcode.prepare import WireText, prepare
 from CNCStepper.gcode.read_back import read_back
-from CNCStepper.job.make import make_program
+from CNCStepper.job.make import Made, make_program
 from CNCStepper.job.model import Job
 from CNCStepper.machine.profile import Machine
 from CNCStepper.machine.tool import Tool
@@ -77,13 +78,14 @@ def prove(
 ) -> Proof:
     """Return the proof of a program text; raises ProgramError for a text that cannot be read.
 
-    start: where the machine stands; None is a machine whose position and zero are unknown. removals: the shapes
+    start: where the machine stands; None is a machine whose position and zero are unknown (for the times it then
+    begins at the work zero). removals: the shapes
     wanted, in work coordinates; without them gouge and left-over are not judged.
     """
     language = dialect or machine.controller
     wire = prepare(text, language, file)
     toolpath = read_back(wire, text, start, language, file)
-    ends_s = times_s(toolpath, machine)
+    ends_s = times_s(_begun(toolpath), machine)
     judgement = judge(toolpath, tools, list(removals), stock) if tools is not None and removals else None
     findings = check(toolpath, machine, file=file, stock=stock, tools=tools, judgement=judgement)
     part = height_map(toolpath, tools, stock) if stock is not None and tools is not None else None
@@ -91,14 +93,35 @@ def prove(
     return Proof(wire, toolpath, ends_s, findings, part, told)
 
 
+def _begun(toolpath: Toolpath) -> Toolpath:
+    """Return the table begun at the work zero on the axes whose position is unknown, so that it has a duration."""
+    pairs = zip(toolpath.start.position_mm, toolpath.states[0].offset_mm, strict=True)
+    position = tuple(zero if math.isnan(known) else known for known, zero in pairs)
+    return replace(toolpath, start=replace(toolpath.start, position_mm=position))
+
+
 def prove_job(job: Job, machine: Machine, text: str, file: str = "", start: Start | None = None) -> Proof:
     """Return the proof of a job's program text, as `prove` does, against the shapes that the job wants removed."""
-    return prove(
-        text,
-        machine,
-        file=file,
-        start=start,
-        stock=job.stock.stock(),
-        tools=job.tools,
-        removals=make_program(job, machine).removals,
+    made = make_program(job, machine)
+    proof = prove(
+        text, machine, file=file, start=start, stock=job.stock.stock(), tools=job.tools, removals=made.removals
     )
+    findings = sorted([*proof.findings, *_warnings(proof, made, file)], key=lambda finding: finding.place.line)
+    told = proof.report | {
+        "operations": [
+            operation | {"figures": answer.figures}
+            for operation, answer in zip(proof.report["operations"], made.answers, strict=False)
+        ],
+        "warnings": sum(finding.severity == "warning" for finding in findings),
+        "findings": [finding.as_dict() for finding in findings],
+    }
+    return replace(proof, findings=findings, report=told)
+
+
+def _warnings(proof: Proof, made: Made, file: str) -> Iterator[Finding]:
+    """Yield what the cycles warn of, each at the first line of its operation."""
+    lines = proof.toolpath.table().line
+    operations = [span for span in proof.toolpath.spans if span.kind == "operation"]
+    for span, answer in zip(operations, made.answers, strict=False):
+        for warning in answer.warnings:
+            yield Finding("warning", "unreachable", Place(file, int(lines[span.first]), 1), warning)

@@ -57,6 +57,7 @@ def check(
 
 
 def _at_stock(subject: Subject, stock: Stock, tools: Tools) -> Iterator[Finding]:
+    yield from stock_checks.blind(subject, stock)
     checks = stock_checks.StockChecks(subject, stock, tools)
     for one in (checks.rapids, checks.still_spindle, checks.below):
         yield from one()

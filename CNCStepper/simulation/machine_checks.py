@@ -103,7 +103,10 @@ def rates(subject: Subject) -> Iterator[Finding]:
 
 
 def starts(subject: Subject) -> Iterator[Finding]:
-    """Yield feeds without a feed rate, feeds from an unknown position, and sideways rapids at an unknown height."""
+    """Yield a program without a move, feeds without a rate or from nowhere, sideways rapids at an unknown height."""
+    if not len(subject.toolpath):
+        yield subject.finding(-1, "error", "no-motion", "the program moves nothing", advice="see whether it is whole")
+        return
     feeds = subject.is_feed
     from_nowhere = (np.isnan(subject.begin) & np.isfinite(subject.end)).any(axis=1)
     has_height = bool(np.isfinite(subject.end[:, 2]).any())  # a table without Z never names one

@@ -36,6 +36,16 @@ def tools_known(subject: Subject, tools: Tools) -> Iterator[Finding]:
             yield subject.finding(row, "warning", "tool-shape", text, advice="judge its depth by hand")
 
 
+def blind(subject: Subject, stock: Stock) -> Iterator[Finding]:
+    """Yield moves below the stock's top whose place in X or Y is not known: nobody can say what they cut."""
+    unknown = np.isnan(subject.end[:, :2]).any(axis=1) | np.isnan(subject.begin[:, :2]).any(axis=1)
+    rows = np.flatnonzero(unknown & (subject.low_mm < stock.top_mm - RUB_MM))
+    if len(rows):
+        text = "the tool is below the stock's top while its place in X or Y is not known"
+        advice = "name X and Y in a rapid above the stock first"
+        yield subject.finding(int(rows[0]), "error", "place-unknown-in-stock", text, advice=advice, count=len(rows))
+
+
 class StockChecks:
     """The checks that need to know what the moves before have left."""
 

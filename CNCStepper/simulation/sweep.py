@@ -88,7 +88,7 @@ def judge(
         default=Worst(),
     )
     centres = [(POINT, pieces) for _, pieces in engraved]
-    left = [left_over(one, cuts if one.region.area > 0 else centres) for one in removals]
+    left = [left_over(_reachable(one, stock), cuts if one.region.area > 0 else centres) for one in removals]
     return Judgement(
         gouge,
         _nearest_tolerance_mm(gouge, removals),
@@ -124,6 +124,13 @@ def _inside_stock(removal: Removal, stock: Stock | None) -> Removal:
     region = removal.region.intersection(stock.outline)
     top_mm = min(removal.top_mm, stock.top_mm)
     return replace(removal, region=region, top_mm=top_mm, bottom_mm=max(removal.bottom_mm, stock.bottom_mm))
+
+
+def _reachable(removal: Removal, stock: Stock | None) -> Removal:
+    """Return the part of the removal in which nothing may be left."""
+    if removal.reachable is None:
+        return removal
+    return _inside_stock(replace(removal, region=removal.reachable), stock)
 
 
 def _nearest_tolerance_mm(gouge: Worst, removals: list[Removal]) -> float:

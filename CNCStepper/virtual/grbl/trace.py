@@ -16,7 +16,7 @@ class Trace:
 
     The board tells where it is whenever the planner changes the pace, so that between two tellings the
     path is straight and its speed constant: the rows between are set on that line, and no place of the
-    true path is farther from a row than one step.
+    true path is farther from a row than one step. The first row is where and when the first motion begins.
     """
 
     def __init__(self, path: str | Path, board: Grbl):
@@ -27,11 +27,11 @@ class Trace:
                 "trace-file", f"the trace '{path}' cannot be written: {error.strerror}", advice="give another path"
             ) from error
         self._file.write(HEADER)
-        self._time_s = self._written_s = board.time_s
+        self._time_s = board.time_s
+        self._written_s = -1.0
         self._steps = board.axes.position_steps
         self._mm = board.axes.position_mm
         self._declared = board.axes.declared
-        self._write(self._time_s, self._mm)
         board.on_step = self._note
 
     def flush(self) -> None:

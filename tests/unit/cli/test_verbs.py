@@ -12,7 +12,6 @@ import pytest
 from click.testing import CliRunner, Result
 
 from CNCStepper.cli.main import VERBS, group
-from CNCStepper.errors import CNCStepperError
 
 ROOT = Path(__file__).parents[3]
 JOBS = ROOT / "examples" / "jobs"
@@ -75,15 +74,50 @@ def test_a_word_that_is_none_is_exit_1_with_line_and_column(tmp_path: Path) -> N
     path = tmp_path / "bad.nc"
     path.write_text("G21 G90\nG1 X10 F100 Q5\n", encoding="ascii")
     result = run("check", path, "--machine", "table-a")
-    assert isinstance(result.exception, CNCStepperError)
-    assert "bad.nc:2:13" in str(result.exception)
+    assert result.exit_code == 1
+    assert result.output.startswith(f"{path}:2:13: ")
     outside = subprocess.run(
         [sys.executable, "-m", "CNCStepper.cli", "check", str(path), "--machine", "table-a"],
         capture_output=True,
         encoding="utf-8",
     )
     assert outside.returncode == 1
-    assert "bad.nc:2:13" in outside.stderr and "Traceback" not in outside.stderr
+    assert "bad.nc:2:13" in outside.stdout and not outside.stderr
+
+
+def test_every_bad_line_is_told(tmp_path: Path) -> None:
+    path = tmp_path / "bad.nc"
+    path.write_text("G21 G90\nG1 X10 F100 Q5\nG1 X11 F100\nG1 K2\nM2\n", encoding="ascii")
+    lines = run("check", path, "--machine", "table-a").output.splitlines()
+    assert [line.removeprefix(f"{path}:").split(":")[0] for line in lines[:-1]] == ["2", "4"]
+    assert "refused" in lines[-1]
+
+
+def test_an_empty_program_is_no_clean_one(tmp_path: Path) -> None:
+    path = tmp_path / "empty.nc"
+    path.write_text("", encoding="ascii")
+    result = run("check", path, "--machine", "table-a")
+    assert result.exit_code == 1
+    assert "moves nothing" in result.output
+
+
+def test_a_cut_at_an_unknown_place_is_refused(tmp_path: Path) -> None:
+    path = tmp_path / "blind.nc"
+    path.write_text("G21 G90\nG0 X10\nG1 Z-5 F100\nG0 X30\nM2\n", encoding="ascii")
+    result = run("check", path, "--machine", "table-a", "--stock", "40,40,5", "--tool", "flat:6")
+    assert result.exit_code == 1
+    assert f"{path}:3:" in result.output
+
+
+def test_run_tells_the_recalculated_stepover_and_what_no_tool_reaches(tmp_path: Path) -> None:
+    text = (JOBS / "elliptical-pocket.toml").read_text("utf-8").replace('"../machines/table-a.toml"', '"table-a"')
+    job = tmp_path / "narrow.toml"
+    job.write_text(text.replace("radius_y_mm = 25", "radius_y_mm = 8"), encoding="utf-8")
+    result = run("run", job, "--out", tmp_path / "out")
+    assert result.exit_code == 0, result.output
+    assert "stays at each end" in result.output and "ae_mm" in result.output
+    figures = json.loads((tmp_path / "out" / "report.json").read_text("utf-8"))["operations"][0]["figures"]
+    assert figures["ae_mm"] <= 2.4 and figures["ap_mm"] == pytest.approx(1.96) and figures["levels"] == 6
 
 
 @pytest.mark.parametrize(
@@ -94,6 +128,8 @@ def test_a_word_that_is_none_is_exit_1_with_line_and_column(tmp_path: Path) -> N
         ("check", "SQUARE", "--machine", "table-a", "--stock", "40,40"),
         ("check", "SQUARE", "--machine", "table-a", "--stock", "40,40,5", "--tool", "round:6"),
         ("check", "SQUARE", "--machine", "table-a", "--tool", "flat:6"),
+        ("check", "SQUARE", "--machine", "table-a", "--stock=-1,10,10"),
+        ("check", "SQUARE", "--machine", "table-a", "--dialect", "nosuch"),
         ("check", "SQUARE"),
         ("virtual", "grbl"),
         ("send", "SQUARE"),

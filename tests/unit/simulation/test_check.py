@@ -145,5 +145,5 @@ def test_below_the_stock_and_from_nowhere():
     assert codes(Program().rapid(0, 0, 5)) == [("height-unknown", 1)]
 
 
-def test_a_table_without_moves_has_no_finding():
-    assert found(Program()) == []
+def test_a_table_without_moves_is_no_program():
+    assert [finding.code for finding in found(Program())] == ["no-motion"]
