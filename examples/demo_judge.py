@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 import shapely
 
+STRETCH = 20  # points; so short that it hardly crosses itself
 REST_S = 0.05  # without a step for that long the axes rest: a dwell, a pause
 LEVEL_MM = 0.005  # what lies that close to a depth is on it: two steps of the Z axis
 
@@ -63,13 +64,22 @@ def _over(path: np.ndarray, ellipse: shapely.Polygon) -> np.ndarray:
 def _wall_mm(pocket: np.ndarray, ellipse: shapely.Polygon, tool_radius_mm: float, depth_mm: float) -> float:
     """Sweep the tool along the path on the floor, and measure the sweep's edge from the drawn wall, both ways."""
     floor = pocket[pocket[:, 2] < -depth_mm + LEVEL_MM]
-    swept = shapely.buffer(shapely.LineString(floor[:, :2]), tool_radius_mm, quad_segs=64)
+    swept = _swept(floor[:, :2], tool_radius_mm)
     outside = shapely.Polygon(swept.exterior).exterior
     if any(shapely.Polygon(hole).area > 0.01 for hole in swept.interiors):
         raise SystemExit("an island stands in the pocket")
     there = shapely.distance(ellipse.exterior, shapely.points(np.asarray(outside.coords)))
     back = shapely.distance(outside, shapely.points(np.asarray(ellipse.exterior.coords)))
     return float(max(there.max(), back.max()))
+
+
+def _swept(path: np.ndarray, tool_radius_mm: float) -> shapely.Geometry:
+    """Return what a round tool sweeps, stretch by stretch: the buffer of a line that crosses itself can lack pieces."""
+    points = np.asarray(shapely.simplify(shapely.LineString(path), 0.0005).coords)
+    stretches = [points[k : k + STRETCH + 1] for k in range(0, len(points) - 1, STRETCH)]
+    return shapely.union_all(
+        shapely.buffer([shapely.LineString(one) for one in stretches], tool_radius_mm, quad_segs=64)
+    )
 
 
 def _line_mm(engraved: np.ndarray, line: shapely.LineString) -> float:
