@@ -17,7 +17,7 @@ from typing import Any
 import platformdirs
 
 PACKAGE = Path(__file__).resolve().parent
-KEPT_CACHES = 4
+KEPT_CACHES = 16
 
 
 def cache_folder(root: Path) -> Path:

@@ -54,6 +54,9 @@ def main() -> None:
     except CNCStepperError as error:
         click.echo(f"cncstepper: {error}", err=True)
         sys.exit(1)
+    except OSError as error:  # a folder that is not there, a disk that is full: the system's own words say it
+        click.echo(f"cncstepper: {error.filename or 'a file'}: {error.strerror or error}", err=True)
+        sys.exit(1)
 
 
 if __name__ == "__main__":

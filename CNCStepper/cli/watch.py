@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-import sys
+import signal
 
 import click
 from rich.console import Console
@@ -14,6 +14,7 @@ from CNCStepper.control.send_job import SendJob
 from CNCStepper.control.session import SessionClient
 
 LOOK_EVERY_S = 0.05
+STOP_WORDS = ("s", "stop", "q", "quit", "n", "no")
 
 
 def watch(job: SendJob, resume_pauses: bool) -> Outcome:
@@ -35,7 +36,8 @@ class _Watch:
         self._answered = ("", -1)  # the stand that has had its answer: its phase and place
 
     def run(self) -> Outcome:
-        """Return the outcome; Ctrl-C holds the machine."""
+        """Return the outcome; Ctrl-C holds the machine, a request to end this process stops it safely."""
+        signal.signal(signal.SIGTERM, lambda *_: self._client.stop())
         while self._client.outcome is None:
             try:
                 self._look()
@@ -73,15 +75,30 @@ class _Watch:
             self._ask(status)
 
     def _ask(self, status: SenderStatus) -> None:
-        """A stop needs a word; nobody to ask means stop, for a tool must not stand in the work unwatched."""
+        """Ask until the answer is one of the two; nobody to ask means stop: no tool stands in the work unwatched."""
         question = f"{status.message or 'The machine holds'}. Enter goes on, s stops"
         self._progress.stop()
         try:
-            answer = click.prompt(question, default="", show_default=False, err=True) if sys.stdin else "s"
+            answer = click.prompt(question, default="", show_default=False, err=True, type=_GO_ON_OR_STOP)
         except (click.Abort, EOFError):
             answer = "s"
         self._progress.start()
-        if answer.strip().lower() == "s":
+        if answer == "s":
             self._client.stop()
         else:
             self._client.resume()
+
+
+class _GoOnOrStop(click.ParamType):
+    """Enter alone, or a word for stop; anything else is asked again, for going on moves the machine."""
+
+    name = "answer"
+
+    def convert(self, value: str, param: click.Parameter | None, ctx: click.Context | None) -> str:
+        word = value.strip().lower()
+        if word and word not in STOP_WORDS:
+            self.fail(f"'{value}' is neither: press Enter alone to go on, or s to stop", param, ctx)
+        return word and "s"
+
+
+_GO_ON_OR_STOP = _GoOnOrStop()

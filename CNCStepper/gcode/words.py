@@ -160,7 +160,8 @@ def _not_a_word(packed: str, position: int, columns: list[int]) -> ProgramError:
         return _error("bad-number", what, columns[position], run, "write a decimal number after the letter")
     if letter in "+-.0123456789":
         return _error("bad-number", "a number that no letter begins", columns[position], run, "correct the word before")
-    return _error("unknown-character", "a word is a letter and a number", columns[position], run, "take it out")
+    advice = "write a point for decimals" if letter == "," else "take it out"
+    return _error("unknown-character", "a word is a letter and a number", columns[position], run, advice)
 
 
 def _error(code: str, what: str, column: int, value: str, advice: str = "") -> ProgramError:

@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from shapely import union_all
 
 from CNCStepper.cycles.form import Removal
 from CNCStepper.errors import JobError, Place
@@ -31,6 +32,8 @@ from CNCStepper.simulation.stock import Stock
 from CNCStepper.simulation.sweep import judge
 from CNCStepper.state import Start
 from CNCStepper.toolpath import Toolpath
+
+ON_EDGE_MM = 0.01  # a shape may end on the stock's edge
 
 
 @dataclass(frozen=True)
@@ -106,7 +109,9 @@ def prove_job(job: Job, machine: Machine, text: str, file: str = "", start: Star
     proof = prove(
         text, machine, file=file, start=start, stock=job.stock.stock(), tools=job.tools, removals=made.removals
     )
-    findings = sorted([*proof.findings, *_warnings(proof, made, file)], key=lambda finding: finding.place.line)
+    findings = sorted(
+        [*proof.findings, *_warnings(proof, made, job.stock.stock(), file)], key=lambda finding: finding.place.line
+    )
     told = proof.report | {
         "operations": [
             operation | {"figures": answer.figures}
@@ -118,10 +123,15 @@ def prove_job(job: Job, machine: Machine, text: str, file: str = "", start: Star
     return replace(proof, findings=findings, report=told)
 
 
-def _warnings(proof: Proof, made: Made, file: str) -> Iterator[Finding]:
-    """Yield what the cycles warn of, each at the first line of its operation."""
+def _warnings(proof: Proof, made: Made, stock: Stock, file: str) -> Iterator[Finding]:
+    """Yield what the cycles warn of, and shapes beside the stock, each at the first line of its operation."""
     lines = proof.toolpath.table().line
     operations = [span for span in proof.toolpath.spans if span.kind == "operation"]
     for span, answer in zip(operations, made.answers, strict=False):
+        place = Place(file, int(lines[span.first]), 1)
         for warning in answer.warnings:
-            yield Finding("warning", "unreachable", Place(file, int(lines[span.first]), 1), warning)
+            yield Finding("warning", "not-exact", place, warning)
+        if stock.outline.buffer(ON_EDGE_MM).covers(union_all([removal.region for removal in answer.removals])):
+            continue
+        advice = "move the shape or the work zero, or take larger stock"
+        yield Finding("warning", "beside-stock", place, "part of the drawn shape lies beside the stock", advice)

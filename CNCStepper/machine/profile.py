@@ -111,7 +111,7 @@ def load_machine(name_or_path: str | Path) -> Machine:
 def read_toml(path: Path) -> dict[str, Any]:
     """Return the content of a TOML file; raises JobError naming the file and line."""
     try:
-        return tomllib.loads(path.read_text("utf-8"))
+        return tomllib.loads(path.read_text("utf-8-sig"))
     except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
         raise JobError("toml", f"not a TOML file: {error}", place=Place(str(path))) from error
 

@@ -97,3 +97,9 @@ def test_a_program_that_does_not_fit_the_machine_is_not_sent(tmp_path: Path) -> 
     sent = send(path, "socket://127.0.0.1:9", "--zero-confirmed")
     assert sent.returncode == 1
     assert "large.nc:4" in sent.stdout
+
+
+def test_only_enter_alone_goes_on(program: Path, table: tuple[str, Path]) -> None:
+    sent = send(program, table[0], "--zero-confirmed", answer="x\nwhat\nstop\n")
+    assert sent.returncode == 1
+    assert sent.stderr.count("is neither") == 2

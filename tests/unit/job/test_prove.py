@@ -100,3 +100,19 @@ def bulged(before: str, arc: str, more_mm: float) -> str:
 
 def numbers(block: str) -> dict[str, float]:
     return {word[0]: float(word[1:]) for word in block.split() if word[0] in "XYIJ"}
+
+
+def test_a_shape_beside_the_stock_is_told(pocket: tuple[Job, Machine, Made]) -> None:
+    job, machine, _ = pocket
+    aside = job.model_copy(update={"operation": (job.operation[0].model_copy(update={"centre_mm": (1000.0, 0.0)}),)})
+    proof = prove_job(aside, machine, make_program(aside, machine).program)
+    assert "beside-stock" in [finding.code for finding in proof.findings]
+
+
+def test_the_published_method_tells_how_far_its_wall_is_off(pocket: tuple[Job, Machine, Made]) -> None:
+    job, machine, _ = pocket
+    change = {"method": "dda", "resolution_mm": 0.2}
+    dda = job.model_copy(update={"operation": (job.operation[0].model_copy(update=change),)})
+    proof = prove_job(dda, machine, make_program(dda, machine).program)
+    assert [finding.code for finding in proof.findings if finding.severity == "warning"] == ["not-exact"]
+    assert not proof.refused
