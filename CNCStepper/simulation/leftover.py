@@ -170,7 +170,10 @@ def _finer(region: BaseGeometry, wall: _Candidates) -> np.ndarray:
 
 
 def _middles(region: BaseGeometry, cover: _Cover) -> np.ndarray:
-    """Return the points inside the region, uncut at this level, that are locally farthest from the path."""
+    """Return the points inside the region, uncut at this level, that are locally farthest from the path.
+
+    What hangs together with the wall is no island, and the wall's own points tell it.
+    """
     coarse = [_coarse(cutter, pieces) for cutter, pieces, _ in cover.parts if len(pieces)]
     if not coarse:
         return np.zeros((0, 2))
@@ -183,7 +186,8 @@ def _middles(region: BaseGeometry, cover: _Cover) -> np.ndarray:
         return np.where(shapely.contains_xy(region, places), cover.clearance(places), -np.inf)
 
     corners = corners[shapely.contains_xy(uncut, corners)]
-    return np.vstack([corners, climbed(_most_promising(corners, cover), height, step_mm=0.1, stop_mm=2e-4)])
+    places = np.vstack([corners, climbed(_most_promising(corners, cover), height, step_mm=0.1, stop_mm=2e-4)])
+    return places[shapely.distance(region.boundary, shapely.points(places)) > cover.clearance(places)]
 
 
 def _most_promising(corners: np.ndarray, cover: _Cover) -> np.ndarray:

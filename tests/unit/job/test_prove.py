@@ -116,3 +116,11 @@ def test_the_published_method_tells_how_far_its_wall_is_off(pocket: tuple[Job, M
     proof = prove_job(dda, machine, make_program(dda, machine).program)
     assert [finding.code for finding in proof.findings if finding.severity == "warning"] == ["not-exact"]
     assert not proof.refused
+
+
+def test_a_pocket_through_the_stock_leaves_nothing(pocket: tuple[Job, Machine, Made]) -> None:
+    job, machine, _ = pocket
+    through = job.model_copy(update={"operation": (job.operation[0].model_copy(update={"depth_mm": 20.5}),)})
+    proof = prove_job(through, machine, make_program(through, machine).program)
+    assert [finding.code for finding in proof.findings if finding.severity != "info"] == ["below-stock"]
+    assert not proof.report["islands"]
