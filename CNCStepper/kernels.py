@@ -17,6 +17,7 @@ from typing import Any
 import platformdirs
 
 PACKAGE = Path(__file__).resolve().parent
+ROOMS_ABOVE = {"cli", "control", "cycles", "drawing", "gcode", "job", "virtual", "workbench"}  # no kernel uses them
 KEPT_CACHES = 16
 
 
@@ -28,6 +29,8 @@ def cache_folder(root: Path) -> Path:
     """
     digest = hashlib.sha256()
     for path in sorted(PACKAGE.rglob("*.py")):
+        if path.relative_to(PACKAGE).parts[0] in ROOMS_ABOVE:
+            continue
         state = path.stat()
         digest.update(f"{path}|{state.st_size}|{state.st_mtime_ns}\n".encode())
     folder = root / digest.hexdigest()[:16]

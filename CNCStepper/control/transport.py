@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import errno
 import os
+import re
 import select
 import socket
 import sys
@@ -152,6 +153,8 @@ def _send_at_once(port: Any) -> None:
 def _refusal(name: str, error: Exception) -> CNCStepperError:
     """Return what to do about a port that could not be opened."""
     number, text = _error_number(error), str(error)
+    if name.startswith(("socket://", "rfc2217://")) and not re.match(r"\w+://[^/:]+:\d+", name):
+        return LinkError("port-name", f"'{name}' names no port number", advice="write socket://host:port")
     if name.startswith(("socket://", "rfc2217://")):
         return LinkError("port-silent", f"nothing answers at {name}: {text}", advice="start it, or correct the URL")
     if "://" in name:

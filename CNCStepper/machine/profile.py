@@ -121,12 +121,22 @@ def validated(model: type[Model], content: dict[str, Any], file: str) -> Model:
     try:
         return model.model_validate(content)
     except ValidationError as error:
-        first = error.errors()[0]
-        key = ".".join(str(part) for part in first["loc"]) or model.__name__
-        raise JobError(
-            "bad-value",
-            f"{key}: {first['msg']}",
-            value=repr(first["input"])[:60],
-            advice="correct that key",
-            place=Place(file),
-        ) from error
+        raise _refusal(model, error, file) from error
+
+
+def _refusal(model: type[BaseModel], error: ValidationError, file: str) -> JobError:
+    """Return the first thing that is wrong; a key that nobody knows comes first, for it may be the missing one."""
+    problems = error.errors()
+    unknown = [problem for problem in problems if problem["type"] == "extra_forbidden"]
+    first = (unknown or problems)[0]
+    key = ".".join(str(part) for part in first["loc"])
+    place = Place(file)
+    if unknown:
+        advice = f"correct its spelling or take it out; known are: {', '.join(sorted(model.model_fields))}"
+        return JobError("bad-value", f"there is no key {key}", advice=advice, place=place)
+    what = first["msg"].removeprefix("Value error, ")
+    if not key:
+        return JobError("bad-value", what, advice="correct that", place=place)
+    return JobError(
+        "bad-value", f"{key}: {what}", value=repr(first["input"])[:60], advice="correct that key", place=place
+    )

@@ -155,8 +155,8 @@ def test_error_survives_its_way_through_json():
     [
         ("/dev/ttyNOTTHERE", "port-missing"),
         ("socket://127.0.0.1:1", "port-silent"),
-        ("socket://nowhere", "port-silent"),
-        ("socket://", "port-silent"),
+        ("socket://nowhere", "port-name"),
+        ("socket://", "port-name"),
         ("rfc2217://127.0.0.1:1", "port-silent"),
         ("gopher://x", "port-name"),
         ("", "port-missing"),

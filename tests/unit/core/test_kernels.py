@@ -43,3 +43,18 @@ def test_without_numba_a_kernel_is_plain_python(monkeypatch: pytest.MonkeyPatch)
         return 1
 
     assert kernels.njit(kernel) is kernel
+
+
+def test_rooms_without_kernels_do_not_matter(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    package = tmp_path / "package"
+    (package / "cli").mkdir(parents=True)
+    monkeypatch.setattr(kernels, "PACKAGE", package)
+    first = kernels.cache_folder(tmp_path / "cache")
+    (package / "cli" / "verb.py").write_text("x = 1\n", encoding="utf-8")
+    assert kernels.cache_folder(tmp_path / "cache") == first
+
+
+def test_the_rooms_left_out_hold_no_kernel() -> None:
+    for room in kernels.ROOMS_ABOVE:
+        for path in (kernels.PACKAGE / room).rglob("*.py"):
+            assert "njit" not in path.read_text("utf-8"), path
