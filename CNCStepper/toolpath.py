@@ -14,7 +14,7 @@ Lengths are mm in machine coordinates (`state.py` says how they relate to work c
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -229,10 +229,3 @@ class TableBuilder:
             np.array(state, np.int32),
             np.array(line, np.int32),
         )
-
-
-def iterate_rows(chunks: Iterable[Chunk]) -> Iterator[tuple[Chunk, int]]:
-    """Yield (chunk, row) for every row; for tests and small tables, never for hot paths."""
-    for chunk in chunks:
-        for row in range(len(chunk)):
-            yield chunk, row

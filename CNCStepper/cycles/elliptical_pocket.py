@@ -85,9 +85,11 @@ class EllipticalPocket(BaseModel):
     def _answer(self, plan: _Plan, tool_mm: float) -> Answer:
         """Return what is to be removed, and a warning where it cannot be had exactly with this method or tool."""
         bottom_mm = -self.depth_mm
-        off_mm = plan.figures.get("offset_deviation_mm", 0.0)
-        if off_mm > self.tolerance_mm:
-            warning = f"the wall is up to {off_mm:.3f} mm off: an ellipse is no offset of one; method tolerance is"
+        if self.method == "dda" and plan.promise_mm > self.tolerance_mm:
+            warning = (
+                f"the wall may be up to {plan.promise_mm:.3f} mm off: an ellipse is no offset of an ellipse, and the "
+                f'resolution adds to it; method "tolerance" keeps to tolerance_mm'
+            )
             return Answer([Removal(plan.region, 0.0, bottom_mm, plan.promise_mm)], plan.figures, [warning])
         thick_mm = plan.figures.get("unreachable_mm", 0.0)
         if thick_mm <= self.tolerance_mm:

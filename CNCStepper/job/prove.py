@@ -82,8 +82,8 @@ def prove(
     """Return the proof of a program text; raises ProgramError for a text that cannot be read.
 
     start: where the machine stands; None is a machine whose position and zero are unknown (for the times it then
-    begins at the work zero). removals: the shapes
-    wanted, in work coordinates; without them gouge and left-over are not judged.
+    begins at the work zero). removals: the shapes wanted, in work coordinates; without them gouge and left-over
+    are not judged.
     """
     language = dialect or machine.controller
     wire = prepare(text, language, file)

@@ -85,7 +85,6 @@ def judge_whole_program(address: str, folder: Path) -> None:
 
 
 def test_program_is_cut_to_its_end_over_a_terminal(tmp_path):
-    pytest.importorskip("pty")
     with virtual_grbl("pty", tmp_path / "table") as address:
         judge_whole_program(address, tmp_path)
 
