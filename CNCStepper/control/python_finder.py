@@ -1,5 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Finds a real Python for the sender's process: inside FreeCAD `sys.executable` is FreeCAD itself."""
+"""Finds a real Python for a process of our own: inside FreeCAD `sys.executable` is FreeCAD itself.
+
+What runs there is named by `command` and told by `environment`: it sees, behind its own packages, those that this
+process sees (`control/started.py`).
+"""
 
 from __future__ import annotations
 
@@ -8,42 +12,71 @@ import os
 import shutil
 import subprocess
 import sys
+import threading
 from collections.abc import Iterator
+from concurrent.futures import Future
 from pathlib import Path
 
+from CNCStepper.control.started import BEHIND, python_version
 from CNCStepper.errors import MissingPackage
 
 VARIABLE = "CNCSTEPPER_PYTHON"
 OLDEST = (3, 11)
 CHECK_LIMIT_S = 20.0
 PACKAGE_ROOT = Path(__file__).resolve().parents[2]
+SENDER = ("serial",)
+PROOF = ("numpy", "shapely", "pydantic")
+PIP_NAMES = {"serial": "pyserial"}  # where it is not the module's own
 # It prints its own path: a launcher such as Windows' `py` is left out of what is started later.
 CHECK = (
     "import sys\n"
     f"assert sys.version_info >= {OLDEST}, 'Python ' + sys.version.split()[0] + ' is too old'\n"
-    "import serial, CNCStepper\n"
+    "from CNCStepper.control import started\n"
+    "started.see_packages()\n"
+    "for name in sys.argv[1:]:\n"
+    "    __import__(name)\n"
     "sys.stdout.buffer.write(sys.executable.encode('utf-8'))"
 )
 
 
 @functools.cache
-def find_python() -> str:
-    """Return the path of a Python that can run the sender; it is looked for once.
+def find_python(needs: tuple[str, ...] = SENDER) -> str:
+    """Return the path of a Python that can import all of `needs`; it is looked for once and takes up to seconds.
 
     Raises MissingPackage that names every Python tried and what it lacks.
     """
     tried: dict[str, str] = {}
     for candidate in candidates():
         if candidate not in tried:
-            path, lack = checked(candidate)
+            path, lack = checked(candidate, needs)
             if path:
                 return path
             tried[candidate] = lack
+    packages = " ".join(PIP_NAMES.get(name, name) for name in needs)
     raise MissingPackage(
         "python-missing",
-        "no Python can run the sender: " + "; ".join(f"{name}: {lack}" for name, lack in tried.items()),
-        advice=f"install pyserial there (python -m pip install pyserial), or set {VARIABLE} to a Python that has it",
+        f"no Python has {packages}: " + "; ".join(f"{name}: {lack}" for name, lack in tried.items()),
+        advice=f"install them in one (python -m pip install {packages}), or set {VARIABLE} to a Python that has them",
     )
+
+
+def seek_python(needs: tuple[str, ...] = SENDER) -> Future[str]:
+    """Return at once what will be the answer of `find_python`, or its refusal: ask its `done()` from a timer."""
+    answer: Future[str] = Future()
+
+    def seek() -> None:
+        try:
+            answer.set_result(find_python(needs))
+        except Exception as error:
+            answer.set_exception(error)
+
+    threading.Thread(target=seek, name="seek-python", daemon=True).start()
+    return answer
+
+
+def command(python: str, module: str, *arguments: str) -> list[str]:
+    """Return the words that start a module of ours in that Python; its variables are those of `environment`."""
+    return [python, "-P", "-X", "utf8", "-m", "CNCStepper.control.started", module, *arguments]
 
 
 def candidates() -> Iterator[str]:
@@ -63,11 +96,11 @@ def candidates() -> Iterator[str]:
     yield from _there(Path(sys.prefix) / "bin" / "python3")
 
 
-def checked(candidate: str) -> tuple[str, str]:
-    """Return (path, "") of a Python that can run the sender, or ("", what it lacks)."""
+def checked(candidate: str, needs: tuple[str, ...] = SENDER) -> tuple[str, str]:
+    """Return (path, "") of a Python that can import all of `needs`, or ("", what it lacks)."""
     try:
         answer = subprocess.run(
-            [candidate, "-P", "-c", CHECK],
+            [candidate, "-P", "-c", CHECK, *needs],
             stdin=subprocess.DEVNULL,
             capture_output=True,
             timeout=CHECK_LIMIT_S,
@@ -81,10 +114,14 @@ def checked(candidate: str) -> tuple[str, str]:
 
 
 def environment() -> dict[str, str]:
-    """Return the variables for a Python of its own: our package is found, an embedding program's home is not."""
+    """Return the variables for a Python of its own: our package is found, an embedding program's home is not.
+
+    What this process imports from is named too, for a Python of the same version.
+    """
     variables = dict(os.environ)
     variables.pop("PYTHONHOME", None)
     variables["PYTHONPATH"] = os.pathsep.join(filter(None, [str(PACKAGE_ROOT), os.environ.get("PYTHONPATH")]))
+    variables[BEHIND] = os.pathsep.join([python_version(), *filter(None, sys.path)])
     return variables
 
 

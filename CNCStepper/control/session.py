@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import Any
 
 from CNCStepper.control.outcome import Outcome, SenderStatus
-from CNCStepper.control.python_finder import environment, find_python
+from CNCStepper.control.python_finder import command, environment, find_python
 from CNCStepper.control.send_job import SendJob
 from CNCStepper.control.session_file import LOG, OUTCOME, new_session, read_private
 from CNCStepper.errors import LinkError
@@ -218,7 +218,7 @@ def _started(python: str, session_file: Path, job: SendJob) -> subprocess.Popen:
     log = os.open(session_file.with_suffix(LOG), os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o600)
     try:
         process = subprocess.Popen(
-            [python, "-P", "-X", "utf8", "-m", "CNCStepper.control.worker", str(session_file)],
+            command(python, "CNCStepper.control.worker", str(session_file)),
             stdin=subprocess.PIPE,
             stdout=subprocess.DEVNULL,
             stderr=log,

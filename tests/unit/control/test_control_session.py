@@ -17,7 +17,7 @@ from fake_controller import FakeServer
 
 from CNCStepper.control import python_finder
 from CNCStepper.control.outcome import DONE, FAILED, REFUSED, STOPPED
-from CNCStepper.control.python_finder import candidates, checked, find_python
+from CNCStepper.control.python_finder import candidates, checked, find_python, seek_python
 from CNCStepper.control.send_job import SendJob
 from CNCStepper.control.session import SessionClient
 from CNCStepper.control.session_file import OUTCOME, new_session, sessions
@@ -235,3 +235,27 @@ def test_old_outcomes_are_pruned(tmp_path):
         (tmp_path / f"{number:03}{OUTCOME}").write_text("{}")
     new_session(tmp_path)
     assert len(list(tmp_path.glob(f"*{OUTCOME}"))) == 20 and (tmp_path / f"049{OUTCOME}").exists()
+
+
+def test_packages_of_the_starting_process_stand_behind_those_of_the_started(monkeypatch, tmp_path):
+    (tmp_path / "only_seen_here.py").write_text("")
+    (tmp_path / "json.py").write_text("raise ImportError('the started Python has its own')")
+    needs = ("only_seen_here", "json")
+    assert "only_seen_here" in checked(sys.executable, needs)[1]
+    monkeypatch.setattr(sys, "path", [*sys.path, str(tmp_path)])
+    assert checked(sys.executable, needs)[0]
+    monkeypatch.setattr(python_finder, "python_version", lambda: "3.0")
+    assert "only_seen_here" in checked(sys.executable, needs)[1]
+
+
+def test_a_python_is_sought_without_waiting(monkeypatch):
+    find_python.cache_clear()
+    begin_s = time.monotonic()
+    answer = seek_python()
+    assert time.monotonic() - begin_s < 0.05
+    assert answer.result(LIMIT_S) == find_python()
+    find_python.cache_clear()
+    monkeypatch.setenv(python_finder.VARIABLE, "/no/such/python")
+    with pytest.raises(MissingPackage, match="pyserial"):
+        seek_python().result(LIMIT_S)
+    find_python.cache_clear()
