@@ -48,12 +48,15 @@ class CNCStepperError(Exception):
         self.place = place
         super().__init__(str(self))
 
-    def __str__(self) -> str:
+    @property
+    def sentence(self) -> str:
+        """What is wrong and what to do, for a person who sees the place."""
         numbers = [f"{name} {text}" for name, text in (("value", self.value), ("limit", self.limit)) if text]
-        sentence = self.what + (f" ({', '.join(numbers)})" if numbers else "")
-        advice = f"; {self.advice}" if self.advice else ""
+        return self.what + (f" ({', '.join(numbers)})" if numbers else "") + (f"; {self.advice}" if self.advice else "")
+
+    def __str__(self) -> str:
         place = f"{self.place}: " if self.place else ""
-        return f"{place}{sentence}{advice} [{self.code}]"
+        return f"{place}{self.sentence} [{self.code}]"
 
     def at(self, place: Place) -> CNCStepperError:
         """Return the same error, naming `place`."""

@@ -25,7 +25,7 @@ from typing import TYPE_CHECKING, Any
 
 from CNCStepper.errors import CNCStepperError, JobError
 from CNCStepper.workbench import packages, program_file
-from CNCStepper.workbench.features.base import Feature, edit, named
+from CNCStepper.workbench.features.base import Feature, edit, require_parts
 from CNCStepper.workbench.features.elliptical_pocket import EllipticalPocket
 from CNCStepper.workbench.features.engrave import Engrave
 from CNCStepper.workbench.features.freehand import Freehand
@@ -87,9 +87,7 @@ def add_freehand(
 
 def require_valid(job: Any) -> None:
     """Raise JobError when the job or what it stands on has an error, or has changed since it was recomputed."""
-    for obj in [job, *job.OutListRecursive]:
-        if not obj.isValid():
-            raise JobError("object-failed", named(obj, obj.getStatusString()), advice="mend that object first")
+    require_parts([*job.OutListRecursive, job])
     stale = [obj.Label for obj in [job, *job.OutListRecursive] if "Touched" in obj.State]
     if stale:
         raise JobError("program-stale", f"{stale[0]} has changed since the program was made", advice="recompute")

@@ -21,7 +21,7 @@ from CNCStepper.gcode.interpret import interpret
 from CNCStepper.state import Start
 from CNCStepper.toolpath import RAPID
 from CNCStepper.workbench import api, program_file
-from CNCStepper.workbench.features.base import proxy_type
+from CNCStepper.workbench.features.base import problem_of, proxy_type
 
 
 def sketched_ellipse(document: Any, rx: float = 40, ry: float = 25, centre: tuple[float, float] = (0, 0)) -> Any:
@@ -67,7 +67,7 @@ def test_a_pocket_from_numbers(document: Any) -> None:
     job = new_job(document)
     pocket = api.add_elliptical_pocket(job, radius_x_mm=40, radius_y_mm=25, depth_mm=10)
     document.recompute()
-    assert pocket.isValid()
+    assert problem_of(pocket) == ""
     assert reach_mm(api.program_text(job)) == pytest.approx([37, 22, -10], abs=0.011)
     assert "G21" in api.program_text(job)
 
@@ -178,8 +178,8 @@ def refused(document: Any, obj: Any, sentence: str) -> None:
     document.recompute()
     (job,) = [other for other in document.Objects if proxy_type(other) == "CNCStepper_Job"]
     (preview,) = [other for other in document.Objects if proxy_type(other) == "CNCStepper_Preview"]
-    assert not obj.isValid()
-    assert sentence in obj.getStatusString()
+    assert sentence in problem_of(obj)
+    assert sentence in problem_of(job)
     assert sentence in job.Message
     assert preview.Path.Size == 0
     with pytest.raises(JobError):
@@ -213,6 +213,16 @@ def test_a_bad_edit_shows_why_and_leaves_no_old_program(document: Any, change: d
     api.edit(pocket, tolerance_mm=0.01)
     document.recompute()
     assert api.program_text(job) == good
+
+
+def test_a_refusal_prints_nothing_into_the_report_view(document: Any, capfd: pytest.CaptureFixture[str]) -> None:
+    job = new_job(document)
+    pocket = api.add_elliptical_pocket(job, depth_mm=-1)
+    document.recompute()
+    assert problem_of(pocket)
+    printed = "".join(capfd.readouterr())
+    assert "Traceback" not in printed
+    assert "depth" not in printed
 
 
 def test_a_tool_or_a_line_that_cannot_be_takes_the_program_back(document: Any) -> None:
@@ -317,7 +327,7 @@ def test_what_a_script_takes_out_of_the_document(document: Any, tmp_path: Path) 
 def test_a_job_without_operations_says_so(document: Any) -> None:
     job = new_job(document)
     document.recompute()
-    assert job.isValid()
+    assert problem_of(job) == ""
     with pytest.raises(JobError, match="no operations"):
         api.program_text(job)
 

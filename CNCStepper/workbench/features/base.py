@@ -9,13 +9,15 @@ its own. Everything that crosses between the two passes `value_of` and `set_valu
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any
 
-from CNCStepper.errors import JobError
+from CNCStepper.errors import CNCStepperError, JobError
 from CNCStepper.units import mm_min_from_mm_s, mm_s_from_mm_min
 
 JOB = "CNCStepper_Job"
+FAILED = "object-failed"  # the code of an error that another object has caused
 OUTPUT = 8  # FreeCAD's Prop_Output: a change of it makes nothing out of date
 SPEED = "App::PropertySpeed"  # FreeCAD keeps speeds in mm/s, everything of ours is mm/min
 DISTANCE = "App::PropertyDistance"  # not PropertyLength: that turns a negative value into 0 without a word
@@ -49,11 +51,20 @@ class Property:
     output: bool = False
 
 
+PROBLEM = Property("problem", "Problem", TEXT, "Problem", "Why it cannot be made; empty when it can", "", output=True)
+
+
 class Feature:
-    """The proxy that all our document objects have in common."""
+    """The proxy that all our document objects have in common.
+
+    An object that cannot be made says so in its property "Problem" (`problem_of`) and not by FreeCAD's own error
+    state: that is only set by an exception, which FreeCAD prints with its traceback into the report view, and
+    then leaves all that stands on the object as it was.
+    """
 
     Type = ""
     PROPERTIES: tuple[Property, ...] = ()
+    refusal: CNCStepperError | None = None  # why the last `make` failed
 
     def __init__(self, obj: Any):
         obj.Proxy = self
@@ -62,7 +73,7 @@ class Feature:
 
     def add_properties(self, obj: Any) -> None:
         """Add the properties that `obj` lacks, which in a document of an older version may be some."""
-        for entry in self.PROPERTIES:
+        for entry in (*self.PROPERTIES, PROBLEM):
             if entry.name not in obj.PropertiesList:
                 obj.addProperty(entry.type, entry.name, entry.group, entry.text, OUTPUT if entry.output else 0)
                 if entry.choices:
@@ -76,17 +87,28 @@ class Feature:
         """Make what `obj` holds from its properties; raises a CNCStepperError that says what to change."""
 
     def execute(self, obj: Any) -> None:
-        """Make `obj`, as FreeCAD asks; a refusal shows on it and takes back the programs that stand on it.
-
-        FreeCAD does not recompute what stands on a failed object: it would keep an old program.
-        """
+        """Make `obj`, as FreeCAD asks; a refusal shows on it and takes back the programs that stand on it."""
         try:
             self.make(obj)
+        except CNCStepperError as error:
+            self._refuse(obj, error)
         except Exception as error:
-            for job in [obj, *obj.InListRecursive]:
-                if proxy_type(job) == JOB:
-                    job.Proxy.invalidate(job, named(obj, str(error)))
+            self._take_back(obj, str(error))
             raise
+        else:
+            self.refusal = None
+            obj.Problem = ""
+
+    def _refuse(self, obj: Any, error: CNCStepperError) -> None:
+        self.refusal = error.with_traceback(None)
+        obj.Problem = error.sentence
+        self._take_back(obj, error.sentence)
+
+    def _take_back(self, obj: Any, why: str) -> None:
+        """Take back the programs that stand on `obj` now, whether FreeCAD recomputes their jobs or not."""
+        for job in [obj, *obj.InListRecursive]:
+            if proxy_type(job) == JOB:
+                job.Proxy.invalidate(job, named(obj, why))
 
     def onDocumentRestored(self, obj: Any) -> None:
         """Let a document of an older version catch up; FreeCAD calls this after opening it."""
@@ -116,6 +138,20 @@ def show_in_window(obj: Any) -> None:
 def proxy_type(obj: Any) -> str:
     """Return which of our document objects `obj` is, as "CNCStepper_Job", or "" for one that is not ours."""
     return getattr(getattr(obj, "Proxy", None), "Type", "")
+
+
+def problem_of(obj: Any) -> str:
+    """Return why one of our objects cannot be made, or "" when it can; what stands on it names it and its reason."""
+    return getattr(obj, PROBLEM.name, "") if proxy_type(obj) else ""
+
+
+def require_parts(parts: Iterable[Any]) -> None:
+    """Raise JobError that names the first of the objects that has a problem, in FreeCAD's eyes or ours."""
+    for part in parts:
+        if problem_of(part):
+            raise JobError(FAILED, named(part, problem_of(part)))
+        if not part.isValid():
+            raise JobError(FAILED, named(part, part.getStatusString()), advice="mend that object first")
 
 
 def named(obj: Any, sentence: str) -> str:

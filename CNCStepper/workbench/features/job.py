@@ -7,7 +7,16 @@ from typing import Any
 
 from CNCStepper.state import WORK_SYSTEMS
 from CNCStepper.workbench import packages, program_file
-from CNCStepper.workbench.features.base import DISTANCE, ENUMERATION, POSITION, TEXT, Feature, Property, proxy_type
+from CNCStepper.workbench.features.base import (
+    DISTANCE,
+    ENUMERATION,
+    POSITION,
+    TEXT,
+    Feature,
+    Property,
+    proxy_type,
+    require_parts,
+)
 
 LINKS = "App::PropertyLinkList"
 ORIGINS = ("top-centre", "top-left-front")
@@ -43,6 +52,7 @@ class Job(Feature):
     def make(self, obj: Any) -> None:
         """Make the program from all active operations."""
         packages.require()
+        require_parts(active_operations(obj))
         if not active_operations(obj):
             self.invalidate(obj, "the job has no operations")
             return

@@ -16,6 +16,7 @@ from CNCStepper.workbench.features.base import (
     Feature,
     Property,
     proxy_type,
+    require_parts,
     show,
     values,
 )
@@ -59,6 +60,7 @@ class Operation(Feature):
 
     def make(self, obj: Any) -> None:
         """Cut it for trial, as its job would, and show the figures."""
+        require_parts(part for part in (obj.Tool, obj.Drawing) if part is not None)
         show(obj, self.figures(obj))
 
     def onChanged(self, obj: Any, name: str) -> None:
