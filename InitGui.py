@@ -17,7 +17,16 @@ class CNCStepperWorkbench(FreeCADGui.Workbench):
     Icon = str(packages.ROOT / "resources" / "icons" / "CNCStepper.svg")
 
     def Initialize(self) -> None:
-        """Load what the workbench shows, when it is opened for the first time."""
+        """Make toolbar and menu, when the workbench is opened for the first time."""
+        from CNCStepper.workbench import opening
+
+        opening.first(self)
+
+    def Activated(self) -> None:
+        """Say what is missing, when the workbench is opened."""
+        from CNCStepper.workbench import opening
+
+        opening.every()
 
     def GetClassName(self) -> str:
         """Return FreeCAD's own class for workbenches in Python."""

@@ -39,18 +39,30 @@ def _addon_manager_folders() -> list[Path]:
         return []
     if not hasattr(FreeCAD, "getUserAppDataDir"):
         return []
+    return [own_folder(), own_folder().parent]
+
+
+def own_folder() -> Path:
+    """Return the folder in which FreeCAD keeps additional packages for its Python; it need not exist."""
+    import FreeCAD
+
     base = Path(FreeCAD.getUserAppDataDir()) / "AdditionalPythonPackages"
-    return [base / f"py{sys.version_info[0]}{sys.version_info[1]}", base]
+    return base / f"py{sys.version_info[0]}{sys.version_info[1]}"
+
+
+def missing(*names: str) -> list[str]:
+    """Return those of the packages that cannot be found, in their order; loads none of them."""
+    make_available()
+    return [name for name in names if importlib.util.find_spec(name) is None]
 
 
 def require(*names: str) -> None:
     """Raise MissingPackage, which says how to get them, when one of the packages cannot be found."""
-    make_available()
-    missing = [name for name in names or NEEDED if importlib.util.find_spec(name) is None]
-    if missing:
+    lacking = missing(*(names or NEEDED))
+    if lacking:
         raise MissingPackage(
             "package-missing",
-            f"FreeCAD's Python lacks {', '.join(missing)}",
+            f"FreeCAD's Python lacks {', '.join(lacking)}",
             advice="run 'make setup' beside the workbench, or let Tools > Addon Manager install them, or "
             f"install them for Python {sys.version_info[0]}.{sys.version_info[1]} into a folder of their own "
             "(pip install --target FOLDER) and name it in the environment variable CNCSTEPPER_PACKAGES",

@@ -29,6 +29,14 @@ def edges_of(drawing: Any) -> list[Any]:
     return edges
 
 
+def box_of(obj: Any) -> Any:
+    """Return the bounding box of an object's shape in the document's coordinates, not valid when it has none."""
+    import FreeCAD
+
+    shape = _placed_shape(obj)
+    return FreeCAD.BoundBox() if shape.isNull() else shape.optimalBoundingBox(False, False)
+
+
 def containers_of(drawing: Any) -> list[Any]:
     """Return the parts and bodies that hold an object, innermost first: when one of them moves, so does the object."""
     found: list[Any] = []

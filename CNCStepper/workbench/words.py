@@ -16,3 +16,12 @@ def tr(text: str) -> str:
 def later(text: str) -> str:
     """Return the text as it is: it marks one in a table for the translators, `tr` translates it when it is shown."""
     return text
+
+
+def QT_TRANSLATE_NOOP(context: str, text: str) -> str:
+    """Return the text as it is: it marks one that FreeCAD itself translates when it shows it, in a context of its own.
+
+    FreeCAD looks up a command's menu text and tooltip in the context of the command's name. The name is
+    the one that Qt's and FreeCAD's translators know.
+    """
+    return text

@@ -1,0 +1,72 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What all commands share: enabled exactly when they can work, and a tooltip that says why when they cannot."""
+
+from __future__ import annotations
+
+import html
+from typing import Any
+
+from CNCStepper.workbench import packages
+from CNCStepper.workbench.tell import guarded
+
+
+class Command:
+    """A command of FreeCAD's.
+
+    FreeCAD translates `menu_text` and `tooltip` itself, in the context of the command's name.
+    """
+
+    name = ""
+    menu_text = ""
+    tooltip = ""
+
+    def __init__(self) -> None:
+        self._own_tooltip = ""  # as FreeCAD wrote it, in its language
+        self._shown_tooltip = ""
+
+    def why_not(self) -> str:
+        """Return why the command cannot work now, in one sentence, or "" when it can.
+
+        It is asked several times a second: it only looks, and is quick.
+        """
+        return ""
+
+    def run(self) -> None:
+        """Do it; raises a CNCStepperError that says why it could not be done."""
+        raise NotImplementedError
+
+    def GetResources(self) -> dict[str, str]:
+        """Return what FreeCAD shows of the command."""
+        icon = packages.ROOT / "resources" / "icons" / f"{self.name}.svg"
+        return {"MenuText": self.menu_text, "ToolTip": self.tooltip, "Pixmap": str(icon)}
+
+    @guarded
+    def IsActive(self) -> bool:
+        """Return whether the command can work now, and let its tooltip say why not."""
+        reason = self.why_not()
+        self._explain(reason)
+        return not reason
+
+    @guarded
+    def Activated(self, index: int = 0) -> None:
+        """Do what the command is for; a refusal is shown."""
+        self.run()
+
+    def _explain(self, reason: str) -> None:
+        """Put the reason below FreeCAD's own tooltip, which FreeCAD writes anew when its language changes."""
+        for action in _actions(self.name):
+            present = action.toolTip()
+            if present != self._shown_tooltip:
+                self._own_tooltip = present
+            wanted = self._own_tooltip + (f"<p><b>{html.escape(reason)}</b></p>" if reason else "")
+            if present != wanted:
+                action.setToolTip(wanted)
+            self._shown_tooltip = wanted
+
+
+def _actions(name: str) -> list[Any]:
+    """Return the command's QActions: none before FreeCAD has put it into a toolbar or menu."""
+    import FreeCADGui
+
+    command = FreeCADGui.Command.get(name)
+    return command.getAction() if command else []

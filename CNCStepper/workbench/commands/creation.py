@@ -1,0 +1,42 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What the commands share that make an object: one undo step, and nothing left behind by a refusal."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from CNCStepper.workbench import missing
+from CNCStepper.workbench.commands import choice
+from CNCStepper.workbench.commands.base import Command
+
+
+def create(document: Any, title: str, make: Callable[[], Any]) -> None:
+    """Make an object inside one transaction and open its panel, which commits or aborts it.
+
+    `title` stands in the list of undo steps. When the object cannot be made, or its panel not be opened, the
+    document is as it was, and the reason is raised.
+    """
+    from CNCStepper.workbench.panels import open_panel
+
+    document.openTransaction(title)
+    try:
+        open_panel(make())
+    except Exception:
+        document.abortTransaction()
+        raise
+
+
+def tool_for(job: Any) -> Any:
+    """Return the tool with which a new operation of the job begins: a selected one, the last, or a new one."""
+    from CNCStepper.workbench import api
+
+    return choice.tool(job) or api.add_tool(job)
+
+
+class Operation(Command):
+    """A command that adds an operation to a job."""
+
+    def why_not(self) -> str:
+        """Return why no operation can be added."""
+        return missing.why_not() or choice.why_no_panel() or choice.why_no_job()

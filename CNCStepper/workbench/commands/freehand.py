@@ -1,0 +1,27 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""CNCStepper_Freehand: draw a line with the mouse."""
+
+from __future__ import annotations
+
+from CNCStepper.workbench import missing
+from CNCStepper.workbench.commands import choice
+from CNCStepper.workbench.commands.base import Command
+from CNCStepper.workbench.words import QT_TRANSLATE_NOOP
+
+
+class Freehand(Command):
+    """Starts drawing in the 3D view."""
+
+    name = "CNCStepper_Freehand"
+    menu_text = QT_TRANSLATE_NOOP("CNCStepper_Freehand", "Freehand")
+    tooltip = QT_TRANSLATE_NOOP("CNCStepper_Freehand", "Draws a line with the mouse: press, move, release")
+
+    def why_not(self) -> str:
+        """Return why there is nothing to draw on."""
+        return missing.why_not() or choice.why_no_panel() or choice.why_no_view()
+
+    def run(self) -> None:
+        """Let the mouse draw."""
+        from CNCStepper.workbench import freehand
+
+        freehand.start()

@@ -1,0 +1,50 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""CNCStepper_NewJob: a job with a first tool, its stock taken from what is selected."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from CNCStepper.workbench import missing
+from CNCStepper.workbench.commands import choice, defaults
+from CNCStepper.workbench.commands.base import Command
+from CNCStepper.workbench.commands.creation import create
+from CNCStepper.workbench.words import QT_TRANSLATE_NOOP, tr
+
+
+class NewJob(Command):
+    """Makes a job; also a document, when none is open."""
+
+    name = "CNCStepper_NewJob"
+    menu_text = QT_TRANSLATE_NOOP("CNCStepper_NewJob", "New job")
+    tooltip = QT_TRANSLATE_NOOP("CNCStepper_NewJob", "Makes a job. A selected solid or drawing gives its stock")
+
+    def why_not(self) -> str:
+        """Return why no job can be made."""
+        return missing.why_not() or choice.why_no_panel()
+
+    def run(self) -> None:
+        """Make the job and open its panel."""
+        import FreeCAD
+
+        document = choice.document() or FreeCAD.newDocument()
+        create(document, tr("New job"), lambda: _job(document))
+
+
+def _job(document: Any) -> Any:
+    from CNCStepper.workbench import api
+
+    job = api.new_job(document, **_stock())
+    api.add_tool(job)
+    return job
+
+
+def _stock() -> dict[str, Any]:
+    """Return the values that the selection gives; none where nothing is selected."""
+    from CNCStepper.workbench.shapes import box_of
+
+    if (solid := choice.solid()) is not None:
+        return defaults.stock_of_solid(box_of(solid))
+    drawing = choice.drawing()
+    box = box_of(drawing) if drawing is not None else None
+    return defaults.stock_of_drawing(box) if box is not None and box.isValid() else {}

@@ -1,0 +1,26 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""CNCStepper_Send: check a job's program and stream it to the machine."""
+
+from __future__ import annotations
+
+from CNCStepper.workbench.commands import proving
+from CNCStepper.workbench.commands.base import Command
+from CNCStepper.workbench.words import QT_TRANSLATE_NOOP
+
+
+class Send(Command):
+    """Sends a job."""
+
+    name = "CNCStepper_Send"
+    menu_text = QT_TRANSLATE_NOOP("CNCStepper_Send", "Send")
+    tooltip = QT_TRANSLATE_NOOP("CNCStepper_Send", "Checks the program of the job and streams it to the machine")
+
+    def why_not(self) -> str:
+        """Return why there is nothing to send."""
+        return proving.why_not()
+
+    def run(self) -> None:
+        """Send the job that is meant."""
+        from CNCStepper.workbench import dock
+
+        dock.send(proving.made_job())

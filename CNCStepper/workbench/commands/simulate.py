@@ -1,0 +1,26 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""CNCStepper_Simulate: prove a job's program and show what it cuts."""
+
+from __future__ import annotations
+
+from CNCStepper.workbench.commands import proving
+from CNCStepper.workbench.commands.base import Command
+from CNCStepper.workbench.words import QT_TRANSLATE_NOOP
+
+
+class Simulate(Command):
+    """Opens the simulation of a job."""
+
+    name = "CNCStepper_Simulate"
+    menu_text = QT_TRANSLATE_NOOP("CNCStepper_Simulate", "Check and simulate")
+    tooltip = QT_TRANSLATE_NOOP("CNCStepper_Simulate", "Checks the program of the job and shows what it cuts")
+
+    def why_not(self) -> str:
+        """Return why there is nothing to simulate."""
+        return proving.why_not()
+
+    def run(self) -> None:
+        """Open the simulation of the job that is meant."""
+        from CNCStepper.workbench.simulation import open_simulation
+
+        open_simulation(proving.made_job())

@@ -1,0 +1,28 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What happens when the workbench is opened: toolbar and menu the first time, what is missing every time."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from CNCStepper.workbench import commands, missing, packages
+from CNCStepper.workbench.tell import NAME, guarded
+
+
+@guarded
+def first(workbench: Any) -> None:
+    """Fill the workbench's toolbar and menu."""
+    import FreeCADGui
+
+    FreeCADGui.addLanguagePath(str(packages.ROOT / "resources" / "translations"))
+    FreeCADGui.updateLocale()
+    names = commands.register()
+    workbench.appendToolbar(NAME, names)
+    workbench.appendMenu(NAME, names)
+
+
+@guarded
+def every() -> None:
+    """Look what is missing, and say so the first time."""
+    missing.look_again()
+    missing.tell_once()
