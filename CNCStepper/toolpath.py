@@ -15,7 +15,7 @@ Lengths are mm in machine coordinates (`state.py` says how they relate to work c
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -185,6 +185,18 @@ class TableBuilder:
         """End the innermost open span."""
         kind, name, first, words = self._open_spans.pop()
         self.spans.append(Span(kind, name, first, self.index, words))
+
+    def append(self, path: Toolpath) -> None:
+        """Add the rows, events and spans of a toolpath with one state; they name the state that is in force here."""
+        first, state = self.index, len(self.states) - 1
+        self._flush()
+        for chunk in path.chunks:
+            if len(chunk):
+                states = np.full(len(chunk), state, np.int32)
+                self._chunks.append(replace(chunk, first=self.index, state=states))
+                self.index += len(chunk)
+        self.events += [replace(event, index=event.index + first, state=state) for event in path.events]
+        self.spans += [replace(span, first=span.first + first, last=span.last + first) for span in path.spans]
 
     def take(self) -> list[Chunk]:
         """Return the rows made since the last call, as chunks, and forget them."""

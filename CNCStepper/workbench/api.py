@@ -23,7 +23,7 @@ from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from CNCStepper.errors import CNCStepperError, JobError
+from CNCStepper.errors import CNCStepperError, JobError, Place
 from CNCStepper.workbench import packages, program_file
 from CNCStepper.workbench.features.base import Feature, edit, require_parts
 from CNCStepper.workbench.features.elliptical_pocket import EllipticalPocket
@@ -103,8 +103,14 @@ def program_text(job: Any) -> str:
 
 
 def save_program(job: Any, path: str | Path) -> None:
-    """Write the job's program to a file, byte for byte; raises JobError as `program_text` does."""
-    Path(path).write_bytes(program_text(job).encode("ascii"))
+    """Write the job's program to a file, byte for byte; raises JobError as `program_text` does, or for the file."""
+    content = program_text(job).encode("ascii")
+    try:
+        Path(path).write_bytes(content)
+    except OSError as error:
+        what = f"the program cannot be written: {error.strerror or error}"
+        advice = "choose a folder that exists and that you may write to"
+        raise JobError("program-unwritable", what, advice=advice, place=Place(str(path))) from error
 
 
 def job_model(job: Any) -> Model:
@@ -128,6 +134,7 @@ def _add(document: Any, freecad_type: str, kind: type[Feature], values: dict[str
     try:
         kind(obj)
         edit(obj, **values)
+        obj.Proxy.check(obj)
     except CNCStepperError:
         document.removeObject(obj.Name)
         raise

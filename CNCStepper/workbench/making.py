@@ -1,26 +1,31 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""From document objects to the core: the job as the core's own model, its program, one operation for trial."""
+"""From document objects to the core: the job as the core's own model, its program, an operation's setup."""
 
 from __future__ import annotations
 
-from pathlib import Path
 from typing import Any
 
-from CNCStepper.cycles.form import Answer, Setup
+from CNCStepper.cycles.form import Setup
 from CNCStepper.gcode.interpret import interpret
 from CNCStepper.job.make import make_program
 from CNCStepper.job.model import Job
-from CNCStepper.machine.profile import Machine, load_machine, profile_names, validated
+from CNCStepper.machine.profile import validated
 from CNCStepper.state import Start
-from CNCStepper.toolpath import TableBuilder, Toolpath
+from CNCStepper.toolpath import Toolpath
 from CNCStepper.workbench.features.base import values
 from CNCStepper.workbench.features.job import active_operations
 from CNCStepper.workbench.features.tool import model_of
+from CNCStepper.workbench.machines import machine_of
+
+__all__ = ["job_of", "machine_of", "program", "read_back", "setup_of"]
 
 
 def program(obj: Any) -> str:
     """Return the program of a job object; raises what the core raises."""
-    return make_program(job_of(obj), machine_of(obj), obj.Label).program
+    job = job_of(obj)
+    pairs = zip(active_operations(obj), job.operation, strict=True)
+    ready = tuple(each.Proxy.cut_once(cycle, job.setup(cycle)) for each, cycle in pairs)
+    return make_program(job.model_copy(update={"operation": ready}), machine_of(obj), obj.Label).program
 
 
 def job_of(obj: Any) -> Job:
@@ -34,19 +39,9 @@ def job_of(obj: Any) -> Job:
     return validated(Job, content, obj.Label)
 
 
-def machine_of(obj: Any) -> Machine:
-    """Return the machine of a job object; a profile's file is looked for beside the document, its dialect set."""
-    name = obj.Machine
-    if name not in profile_names() and obj.Document.FileName:
-        name = str(Path(obj.Document.FileName).parent / name)
-    machine = load_machine(name)
-    return machine.model_copy(update={"controller": obj.Dialect}) if obj.Dialect else machine
-
-
-def trial(job: Any, tool: Any, cycle: Any) -> Answer:
-    """Return what a cycle answers when it is cut alone, as in its job; raises CycleError."""
-    setup = Setup(model_of(tool), float(job.Clearance), float(job.Retract))
-    return cycle.cut(setup, TableBuilder(Start()))
+def setup_of(job: Any, tool: Any) -> Setup:
+    """Return what a job object gives an operation with that tool; raises JobError for the tool."""
+    return Setup(model_of(tool), float(job.Clearance), float(job.Retract))
 
 
 def read_back(job: Any, text: str) -> Toolpath:

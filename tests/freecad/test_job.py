@@ -288,7 +288,7 @@ def test_a_deleted_drawing_leaves_no_old_program(document: Any) -> None:
     document.recompute()
     assert api.program_text(job)
     document.removeObject(sketch.Name)
-    refused(document, engraving, "no drawing")
+    refused(document, engraving, "'Sketch' that it followed was deleted")
 
 
 def test_heights_that_do_not_fit_are_refused_by_the_job(document: Any) -> None:
@@ -300,8 +300,9 @@ def test_heights_that_do_not_fit_are_refused_by_the_job(document: Any) -> None:
 
 
 def test_an_unknown_machine_is_refused(document: Any) -> None:
-    job = new_job(document, machine="nonesuch")
+    job = new_job(document)
     api.add_elliptical_pocket(job, depth_mm=2)
+    api.edit(job, machine="nonesuch")
     refused(document, job, "nonesuch")
 
 

@@ -83,6 +83,9 @@ class Feature:
                 if entry.output:
                     obj.setEditorMode(entry.name, 1)
 
+    def check(self, obj: Any) -> None:
+        """Raise a CNCStepperError when a property of `obj` alone can never do, whatever it will stand on."""
+
     def make(self, obj: Any) -> None:
         """Make what `obj` holds from its properties; raises a CNCStepperError that says what to change."""
 

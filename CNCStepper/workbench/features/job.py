@@ -49,9 +49,18 @@ class Job(Feature):
         Property("message", "Message", TEXT, "Job", "Why there is no program", "", output=True),
     )  # fmt: skip
 
+    def check(self, obj: Any) -> None:
+        """Raise JobError for a machine that there is not, or a stock without a size."""
+        packages.require()
+        from CNCStepper.simulation.stock import Stock
+        from CNCStepper.workbench.machines import machine_of
+
+        machine_of(obj)
+        Stock(tuple(obj.StockSize), obj.StockOrigin)
+
     def make(self, obj: Any) -> None:
         """Make the program from all active operations."""
-        packages.require()
+        self.check(obj)
         require_parts(active_operations(obj))
         if not active_operations(obj):
             self.invalidate(obj, "the job has no operations")

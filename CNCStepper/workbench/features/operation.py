@@ -13,6 +13,7 @@ from CNCStepper.workbench.features.base import (
     DRAWING,
     JOB,
     LINK,
+    TEXT,
     Feature,
     Property,
     proxy_type,
@@ -34,6 +35,8 @@ def drawn(group: str, text: str) -> tuple[Property, ...]:
         Property("drawing", "Drawing", DRAWING, group, text),
         Property("containers", "Containers", CONTAINERS, group, "The parts and bodies that the drawing moves with",
                  (), output=True),
+        Property("deleted_drawing", "DeletedDrawing", TEXT, group, "The drawing it followed, when that was deleted", "",
+                 output=True),
     )  # fmt: skip
 
 
@@ -41,6 +44,9 @@ class Operation(Feature):
     """The proxy of an operation: its properties are its cycle's parameters, under the same keys."""
 
     CYCLE = ""
+    removed_label = ""
+    last_cut: Any = None  # a CutOnce
+    warnings: tuple[str, ...] = ()  # what the last cut says that a person should know
 
     def follow(self, obj: Any, origin_mm: tuple[float, ...]) -> None:
         """Take those parameters from the drawing that it gives; only while `obj` itself is recomputed."""
@@ -58,15 +64,32 @@ class Operation(Feature):
         content = {"cycle": self.CYCLE, "tool": _tool(obj).Number, **self.cycle_values(obj, origin_mm)}
         return validated(cycle_class(self.CYCLE), content, obj.Label)
 
+    def cut_once(self, cycle: Any, setup: Any) -> Any:
+        """Return the cycle with its cut, which is kept for the next who asks for the same; raises CycleError."""
+        from CNCStepper.workbench.cut_once import CutOnce
+
+        if self.last_cut is None or not self.last_cut.fits(cycle, setup):
+            self.last_cut = CutOnce(cycle, setup)
+        return self.last_cut
+
     def make(self, obj: Any) -> None:
         """Cut it for trial, as its job would, and show the figures."""
+        self.warnings = ()
+        _refuse_deleted(obj)
         require_parts(part for part in (obj.Tool, obj.Drawing) if part is not None)
         show(obj, self.figures(obj))
 
     def onChanged(self, obj: Any, name: str) -> None:
         """Stand on what the drawing moves with, too; FreeCAD calls this at every change."""
-        if name == "Drawing" and "Containers" in obj.PropertiesList and "Restore" not in obj.State:
+        if name == "Drawing" and "DeletedDrawing" in obj.PropertiesList and "Restore" not in obj.State:
             obj.Containers = containers_of(obj.Drawing)
+            obj.DeletedDrawing = self.removed_label
+            self.removed_label = ""
+
+    def onBeforeChange(self, obj: Any, name: str) -> None:
+        """Note which drawing is being deleted; FreeCAD calls this before every change."""
+        if name == "Drawing" and obj.Drawing is not None and obj.Drawing.Removing:
+            self.removed_label = obj.Drawing.Label
 
     def figures(self, obj: Any) -> dict[str, float]:
         """Return what the cycle reports (recalculated ae and ap, passes); nothing while it belongs to no job."""
@@ -76,9 +99,11 @@ class Operation(Feature):
         cycle = self.cycle(obj, origin_mm)
         if not jobs:
             return {}
-        from CNCStepper.workbench.making import trial
+        from CNCStepper.workbench.making import setup_of
 
-        return trial(jobs[0], _tool(obj), cycle).figures
+        answer = self.cut_once(cycle, setup_of(jobs[0], _tool(obj))).answer
+        self.warnings = tuple(answer.warnings)
+        return answer.figures
 
 
 def parameters(obj: Any) -> dict[str, Any]:
@@ -89,6 +114,15 @@ def parameters(obj: Any) -> dict[str, Any]:
 def jobs_of(obj: Any) -> list[Any]:
     """Return the jobs that hold an operation (one, unless a user linked it twice)."""
     return [other for other in obj.InList if proxy_type(other) == JOB]
+
+
+def _refuse_deleted(obj: Any) -> None:
+    if obj.DeletedDrawing:
+        raise CycleError(
+            "drawing-deleted",
+            f"the drawing '{obj.DeletedDrawing}' that it followed was deleted",
+            advice="undo that, choose another drawing, or choose none",
+        )
 
 
 def _tool(obj: Any) -> Any:

@@ -24,9 +24,11 @@ class Tool(Feature):
         Property("spindle_rpm", "SpindleSpeed", "App::PropertyFloat", "Cutting", "Spindle turns a minute", 10000.0),
     )
 
-    def make(self, obj: Any) -> None:
-        """Check the values; raises JobError that names the one that cannot be."""
+    def check(self, obj: Any) -> None:
+        """Raise JobError that names the value that cannot be."""
         model_of(obj)
+
+    make = check
 
 
 def model_of(obj: Any) -> Any:
