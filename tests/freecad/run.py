@@ -20,6 +20,7 @@ def main() -> int:
     import pytest
 
     sys.argv = ["pytest"]
+    os.environ["PYTEST_DISABLE_PLUGIN_AUTOLOAD"] = "1"  # FreeCAD's older packages may win over those with plugins
     print("FreeCAD", ".".join(FreeCAD.Version()[:3]), "Python", sys.version.split()[0], flush=True)
     extra = [argument for argument in os.environ.get("CNCSTEPPER_PYTEST", "").split("\n") if argument]
     return int(pytest.main(["-p", "no:cacheprovider", *(extra or [str(HERE)])]))

@@ -1,0 +1,48 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""These tests run inside FreeCAD's window (see run.py); `tools/window.sh VERSION FILES` starts them there."""
+
+from __future__ import annotations
+
+import os
+
+INSIDE = "CNCSTEPPER_WINDOW_STATUS" in os.environ
+collect_ignore_glob = [] if INSIDE else ["test_*.py", "*/test_*.py"]
+
+if INSIDE:
+    from collections.abc import Iterator
+    from typing import Any
+
+    import FreeCAD
+    import pytest
+    from hand import Hand
+
+    @pytest.fixture(scope="session")
+    def the_hand() -> Hand:
+        """The one hand of this window, when FreeCAD has opened the workbench."""
+        hand = Hand(FreeCAD.__cncstepper_window__)
+        hand.wait(hand.workbench_is_open, 60)
+        hand.settle()
+        return hand
+
+    @pytest.fixture
+    def hand(the_hand: Hand) -> Hand:
+        """A person's hand at the mouse and the keys."""
+        return the_hand
+
+    @pytest.hookimpl(wrapper=True)
+    def pytest_runtest_makereport(item: pytest.Item, call: Any) -> Any:
+        """Keep a picture of the screen when a test fails."""
+        result = yield
+        if result.failed and call.when == "call" and "the_hand" in item.funcargs:
+            picture = item.funcargs["the_hand"].shot(f"failed-{item.name}")
+            result.sections.append(("picture", str(picture)))
+        return result
+
+    @pytest.fixture(autouse=True)
+    def quiet_and_tidy(the_hand: Hand) -> Iterator[None]:
+        """After each test nothing is open any more, and the report view holds nothing bad that the test did not ask for."""
+        the_hand.begin()
+        yield
+        the_hand.tidy()
+        bad = the_hand.unexpected()
+        assert not bad, "the report view holds:\n" + "\n".join(f"{line.kind}: {line.text}" for line in bad)

@@ -1,0 +1,257 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A person's hand at FreeCAD's window, for the tests: it finds things on the screen, clicks, types and looks.
+
+What it does goes through the X server; Qt is asked only where things are. Places are Qt's own pixels (with
+QT_SCALE_FACTOR=2 one of them is two of the screen's).
+"""
+
+from __future__ import annotations
+
+import os
+import re
+import time
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import Any
+
+import FreeCAD
+import FreeCADGui
+import report_view
+import screen_places as places
+import x_input
+from interface import Interface, Watchdog, interface_stack
+from PySide import QtGui
+
+PICTURES = Path(os.environ["CNCSTEPPER_WINDOW_PICTURES"])
+APPEARS_S = 5.0  # so long may a window or an entry take to appear
+Target = Any  # an objectName or a widget
+Point = tuple[float, float]
+
+
+class Hand:
+    """See the module; every method is called in pytest's thread."""
+
+    def __init__(self, interface: Interface) -> None:
+        self._interface = interface
+        server = x_input.connect()
+        self.mouse, self.keyboard = x_input.Mouse(server), x_input.Keyboard(server)
+        self._allowed: list[str] = []
+
+    # ---- FreeCAD's own thread ----
+
+    def main(self, function: Callable[..., Any], *arguments: Any, limit_s: float = 30.0) -> Any:
+        """Run a function on the interface thread and return its result; what it raises is raised here."""
+        return self._interface.call(function, *arguments, limit_s=limit_s)
+
+    def wait(self, condition: Callable[[], Any], seconds: float = 10.0, what: str = "") -> Any:
+        """Wait until the condition, asked on the interface thread, is true; return what it gave."""
+        until_s = time.monotonic() + seconds
+        while not (result := self.main(condition)):
+            if time.monotonic() > until_s:
+                raise AssertionError(f"waited {seconds} s in vain for {what or condition}; {self.describe()}")
+            time.sleep(0.02)
+        return result
+
+    def settle(self) -> None:
+        """Wait until FreeCAD has handled the events that were sent."""
+        for pause_s in (0.005, 0.01):
+            self.main(QtGui.QCursor.pos)  # a question to the X server: its answer comes after the events
+            time.sleep(pause_s)
+        self.main(int)
+
+    def watchdog(self) -> Watchdog:
+        """Measure the longest block of the interface thread: `with hand.watchdog() as watch: …; watch.max_ms`."""
+        return Watchdog(self._interface)
+
+    def memory_mb(self) -> float:
+        """Return the memory that FreeCAD's process holds at this moment."""
+        pages = int(Path("/proc/self/statm").read_text("ascii").split()[1])
+        return pages * os.sysconf("SC_PAGE_SIZE") / 1e6
+
+    def workbench_is_open(self) -> bool:
+        """Tell whether FreeCAD has opened our workbench."""
+        return bool(FreeCADGui.activeWorkbench().name() == "CNCStepperWorkbench")
+
+    # ---- looking ----
+
+    def find(self, name: str) -> Any:
+        """Return the widget with this objectName, the visible one where several have it."""
+        return self.main(places.find, name)
+
+    def exists(self, name: str) -> bool:
+        """Tell whether a visible widget has this objectName."""
+        return bool(self.main(places.visible, name))
+
+    def text(self, target: Target) -> str:
+        """Return the text that a label, field, button, spin or combo box shows."""
+        return str(self.main(lambda: places.text(places.find(target))))
+
+    def report(self) -> list[report_view.Line]:
+        """Return the lines of the report view since the test began; a line has .kind, .text and .bad."""
+        return list(self.main(report_view.read))
+
+    def expect_report(self, pattern: str) -> None:
+        """Allow warnings and errors in the report view that match a pattern, for this test."""
+        self._allowed.append(pattern)
+
+    def unexpected(self) -> list[report_view.Line]:
+        """Return the bad lines of the report view that the test did not ask for."""
+        return [line for line in self.report() if line.bad and not any(re.search(p, line.text) for p in self._allowed)]
+
+    def shot(self, name: str, target: Target | None = None) -> Path:
+        """Save the screen, or the window that a widget stands in, as build/window/VERSION/NAME.png."""
+        self.settle()
+        path = PICTURES / (re.sub(r"[^\w.+-]+", "_", name) + ".png")
+        assert self.main(places.picture, target).save(str(path)), f"could not write {path}"
+        return path
+
+    def describe(self) -> str:
+        """Return what is on the screen, for messages."""
+        return str(self.main(places.describe)) + "\nthe interface thread is in\n" + interface_stack()
+
+    # ---- mouse ----
+
+    def click(
+        self,
+        target: Target,
+        *,
+        at: Point | None = None,
+        button: int = x_input.LEFT,
+        double: bool = False,
+        modifiers: Sequence[str] = (),
+    ) -> None:
+        """Click a widget (or the one with this objectName), in its middle or `at` a place in it."""
+        self._click_place(self._place(places.of_widget, target, at), button, double, modifiers)
+
+    def _place(self, where: Callable[..., Point], *arguments: Any) -> Point:
+        """Return a place as soon as it can be seen: windows appear, and trees fill, a moment later."""
+        until_s = time.monotonic() + APPEARS_S
+        while True:
+            try:
+                return self.main(where, *arguments)
+            except AssertionError:
+                if time.monotonic() > until_s:
+                    raise
+            time.sleep(0.05)
+
+    def _click_place(self, place: Point, button: int = 1, double: bool = False, modifiers: Sequence[str] = ()) -> None:
+        self.mouse.move(*place)
+        self.settle()
+        for key in modifiers:
+            self.keyboard.down(key)
+        for _ in range(2 if double else 1):
+            self.mouse.down(button)
+            self.mouse.up(button)
+        for key in reversed(modifiers):
+            self.keyboard.up(key)
+        self.settle()
+
+    def hover(self, target: Target) -> None:
+        """Put the pointer on a widget."""
+        x, y = self._place(places.of_widget, target, None)
+        self.mouse.move(x - 3, y - 3)
+        self.settle()
+        self.mouse.move(x, y)
+        self.settle()
+
+    def command(self, name: str) -> None:
+        """Click the toolbar button of a FreeCAD command."""
+        self._click_place(self._place(lambda: places.of_widget(places.tool_button(name), None)))
+
+    def menu(self, *texts: str) -> None:
+        """Click through the menu bar: `hand.menu("CNCStepper", "New job")`; & and … are left out."""
+        self._click_place(self._place(places.menu_bar_entry, texts[0]))
+        for text in texts[1:]:
+            self._click_place(self._place(places.popup_entry, text))
+
+    def button(self, text: str) -> None:
+        """Click the button with this text, in the open dialog or else anywhere in the window."""
+        self._click_place(self._place(lambda: places.of_widget(places.button(text), None)))
+
+    def item(self, view: Target, text: str, *, double: bool = False, modifiers: Sequence[str] = ()) -> None:
+        """Click an entry of a list, tree or table by its text; it is scrolled to first."""
+        self._click_place(self._place(places.of_item, view, text), double=double, modifiers=modifiers)
+
+    def tree(self, label: str, *, double: bool = False, modifiers: Sequence[str] = ()) -> None:
+        """Click an object in FreeCAD's tree by its label."""
+        self._click_place(self._place(places.of_tree_item, label), double=double, modifiers=modifiers)
+
+    def choose(self, combo: Target, text: str) -> None:
+        """Open a combo box and click the entry with this text."""
+        self.click(combo)
+        self.wait(lambda: places.combo_list(combo).isVisible(), 5, f"the list of {combo}")
+        self.item(self.main(places.combo_list, combo), text)
+
+    def drag(self, points: Sequence[Point], *, modifiers: Sequence[str] = (), button: int = x_input.LEFT) -> None:
+        """Press at the first point of the 3D view, move through all, release; pixels from its upper left corner."""
+        self.press_at(points[0], modifiers=modifiers, button=button)
+        for point in points[1:]:
+            self.move_to(point)
+        self.release(modifiers=modifiers, button=button)
+
+    def press_at(self, point: Point, *, modifiers: Sequence[str] = (), button: int = x_input.LEFT) -> None:
+        """Press a mouse button at a place of the 3D view and keep it down."""
+        self.move_to(point)
+        for key in modifiers:
+            self.keyboard.down(key)
+        self.mouse.down(button)
+        self.settle()
+
+    def move_to(self, point: Point) -> None:
+        """Move the pointer to a place of the 3D view, and wait until it has been seen there."""
+        self.mouse.move(*self.main(places.of_view, point))
+        self.settle()
+
+    def release(self, *, modifiers: Sequence[str] = (), button: int = x_input.LEFT) -> None:
+        """Release a mouse button, and the keys held with it."""
+        self.mouse.up(button)
+        for key in reversed(modifiers):
+            self.keyboard.up(key)
+        self.settle()
+
+    def view_point(self, x_mm: float, y_mm: float, z_mm: float = 0.0) -> Point:
+        """Return where a point of the drawing appears in the 3D view, for `drag`."""
+        return self.main(places.view_pixels, x_mm, y_mm, z_mm)
+
+    # ---- keys ----
+
+    def type(self, text: str) -> None:
+        """Type a text where the keyboard's focus is."""
+        self.wait(places.has_keyboard, APPEARS_S, "the keyboard's focus")
+        for letter in text:
+            self.keyboard.write(letter)
+        self.settle()
+
+    def key(self, combination: str) -> None:
+        """Press and release keys together: "Return", "Ctrl+Z"."""
+        self.wait(places.has_keyboard, APPEARS_S, "the keyboard's focus")
+        self.keyboard.stroke(combination)
+        self.settle()
+
+    def fill(self, target: Target, text: str) -> None:
+        """Click a field, replace what stands in it, leave it with Tab."""
+        self.click(target)
+        self.key("Ctrl+A")
+        self.type(text)
+        self.key("Tab")
+
+    # ---- before and after a test ----
+
+    def begin(self) -> None:
+        """Start with an empty report view."""
+        self._allowed.clear()
+        self.main(report_view.clear)
+
+    def tidy(self) -> None:
+        """Release keys, close dialogs and documents, whatever a failed test has left."""
+        self.mouse.release_all()
+        self.keyboard.release_all()
+        for _ in range(5):
+            if not self.main(places.close_one_popup):
+                break
+            self.settle()
+        self.main(FreeCADGui.Control.closeDialog)
+        self.settle()
+        for name in self.main(lambda: list(FreeCAD.listDocuments())):
+            self.main(FreeCAD.closeDocument, name)
+        self.settle()

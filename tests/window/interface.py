@@ -1,0 +1,116 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""FreeCAD's interface thread, seen from the thread in which pytest runs."""
+
+from __future__ import annotations
+
+import queue
+import sys
+import threading
+import time
+import traceback
+from collections.abc import Callable
+from typing import Any
+
+from PySide import QtCore
+
+CALL_LIMIT_S = 30.0
+TICK_MS = 2
+
+
+def interface_stack() -> str:
+    """Return what the interface thread is doing at this moment, as a traceback shows it."""
+    frame = sys._current_frames().get(threading.main_thread().ident or 0)
+    return "".join(traceback.format_stack(frame)) if frame else "(no Python)"
+
+
+class Interface(QtCore.QObject):
+    """Runs functions on the interface thread, also while a modal dialog or another loop is open there."""
+
+    _asked = QtCore.Signal(object)
+
+    def __init__(self) -> None:
+        """Make it on the interface thread: that is where the functions will run."""
+        super().__init__()
+        self._asked.connect(self._answer, QtCore.Qt.ConnectionType.QueuedConnection)
+
+    @QtCore.Slot(object)
+    def _answer(self, task: Callable[[], None]) -> None:
+        task()
+
+    def call(self, function: Callable[..., Any], *arguments: Any, limit_s: float = CALL_LIMIT_S) -> Any:
+        """Return the function's result; what it raises is raised here. TimeoutError when the thread does not answer."""
+        if threading.current_thread() is threading.main_thread():
+            return function(*arguments)
+        answers: queue.Queue[tuple[Any, BaseException | None]] = queue.Queue()
+
+        def task() -> None:
+            try:
+                answers.put((function(*arguments), None))
+            except BaseException as error:
+                answers.put((None, error))
+
+        self._asked.emit(task)
+        try:
+            result, error = answers.get(timeout=limit_s)
+        except queue.Empty:
+            raise TimeoutError(
+                f"the interface thread did not answer within {limit_s} s; it is in\n{interface_stack()}"
+            ) from None
+        if error is not None:
+            raise error
+        return result
+
+
+class Watchdog:
+    """Measures how long the interface thread is kept from its events: `with hand.watchdog() as watch:`.
+
+    `max_ms` is the longest time between two ticks of a 2 ms timer there, `max_cpu_ms` the processor time that
+    the interface thread itself used in the worst such time (on a busy machine the first one grows, this one does
+    not), `where` is what it was doing in the longest one.
+    """
+
+    def __init__(self, interface: Interface) -> None:
+        self._interface = interface
+        self.max_ms = self.max_cpu_ms = 0.0
+        self.where = ""
+
+    def __enter__(self) -> Watchdog:
+        self._interface.call(self._start)
+        self._ended = threading.Event()
+        self._looker = threading.Thread(target=self._look, daemon=True)
+        self._looker.start()
+        return self
+
+    def __exit__(self, *_error: object) -> None:
+        self._ended.set()
+        self._looker.join()
+        self._interface.call(self._stop)
+
+    def _start(self) -> None:
+        self._seen_s, self._cpu_s = time.perf_counter(), time.thread_time()
+        self._timer = QtCore.QTimer()
+        self._timer.setTimerType(QtCore.Qt.TimerType.PreciseTimer)
+        self._timer.timeout.connect(self._tick)
+        self._timer.start(TICK_MS)
+
+    def _stop(self) -> None:
+        self._tick()
+        self._timer.stop()
+        self._timer.deleteLater()
+
+    def _tick(self) -> None:
+        now_s, cpu_s = time.perf_counter(), time.thread_time()
+        self.max_ms = max(self.max_ms, 1000 * (now_s - self._seen_s))
+        self.max_cpu_ms = max(self.max_cpu_ms, 1000 * (cpu_s - self._cpu_s))
+        self._seen_s, self._cpu_s = now_s, cpu_s
+
+    def _look(self) -> None:
+        """Keep the stack of the longest block, looked at while it lasts."""
+        longest_s = 0.02
+        while not self._ended.wait(0.01):
+            blocked_s = time.perf_counter() - self._seen_s
+            if blocked_s > longest_s:
+                longest_s, self.where = blocked_s, interface_stack()
+
+    def __str__(self) -> str:
+        return f"longest block {self.max_ms:.0f} ms ({self.max_cpu_ms:.0f} ms of its own work) in\n{self.where}"

@@ -1,0 +1,228 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Where things are on the screen; all of it runs on the interface thread. Places are pixels of the X screen."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import FreeCAD
+import FreeCADGui
+from PySide import QtCore, QtGui
+
+Point = tuple[float, float]
+
+
+def _scale() -> float:
+    return float(QtGui.QApplication.primaryScreen().devicePixelRatio())
+
+
+def _on_screen(widget: Any, point: Any) -> Point:
+    spot = widget.mapToGlobal(point)
+    return spot.x() * _scale(), spot.y() * _scale()
+
+
+def _plain(text: str) -> str:
+    return text.replace("&", "").rstrip(".…").strip()
+
+
+def visible(name: str) -> list[Any]:
+    """Return the visible widgets with this objectName."""
+    return [w for w in QtGui.QApplication.allWidgets() if w.objectName() == name and w.isVisible()]
+
+
+def find(target: Any) -> Any:
+    """Return the widget itself, or the one with this objectName."""
+    if not isinstance(target, str):
+        return target
+    found = visible(target) or [w for w in QtGui.QApplication.allWidgets() if w.objectName() == target]
+    ours = sorted({w.objectName() for w in QtGui.QApplication.allWidgets() if w.objectName().startswith("CNC")})
+    assert found, f"no widget is named {target}; there are {ours}"
+    return found[0]
+
+
+def text(widget: Any) -> str:
+    """Return what a widget shows as text."""
+    for method in ("text", "currentText", "toPlainText", "windowTitle"):
+        if hasattr(widget, method):
+            return str(getattr(widget, method)())
+    raise AssertionError(f"{widget} shows no text")
+
+
+def of_widget(target: Any, at: Point | None) -> Point:
+    """Return the middle of a widget, or a place in it; a widget that cannot be clicked there is an error."""
+    widget = find(target)
+    name = widget.objectName() or type(widget).__name__
+    assert widget.isVisible(), f"{name} is not visible"
+    assert widget.isEnabled(), f"{name} is disabled: {widget.toolTip()}"
+    _scroll_to(widget)
+    spot = QtCore.QPoint(round(at[0]), round(at[1])) if at else _middle(widget)
+    there = QtGui.QApplication.widgetAt(widget.mapToGlobal(spot))
+    assert there is widget or (there and widget.isAncestorOf(there)), f"{name} is covered by {_chain(there)}"
+    return _on_screen(widget, spot)
+
+
+def _middle(widget: Any) -> Any:
+    """A check box and a radio button are clicked on their mark: their widget may be wider than what answers."""
+    if isinstance(widget, (QtGui.QCheckBox, QtGui.QRadioButton)):
+        return QtCore.QPoint(10, widget.height() // 2)
+    if isinstance(widget, QtGui.QAbstractSpinBox):  # its line, not the arrows at its end
+        return QtCore.QPoint(min(20, widget.width() // 3), widget.height() // 2)
+    return widget.rect().center()
+
+
+def _scroll_to(widget: Any) -> None:
+    parent = widget.parentWidget()
+    while parent is not None:
+        if isinstance(parent, QtGui.QScrollArea):
+            parent.ensureWidgetVisible(widget)
+        parent = parent.parentWidget()
+
+
+def _chain(widget: Any) -> str:
+    names = []
+    while widget is not None:
+        names.append(f"{type(widget).__name__}({widget.objectName()})")
+        widget = widget.parentWidget()
+    return " in ".join(names) or "nothing of FreeCAD's"
+
+
+def tool_button(command: str) -> Any:
+    """Return the visible toolbar button of a FreeCAD command."""
+    actions = FreeCADGui.Command.get(command).getAction()
+    buttons = [
+        button
+        for button in FreeCADGui.getMainWindow().findChildren(QtGui.QToolButton)
+        if button.isVisible() and button.defaultAction() in actions
+    ]
+    assert buttons, f"no toolbar shows a button for {command}"
+    return buttons[0]
+
+
+def menu_bar_entry(label: str) -> Point:
+    """Return the place of an entry of the menu bar."""
+    bar = FreeCADGui.getMainWindow().menuBar()
+    entries = [action for action in bar.actions() if _plain(action.text()) == _plain(label) and action.isVisible()]
+    assert entries, f"the menu bar has no {label}; it has {[_plain(a.text()) for a in bar.actions()]}"
+    return _on_screen(bar, bar.actionGeometry(entries[0]).center())
+
+
+def popup_entry(label: str) -> Point:
+    """Return the place of an entry of the menu that is open."""
+    menu = QtGui.QApplication.activePopupWidget()
+    assert isinstance(menu, QtGui.QMenu), "no menu is open"
+    for action in menu.actions():
+        if _plain(action.text()) == _plain(label):
+            assert action.isEnabled(), f"{label} is disabled: {action.toolTip()}"
+            return _on_screen(menu, menu.actionGeometry(action).center())
+    raise AssertionError(f"the menu has no {label!r}; it has {[_plain(a.text()) for a in menu.actions()]}")
+
+
+def has_keyboard() -> bool:
+    """Tell whether keys arrive where a person would expect: in the modal dialog, when there is one."""
+    modal = QtGui.QApplication.activeModalWidget()
+    if QtGui.QApplication.activePopupWidget() is not None:
+        return True
+    return bool(modal.isActiveWindow()) if modal is not None else QtGui.QApplication.activeWindow() is not None
+
+
+def button(label: str) -> Any:
+    """Return the visible button with this text, in the modal dialog when there is one."""
+    within = QtGui.QApplication.activeModalWidget() or FreeCADGui.getMainWindow()
+    buttons = [b for b in within.findChildren(QtGui.QAbstractButton) if b.isVisible()]
+    found = [b for b in buttons if _plain(b.text()) == _plain(label)]
+    assert found, f"no button says {label}; there are {sorted({_plain(b.text()) for b in buttons})}"
+    assert len(found) == 1, f"{len(found)} buttons say {label}"
+    return found[0]
+
+
+def of_item(target: Any, label: str) -> Point:
+    """Return the place of an entry of a list, tree or table."""
+    view = find(target)
+    index = _find_index(view.model(), view.rootIndex(), label)
+    assert index is not None, f"{view.objectName() or view} has no entry {label!r}"
+    view.scrollTo(index)
+    spot = view.visualRect(index).center()
+    assert view.viewport().rect().contains(spot), f"the entry {label!r} is hidden"
+    return _on_screen(view.viewport(), spot)
+
+
+def _find_index(model: Any, parent: Any, label: str) -> Any:
+    for row in range(model.rowCount(parent)):
+        for column in range(model.columnCount(parent)):
+            index = model.index(row, column, parent)
+            if str(index.data()) == label:
+                return index
+        inside = _find_index(model, model.index(row, 0, parent), label)
+        if inside is not None:
+            return inside
+    return None
+
+
+def of_tree_item(label: str) -> Point:
+    """Return the place of an object in FreeCAD's tree, by its label."""
+    for tree in FreeCADGui.getMainWindow().findChildren(QtGui.QTreeWidget):
+        if not (tree.isVisible() and tree.metaObject().className() == "Gui::TreeWidget"):
+            continue
+        items = tree.findItems(label, QtCore.Qt.MatchFlag.MatchExactly | QtCore.Qt.MatchFlag.MatchRecursive)
+        if items:
+            tree.scrollToItem(items[0])
+            rect = tree.visualItemRect(items[0])
+            return _on_screen(tree.viewport(), QtCore.QPoint(rect.left() + 30, rect.center().y()))
+    raise AssertionError(f"the tree shows no {label!r}")
+
+
+def combo_list(target: Any) -> Any:
+    """Return the list that a combo box opens."""
+    return find(target).view()
+
+
+def view_widget() -> Any:
+    """Return the widget that shows the active 3D view."""
+    area = FreeCADGui.getMainWindow().centralWidget()
+    views = [w for w in area.findChildren(QtGui.QGraphicsView) if w.isVisible()]
+    assert views, "no 3D view is open"
+    active = area.activeSubWindow() if hasattr(area, "activeSubWindow") else None
+    return next((view for view in views if active is not None and active.isAncestorOf(view)), views[0])
+
+
+def of_view(point: Point) -> Point:
+    """Return the place of a pixel of the active 3D view, counted from its upper left corner."""
+    widget = view_widget()
+    assert widget.rect().contains(round(point[0]), round(point[1])), f"{point} is outside the 3D view {widget.size()}"
+    return _on_screen(widget, QtCore.QPoint(round(point[0]), round(point[1])))
+
+
+def view_pixels(x_mm: float, y_mm: float, z_mm: float) -> Point:
+    """Return the pixel of the active 3D view at which a point of the drawing appears."""
+    view = FreeCADGui.activeDocument().activeView()
+    project = getattr(view, "getPointOnViewport", None) or view.getPointOnScreen
+    x, y = project(FreeCAD.Vector(x_mm, y_mm, z_mm))
+    widget = view_widget()
+    return x / _scale(), widget.height() - 1 - y / _scale()
+
+
+def picture(target: Any | None) -> Any:
+    """Return the screen, or the window of a widget with its frame."""
+    screen = QtGui.QApplication.primaryScreen()
+    whole = screen.grabWindow(0)
+    if target is None:
+        return whole
+    frame = find(target).window().frameGeometry()
+    scale = _scale()
+    corner, size = frame.topLeft() * scale, frame.size() * scale
+    return whole.copy(QtCore.QRect(corner, size))
+
+
+def describe() -> str:
+    """Return what is open, in a line."""
+    modal, popup = QtGui.QApplication.activeModalWidget(), QtGui.QApplication.activePopupWidget()
+    focus = QtGui.QApplication.focusWidget()
+    return f"modal dialog: {_chain(modal)}; popup: {_chain(popup)}; focus: {_chain(focus)}"
+
+
+def close_one_popup() -> bool:
+    """Close the open menu, list or modal dialog; return whether there was one."""
+    open_one = QtGui.QApplication.activePopupWidget() or QtGui.QApplication.activeModalWidget()
+    if open_one is not None:
+        open_one.close()
+    return open_one is not None

@@ -1,0 +1,32 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Run a command inside a FreeCAD's folder: tools/in_root.sh 1.0.0 freecadcmd script.py -M .
+#
+# The project and the temporary folder are seen there at their own places, through mounts that only this command and
+# what it starts can see: removing the folder can never reach the project through them.
+set -euo pipefail
+project=$(cd "$(dirname "$0")/.." && pwd)
+root=$project/.cache/freecad/$1
+shift
+if ! [ -x "$root/usr/bin/freecad" ]; then
+    echo "in_root: $root holds no FreeCAD: run 'make matrix', which sets it up" >&2
+    exit 1
+fi
+if [ "$(id -u)" != 0 ]; then
+    echo "in_root: only root can enter $root: run this with sudo" >&2
+    exit 1
+fi
+packages=("$root"-python/lib/python3.*/site-packages)
+export CNCSTEPPER_PACKAGES=${CNCSTEPPER_PACKAGES-${packages[0]}} CNCSTEPPER_PYTHON=$root-python/bin/python
+# shellcheck disable=SC2016  # the inner shell fills these in
+exec unshare --mount bash -c '
+    set -euo pipefail
+    root=$1 project=$2
+    shift 2
+    mount -t proc proc "$root/proc"
+    mount --rbind /dev "$root/dev"
+    mkdir -p "$root$project" "$root/tmp"
+    mount --bind /tmp "$root/tmp"
+    mount --bind "$project" "$root$project"
+    exec chroot "$root" /usr/bin/env -C "$PWD" "$@"
+' in_root "$root" "$project" "$@"
