@@ -1,0 +1,51 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Numbers as people read them: lengths and speeds in their units, durations, percentages."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from CNCStepper.units import MM_PER_INCH
+
+NOTHING = "–"
+
+
+@dataclass(frozen=True)
+class Lengths:
+    """A unit of length: its name, that of its speeds, how many mm it has, its decimals, and the jog steps in it."""
+
+    name: str
+    speed_name: str
+    mm: float
+    decimals: int
+    steps: tuple[float, ...]
+
+    def text(self, length_mm: float | None, point: str = ".") -> str:
+        """Return a length with all its decimals, never as "-0.000"; a dash when it is not known."""
+        if length_mm is None:
+            return NOTHING
+        rounded = round(length_mm / self.mm, self.decimals) + 0.0
+        return f"{rounded:.{self.decimals}f}".replace(".", point)
+
+    def speed_text(self, speed_mm_min: float | None, point: str = ".") -> str:
+        """Return a speed, in inches with one decimal."""
+        if speed_mm_min is None:
+            return NOTHING
+        return f"{speed_mm_min / self.mm:.{self.decimals - 3}f}".replace(".", point)
+
+    def step_text(self, step: float, point: str = ".") -> str:
+        """Return a jog step with no more decimals than it needs."""
+        return f"{step:g}".replace(".", point)
+
+
+MM = Lengths("mm", "mm/min", 1.0, 3, (0.01, 0.1, 1.0, 10.0))
+INCH = Lengths("in", "in/min", MM_PER_INCH, 4, (0.001, 0.01, 0.1, 1.0))
+
+
+def duration(time_s: float | None) -> str:
+    """Return a time as 0:05, 12:05 or 1:02:05; a dash when it is not known."""
+    if time_s is None:
+        return NOTHING
+    minutes, seconds = divmod(round(max(time_s, 0.0)), 60)
+    hours, minutes = divmod(minutes, 60)
+    return f"{hours}:{minutes:02d}:{seconds:02d}" if hours else f"{minutes}:{seconds:02d}"

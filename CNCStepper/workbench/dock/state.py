@@ -1,0 +1,170 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What the dock says of a moment, and which of its controls can work then: no Qt, no FreeCAD, nothing remembered.
+
+Texts here are marked for the translators and shown through `tr`.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from CNCStepper.workbench.words import later
+
+OFF, CALM, GOING, WAITING, DANGER = "off", "calm", "going", "waiting", "danger"
+
+STANDING = frozenset({"held", "paused", "door"})
+JOB_RUNS = frozenset({"running", "holding", "finishing", "stopping", *STANDING})
+CONNECTED = frozenset({"idle", "alarm", "jogging", "homing", *JOB_RUNS})
+
+
+@dataclass(frozen=True)
+class Moment:
+    """What the dock knows of the machine at one time.
+
+    phase: "off" (no controller), "starting", "connecting", "gone" (the connection ended by itself), or the desk's
+    phase. machine_state: as grbl writes it. message: the program's words at a pause, the sentence of an alarm or of
+    what ended the connection. missing: why no port can be opened here at all. homing: None while it is not known
+    whether the machine can home.
+    """
+
+    phase: str = "off"
+    machine_state: str = ""
+    message: str = ""
+    missing: str = ""
+    homing: bool | None = None
+
+    @property
+    def connected(self) -> bool:
+        """Whether a controller answers."""
+        return self.phase in CONNECTED
+
+    @property
+    def job_runs(self) -> bool:
+        """Whether a job is being cut, also while it is held."""
+        return self.phase in JOB_RUNS
+
+    @property
+    def busy(self) -> bool:
+        """Whether a connection is being made."""
+        return self.phase in ("starting", "connecting")
+
+
+@dataclass(frozen=True)
+class Face:
+    """The state in large letters, its colour by meaning, and one sentence below it."""
+
+    headline: str
+    tone: str
+    sentence: str = ""
+
+
+FACES = {
+    "off": Face(later("Not connected"), OFF, later("Choose a port, then connect.")),
+    "starting": Face(later("Connecting…"), OFF, later("The link to the controller is being started.")),
+    "connecting": Face(later("Connecting…"), OFF, later("Waiting for the controller to answer.")),
+    "gone": Face(later("Connection lost"), DANGER, later("Look at the machine, then connect again.")),
+    "idle": Face(later("Idle"), CALM, later("The machine stands and waits.")),
+    "running": Face(later("Running"), GOING),
+    "finishing": Face(later("Finishing"), GOING, later("All lines are sent; the last moves are being cut.")),
+    "holding": Face(later("Holding…"), WAITING, later("The machine slows down.")),
+    "held": Face(later("Held"), WAITING, later("The machine stands; nothing is lost. Resume or stop.")),
+    "paused": Face(later("Paused"), WAITING, later("The program waits. Resume goes on.")),
+    "door": Face(later("Door"), WAITING, later("Close the safety door, then resume.")),
+    "stopping": Face(later("Stopping…"), WAITING, later("The machine slows down, then the job is ended.")),
+    "alarm": Face(later("Alarm"), DANGER, later("Find the cause, then home the machine or unlock it.")),
+    "jogging": Face(later("Jogging"), GOING),
+    "homing": Face(later("Homing"), GOING, later("The machine looks for its switches.")),
+}
+MISSING = Face(later("Not connected"), OFF, later("No port can be opened here."))
+UNKNOWN = Face(later("Busy"), WAITING)
+WITH_OWN_WORDS = ("paused", "alarm", "gone", "held", "door")  # where a message says more than our sentence
+
+
+def face(moment: Moment) -> Face:
+    """Return what to show large; its sentence is still to be translated unless it is the moment's own message."""
+    if moment.missing and moment.phase == "off":
+        return Face(MISSING.headline, MISSING.tone, moment.missing)
+    found = FACES.get(moment.phase, UNKNOWN)
+    if moment.message and moment.phase in WITH_OWN_WORDS:
+        return Face(found.headline, found.tone, moment.message[0].upper() + moment.message[1:])
+    return found
+
+
+@dataclass(frozen=True)
+class Rule:
+    """When a control works: in these phases; what it then does; why it does not in all others."""
+
+    phases: frozenset[str]
+    does: str
+    why_not: str
+
+
+NOT_CONNECTED = later("Connect to a controller first.")
+RULES = {
+    "hold": Rule(
+        frozenset({"running", "finishing"}),
+        later("Hold: slow down and stand still; nothing is lost, the spindle goes on turning."),
+        later("No job is being cut: there is nothing to hold."),
+    ),
+    "resume": Rule(STANDING, later("Go on with the job."), later("The job is not held: there is nothing to resume.")),
+    "stop": Rule(
+        JOB_RUNS - {"stopping"},
+        later(
+            "Stop the job: slow down, stand still, spindle off, the rest is not cut. "
+            "This is not an emergency stop: the emergency stop is on the machine."
+        ),
+        later("No job is being cut: there is nothing to stop. The emergency stop is on the machine."),
+    ),
+    "jog": Rule(
+        frozenset({"idle", "jogging"}),
+        later("Move the machine in this direction."),
+        later("Jogging works only while the machine is idle."),
+    ),
+    "zero": Rule(
+        frozenset({"idle"}),
+        later("Make this position the work zero of the axis."),
+        later("The work zero can be set only while the machine is idle."),
+    ),
+    "home": Rule(
+        frozenset({"idle", "alarm"}),
+        later("Let the machine find its own zero with its switches."),
+        later("Homing works only while the machine is idle or in alarm."),
+    ),
+    "unlock": Rule(
+        frozenset({"alarm"}),
+        later("Take the alarm away without homing: only when the position is surely right."),
+        later("The machine is not in alarm: there is nothing to unlock."),
+    ),
+    "override": Rule(
+        CONNECTED - {"alarm", "homing", "stopping"},
+        later("Change the programmed value while cutting, in percent."),
+        later("Overrides work only while the machine is idle or cutting."),
+    ),
+}
+NO_HOMING = later("This machine has no homing switches set up ($22=0).")
+
+
+def why_not(control: str, moment: Moment) -> str:
+    """Return why a control of `RULES` cannot work now, "" when it can."""
+    if not moment.connected:
+        return NOT_CONNECTED
+    if control == "home" and moment.homing is False:
+        return NO_HOMING
+    rule = RULES[control]
+    return "" if moment.phase in rule.phases else rule.why_not
+
+
+def why_not_connect(moment: Moment) -> str:
+    """Return why no connection can be made now, "" when one can."""
+    if moment.missing:
+        return moment.missing
+    if moment.connected:
+        return later("A controller is connected already.")
+    return later("The connection is being made.") if moment.busy else ""
+
+
+def why_not_disconnect(moment: Moment) -> str:
+    """Return why the connection cannot be left now, "" when it can."""
+    if moment.job_runs:
+        return later("A job is being cut: stop it first.")
+    return "" if moment.connected or moment.busy else later("No controller is connected.")

@@ -1,0 +1,101 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What the dock says of a moment, and which controls can work then."""
+
+from __future__ import annotations
+
+import pytest
+
+from CNCStepper.workbench.dock.state import (
+    CONNECTED,
+    DANGER,
+    FACES,
+    JOB_RUNS,
+    NO_HOMING,
+    NOT_CONNECTED,
+    RULES,
+    STANDING,
+    Moment,
+    face,
+    why_not,
+    why_not_connect,
+    why_not_disconnect,
+)
+
+PHASES = ("off", "starting", "connecting", "gone", *sorted(CONNECTED))
+
+
+def works(phase: str) -> set[str]:
+    return {control for control in RULES if not why_not(control, Moment(phase))}
+
+
+@pytest.mark.parametrize("phase", PHASES)
+def test_every_phase_has_a_face_and_a_reason_for_what_is_locked(phase: str) -> None:
+    assert phase in FACES and face(Moment(phase)).headline
+    for control in RULES:
+        reason = why_not(control, Moment(phase))
+        assert reason == "" or reason.endswith(".")
+
+
+@pytest.mark.parametrize(
+    ("phase", "expected"),
+    [
+        ("off", set()),
+        ("connecting", set()),
+        ("gone", set()),
+        ("idle", {"jog", "zero", "home", "override"}),
+        ("jogging", {"jog", "override"}),
+        ("homing", set()),
+        ("alarm", {"home", "unlock"}),
+        ("running", {"hold", "stop", "override"}),
+        ("finishing", {"hold", "stop", "override"}),
+        ("holding", {"stop", "override"}),
+        ("held", {"resume", "stop", "override"}),
+        ("paused", {"resume", "stop", "override"}),
+        ("door", {"resume", "stop", "override"}),
+        ("stopping", set()),
+    ],
+)
+def test_a_control_works_exactly_in_its_phases(phase: str, expected: set[str]) -> None:
+    assert works(phase) == expected
+
+
+def test_without_a_controller_the_reason_is_the_connection() -> None:
+    assert why_not("hold", Moment()) == NOT_CONNECTED
+
+
+def test_a_machine_without_switches_cannot_home_and_says_so() -> None:
+    assert why_not("home", Moment("idle", homing=False)) == NO_HOMING
+    assert why_not("home", Moment("idle", homing=None)) == ""
+    assert why_not("home", Moment("running", homing=True)) == RULES["home"].why_not
+
+
+def test_stop_is_never_called_emergency_stop() -> None:
+    assert "not an emergency stop" in RULES["stop"].does
+    assert "emergency stop is on the machine" in RULES["stop"].does
+
+
+@pytest.mark.parametrize("phase", sorted(JOB_RUNS))
+def test_a_running_job_is_not_disconnected(phase: str) -> None:
+    assert why_not_disconnect(Moment(phase))
+
+
+def test_connecting_is_offered_once() -> None:
+    assert why_not_connect(Moment()) == "" and why_not_connect(Moment("gone")) == ""
+    assert why_not_connect(Moment("starting")) and why_not_connect(Moment("idle"))
+    assert why_not_disconnect(Moment("starting")) == "" and why_not_disconnect(Moment())
+
+
+def test_what_is_missing_stands_in_the_sentence_and_locks_connect() -> None:
+    moment = Moment(missing="pyserial is missing")
+    assert face(moment).sentence == "pyserial is missing" == why_not_connect(moment)
+
+
+def test_the_words_of_program_and_alarm_are_shown() -> None:
+    assert face(Moment("paused", message="change the tool")).sentence == "Change the tool"
+    alarm = face(Moment("alarm", message="a limit switch was hit; home it"))
+    assert (alarm.tone, alarm.sentence) == (DANGER, "A limit switch was hit; home it")
+    assert face(Moment("running", message="old words")).sentence == FACES["running"].sentence
+
+
+def test_standing_still_is_part_of_a_job() -> None:
+    assert STANDING < JOB_RUNS < CONNECTED
