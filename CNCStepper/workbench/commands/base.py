@@ -35,6 +35,12 @@ class Command:
         """Do it; raises a CNCStepperError that says why it could not be done."""
         raise NotImplementedError
 
+    def text(self) -> str:
+        """Return the menu text in FreeCAD's language."""
+        import FreeCAD
+
+        return FreeCAD.Qt.translate(self.name, self.menu_text)
+
     def GetResources(self) -> dict[str, str]:
         """Return what FreeCAD shows of the command."""
         icon = packages.ROOT / "resources" / "icons" / f"{self.name}.svg"

@@ -16,9 +16,14 @@ def why_not() -> str:
 
 def made_job() -> Any:
     """Return the job that is meant, its program made from what the document says now; raises JobError."""
+    job = choice.job()
+    make(job)
+    return job
+
+
+def make(job: Any) -> None:
+    """Make a job's program from what the document says now; raises JobError when there can be none."""
     from CNCStepper.workbench import api
 
-    job = choice.job()
     job.Document.recompute()
     api.require_valid(job)
-    return job

@@ -132,10 +132,11 @@ class Feature:
 
 
 def show_in_window(obj: Any) -> None:
-    """Let a window draw `obj`: FreeCAD draws only scripted objects whose view has a proxy, 0 being the plainest."""
-    view = getattr(obj, "ViewObject", None)
-    if view is not None and view.Proxy is None:
-        view.Proxy = 0
+    """Give `obj` the view of its kind where there is a window; one made without gets it when it is opened in one."""
+    if getattr(obj, "ViewObject", None) is not None:
+        from CNCStepper.workbench import viewproviders
+
+        viewproviders.attach(obj)
 
 
 def proxy_type(obj: Any) -> str:

@@ -1,0 +1,32 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""How our objects look and behave in FreeCAD's tree and 3D view; needed only where there is a window.
+
+Documents keep the modules and names of these classes: a class that moves leaves its old name behind.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+
+def attach(obj: Any) -> None:
+    """Give an object of ours the view provider of its kind, unless it has it; the window must be there."""
+    kind = _kind(obj)
+    if not isinstance(obj.ViewObject.Proxy, kind):
+        kind(obj.ViewObject)
+
+
+def _kind(obj: Any) -> type:
+    from CNCStepper.workbench.features.base import JOB, proxy_type
+    from CNCStepper.workbench.viewproviders.base import ViewProvider
+    from CNCStepper.workbench.viewproviders.job import Job
+    from CNCStepper.workbench.viewproviders.operation import Operation
+    from CNCStepper.workbench.viewproviders.preview import Preview
+
+    kinds = {
+        JOB: Job,
+        "CNCStepper_EllipticalPocket": Operation,
+        "CNCStepper_Engrave": Operation,
+        "CNCStepper_Preview": Preview,
+    }
+    return kinds.get(proxy_type(obj), ViewProvider)

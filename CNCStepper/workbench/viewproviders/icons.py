@@ -1,0 +1,40 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The icons of the tree: one a kind of object, with a badge when it has a problem or is switched off."""
+
+from __future__ import annotations
+
+import functools
+from typing import Any
+
+from CNCStepper.workbench import packages
+
+FOLDER = packages.ROOT / "resources" / "icons"
+SIZES_PX = (16, 24, 32, 64)
+BADGE = 0.56  # of the icon's width
+
+
+@functools.cache
+def icon(kind: str, badge: str = "") -> Any:
+    """Return the QIcon of a kind of object ("CNCStepper_Job"), with the badge "Problem" or "Inactive" on it."""
+    from PySide import QtGui
+
+    plain = QtGui.QIcon(str(FOLDER / f"{kind}.svg"))
+    if not badge:
+        return plain
+    mark = QtGui.QIcon(str(FOLDER / f"CNCStepper_Overlay_{badge}.svg"))
+    result = QtGui.QIcon()
+    for size_px in SIZES_PX:
+        result.addPixmap(_composed(plain, mark, size_px, grey=badge == "Inactive"))
+    return result
+
+
+def _composed(plain: Any, mark: Any, size_px: int, grey: bool) -> Any:
+    from PySide import QtGui
+
+    mode = QtGui.QIcon.Mode.Disabled if grey else QtGui.QIcon.Mode.Normal
+    picture = plain.pixmap(size_px, size_px, mode)
+    part_px = round(BADGE * picture.width())
+    painter = QtGui.QPainter(picture)
+    painter.drawPixmap(picture.width() - part_px, 0, mark.pixmap(part_px, part_px))
+    painter.end()
+    return picture

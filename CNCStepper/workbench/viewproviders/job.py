@@ -1,0 +1,68 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""How a job looks in the tree: with its tools, operations and preview below it, which go when it is deleted."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from CNCStepper.workbench.features.base import proxy_type
+from CNCStepper.workbench.tell import guarded
+from CNCStepper.workbench.viewproviders.base import Entry, ViewProvider
+from CNCStepper.workbench.words import tr
+
+
+class Job(ViewProvider):
+    """The view of a job."""
+
+    @guarded
+    def claimChildren(self) -> list[Any]:
+        """Return what stands below the job in the tree."""
+        return [*self.obj.Tools, *self.obj.Operations, *previews(self.obj)]
+
+    @guarded
+    def onChanged(self, view: Any, name: str) -> None:
+        """Show and hide the preview with the job, except while a document is opened."""
+        if name == "Visibility" and "Restore" not in view.Object.State:
+            for preview in previews(view.Object):
+                preview.ViewObject.Visibility = view.Visibility
+
+    def canDelete(self, obj: Any) -> bool:
+        """Let what belongs to the job be deleted without a question about the job."""
+        return True
+
+    @guarded
+    def onDelete(self, view: Any, parts: Any) -> bool:
+        """Delete what belongs to this job alone, in the same undo step; drawings stay."""
+        for child in [child for child in self.claimChildren() if self.is_its_own(child)]:
+            child.Document.removeObject(child.Name)
+        return True
+
+    def is_its_own(self, child: Any) -> bool:
+        """Return whether nothing of ours outside this job uses one of its children."""
+        family = [self.obj, *self.claimChildren()]
+        return all(other in family for other in child.InList if proxy_type(other))
+
+    def entries(self) -> list[Entry]:
+        """Return the entries of every object, and what takes the program further."""
+        from CNCStepper.workbench.commands.send import Send
+        from CNCStepper.workbench.commands.simulate import Simulate
+
+        further = [Entry(each.text(), each.name, each.run, each.why_not()) for each in (Simulate(), Send())]
+        return [*super().entries(), *further, self.saving()]
+
+    def saving(self) -> Entry:
+        """Return the entry that saves the program."""
+        from CNCStepper.workbench.commands import proving
+
+        return Entry(tr("Save program as…"), "CNCStepper_Preview", self.save_program, proving.why_not())
+
+    def save_program(self) -> None:
+        """Ask for a file and write the program into it."""
+        from CNCStepper.workbench.saving import save_as
+
+        save_as(self.obj)
+
+
+def previews(job: Any) -> list[Any]:
+    """Return the previews of a job (one, unless a user deleted or copied it)."""
+    return [other for other in job.InList if proxy_type(other) == "CNCStepper_Preview"]

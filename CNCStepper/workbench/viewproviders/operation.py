@@ -1,0 +1,30 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""How an operation looks in the tree: greyed when it is switched off."""
+
+from __future__ import annotations
+
+from CNCStepper.workbench.viewproviders.base import Entry, ViewProvider
+from CNCStepper.workbench.words import tr
+
+
+class Operation(ViewProvider):
+    """The view of an operation."""
+
+    BADGED_BY = ("Problem", "Active")
+
+    def badge(self) -> str:
+        """Return "Inactive" for one that is left out of the program, else what every object may say."""
+        return super().badge() if self.obj.Active else "Inactive"
+
+    def entries(self) -> list[Entry]:
+        """Return the entries of every object, and one that switches it off or on."""
+        text = tr("Leave out of the program") if self.obj.Active else tr("Take into the program")
+        return [*super().entries(), Entry(text, "CNCStepper_Overlay_Inactive", self.switch)]
+
+    def switch(self) -> None:
+        """Leave the operation out of the program, or take it in again."""
+        document = self.obj.Document
+        document.openTransaction(tr("Switch {0}").format(self.obj.Label))
+        self.obj.Active = not self.obj.Active
+        document.commitTransaction()
+        document.recompute()
