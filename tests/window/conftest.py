@@ -40,7 +40,7 @@ if INSIDE:
 
     @pytest.fixture(autouse=True)
     def quiet_and_tidy(the_hand: Hand) -> Iterator[None]:
-        """After each test nothing is open any more, and the report view holds nothing bad that the test did not ask for."""
+        """After each test all is closed, and the report view holds nothing bad that the test did not ask for."""
         the_hand.begin()
         yield
         the_hand.tidy()

@@ -182,6 +182,12 @@ class Hand:
         self.wait(lambda: places.combo_list(combo).isVisible(), 5, f"the list of {combo}")
         self.item(self.main(places.combo_list, combo), text)
 
+    def click_view(
+        self, point: Point, *, button: int = x_input.LEFT, double: bool = False, modifiers: Sequence[str] = ()
+    ) -> None:
+        """Click a place of the 3D view; pixels from its upper left corner."""
+        self._click_place(self._place(places.of_view, point), button, double, modifiers)
+
     def drag(self, points: Sequence[Point], *, modifiers: Sequence[str] = (), button: int = x_input.LEFT) -> None:
         """Press at the first point of the 3D view, move through all, release; pixels from its upper left corner."""
         self.press_at(points[0], modifiers=modifiers, button=button)
@@ -199,7 +205,7 @@ class Hand:
 
     def move_to(self, point: Point) -> None:
         """Move the pointer to a place of the 3D view, and wait until it has been seen there."""
-        self.mouse.move(*self.main(places.of_view, point))
+        self.mouse.move(*self._place(places.of_view, point))
         self.settle()
 
     def release(self, *, modifiers: Sequence[str] = (), button: int = x_input.LEFT) -> None:
@@ -210,7 +216,7 @@ class Hand:
         self.settle()
 
     def view_point(self, x_mm: float, y_mm: float, z_mm: float = 0.0) -> Point:
-        """Return where a point of the drawing appears in the 3D view, for `drag`."""
+        """Return where a point of the drawing appears in the 3D view, for `drag` and `click_view`."""
         return self.main(places.view_pixels, x_mm, y_mm, z_mm)
 
     # ---- keys ----

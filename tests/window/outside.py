@@ -24,7 +24,7 @@ ROOT = HERE.parents[1]
 MARK = "CNCSTEPPER_WINDOW_RUN"
 LIMIT_S = float(os.environ.get("CNCSTEPPER_WINDOW_LIMIT_S", "900"))
 LEAVE_S = 15.0  # so long may our own processes take to end after FreeCAD did
-SCREEN = "1600x1000x24"
+SCREEN = (1600, 1000)  # in Qt's pixels: with QT_SCALE_FACTOR=2 the screen has twice as many
 XDG_FOLDERS = ("CONFIG_HOME", "DATA_HOME", "STATE_HOME", "RUNTIME_DIR")  # not the cache: compiled kernels stay there
 USER_CFG = """<?xml version="1.0" encoding="UTF-8" standalone="no" ?>
 <FCParameters><FCParamGroup Name="Root"><FCParamGroup Name="BaseApp">
@@ -55,8 +55,9 @@ def program(name: str) -> str:
 
 
 @contextmanager
-def screen(size: str = SCREEN) -> Iterator[str]:
+def screen(scale: float = 1.0) -> Iterator[str]:
     """A screen that nobody sees, with a window manager: gives the name for DISPLAY."""
+    size = f"{round(scale * SCREEN[0])}x{round(scale * SCREEN[1])}x24"
     read, write = os.pipe()
     command = [program("Xvfb"), "-displayfd", str(write), "-screen", "0", size, "-nolisten", "tcp", "-noreset"]
     server = subprocess.Popen(command, pass_fds=[write], stderr=subprocess.PIPE)
@@ -141,16 +142,17 @@ def end_all(mark: str) -> None:
 
 
 def run(version: str, arguments: Sequence[str], environment: Mapping[str, str], name: str = "") -> int:
-    """Run pytest with these arguments in FreeCAD's window; return 0 when all is well. `name` is the pictures' folder."""
+    """Run pytest with these arguments in FreeCAD's window; return 0 when all is well. `name`: the pictures' folder."""
     pictures = ROOT / "build" / "window" / (name or version)
     pictures.mkdir(parents=True, exist_ok=True)
-    mark = uuid.uuid4().hex
+    mark, asked = uuid.uuid4().hex, {**os.environ, **environment}
+    scale = float(asked.get("QT_SCALE_FACTOR", "1"))
     with (
         tempfile.TemporaryDirectory(prefix="cncstepper-window-", ignore_cleanup_errors=True) as folder,
-        screen() as display,
+        screen(scale) as display,
     ):
         status_file = Path(folder) / "status"
-        make_home(Path(folder) / "home", environment.get("CNCSTEPPER_WINDOW_LANGUAGE", "English"))
+        make_home(Path(folder) / "home", asked.get("CNCSTEPPER_WINDOW_LANGUAGE", "English"))
         variables = {
             "CNCSTEPPER_PYTEST": "\n".join(arguments),
             "CNCSTEPPER_WINDOW_STATUS": str(status_file),

@@ -189,7 +189,10 @@ def of_view(point: Point) -> Point:
     """Return the place of a pixel of the active 3D view, counted from its upper left corner."""
     widget = view_widget()
     assert widget.rect().contains(round(point[0]), round(point[1])), f"{point} is outside the 3D view {widget.size()}"
-    return _on_screen(widget, QtCore.QPoint(round(point[0]), round(point[1])))
+    spot = QtCore.QPoint(round(point[0]), round(point[1]))
+    there = QtGui.QApplication.widgetAt(widget.mapToGlobal(spot))
+    assert there is not None and widget.isAncestorOf(there), f"the 3D view is covered there by {_chain(there)}"
+    return _on_screen(widget, spot)
 
 
 def view_pixels(x_mm: float, y_mm: float, z_mm: float) -> Point:

@@ -125,7 +125,7 @@ def test_a_point_of_the_drawing_is_found_on_the_screen(hand: Hand) -> None:
 
     hand.main(show)
     hand.settle()
-    hand._click_place(hand.main(lambda: __import__("screen_places").of_view(hand.view_point(5, 5, 10))))
+    hand.click_view(hand.view_point(5, 5, 10))
     assert hand.main(lambda: [chosen.Name for chosen in FreeCADGui.Selection.getSelection()]) == ["Box"]
 
 
