@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import sys
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -53,10 +54,9 @@ def _job(
     program: Path, port: str, machine: Machine | None, dialect: str, baud: int, allow_differences: bool
 ) -> SendJob:
     """Read the program back and check it; exits with 1 where a check refuses it."""
-    from CNCStepper.control.readiness import expected_settings
-    from CNCStepper.control.send_job import SendJob
     from CNCStepper.gcode.prepare import prepare
     from CNCStepper.gcode.read_back import read_back
+    from CNCStepper.job.send import send_job
     from CNCStepper.simulation.check import check
     from CNCStepper.simulation.finding import refused
 
@@ -68,22 +68,12 @@ def _job(
         show_findings(finding for finding in findings if finding.severity == "error")
         if refused(findings):
             sys.exit(1)
-    return SendJob(
-        port=port,
-        lines=wire.lines,
-        file=str(program),
-        file_lines=wire.file_lines.tolist(),
-        messages=wire.messages,
-        expected=expected_settings(machine) if machine else {},
-        allow_differences=allow_differences,
-        baud=baud,
-    )
+    job = send_job(wire, machine, str(program))
+    return replace(job, port=port, baud=baud, allow_differences=allow_differences)
 
 
 def _confirmed(job: SendJob, confirmed: bool) -> SendJob:
     """Return the job with the zero confirmed, by the option or by the person at the terminal."""
-    from dataclasses import replace
-
     if not confirmed and sys.stdin.isatty():
         confirmed = click.confirm("Is the work zero set on the stock, and the way free?", default=False)
     return replace(job, zero_confirmed=confirmed)

@@ -87,6 +87,12 @@ def load_job(path: Path) -> tuple[Job, Machine]:
 
     Paths in the file are relative to it. Raises JobError that names the file, the key and its value.
     """
+    job = read_job(path)
+    return job, load_machine(_machine_name(job.machine, path.parent))
+
+
+def read_job(path: Path) -> Job:
+    """Return the job as `load_job` does, without looking for its machine."""
     if not path.is_file():
         raise JobError("job-missing", f"there is no job file '{path}'", advice="give the path of a TOML job file")
     content = _read_json(path) if path.suffix.lower() == ".json" else read_toml(path)
@@ -94,8 +100,7 @@ def load_job(path: Path) -> tuple[Job, Machine]:
         operation_of(raw, path.parent, f"{path} operation {number}")
         for number, raw in enumerate(_tables(content, "operation", path), start=1)
     )
-    job = validated(Job, content, str(path))
-    return job, load_machine(_machine_name(job.machine, path.parent))
+    return validated(Job, content, str(path))
 
 
 def save_job(job: Job, path: Path) -> None:

@@ -7,7 +7,7 @@ Nothing here looks at what the cycles meant to do, except at the shapes that the
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -34,6 +34,8 @@ from CNCStepper.state import Start
 from CNCStepper.toolpath import Toolpath
 
 ON_EDGE_MM = 0.01  # a shape may end on the stock's edge
+STAGES = ("make", "read", "time", "judge", "check", "cut", "report")  # what `tell` hears, in this order
+Tell = Callable[[str], None]
 
 
 @dataclass(frozen=True)
@@ -78,20 +80,27 @@ def prove(
     stock: Stock | None = None,
     tools: dict[int, Tool] | Tool | None = None,
     removals: Sequence[Removal] = (),
+    tell: Tell = lambda stage: None,
 ) -> Proof:
     """Return the proof of a program text; raises ProgramError for a text that cannot be read.
 
     start: where the machine stands; None is a machine whose position and zero are unknown (for the times it then
     begins at the work zero). removals: the shapes wanted, in work coordinates; without them gouge and left-over
-    are not judged.
+    are not judged. tell: called with the stage that begins, one of STAGES.
     """
     language = dialect or machine.controller
+    tell("read")
     wire = prepare(text, language, file)
     toolpath = read_back(wire, text, start, language, file)
+    tell("time")
     ends_s = times_s(_begun(toolpath), machine)
+    tell("judge")
     judgement = judge(toolpath, tools, list(removals), stock) if tools is not None and removals else None
+    tell("check")
     findings = check(toolpath, machine, file=file, stock=stock, tools=tools, judgement=judgement)
+    tell("cut")
     part = height_map(toolpath, tools, stock) if stock is not None and tools is not None else None
+    tell("report")
     told = report(toolpath, ends_s, file=file, findings=findings, judgement=judgement, part=part)
     return Proof(wire, toolpath, ends_s, findings, part, told)
 
@@ -103,11 +112,26 @@ def _begun(toolpath: Toolpath) -> Toolpath:
     return replace(toolpath, start=replace(toolpath.start, position_mm=position))
 
 
-def prove_job(job: Job, machine: Machine, text: str, file: str = "", start: Start | None = None) -> Proof:
+def prove_job(
+    job: Job,
+    machine: Machine,
+    text: str,
+    file: str = "",
+    start: Start | None = None,
+    tell: Tell = lambda stage: None,
+) -> Proof:
     """Return the proof of a job's program text, as `prove` does, against the shapes that the job wants removed."""
+    tell("make")
     made = make_program(job, machine)
     proof = prove(
-        text, machine, file=file, start=start, stock=job.stock.stock(), tools=job.tools, removals=made.removals
+        text,
+        machine,
+        file=file,
+        start=start,
+        stock=job.stock.stock(),
+        tools=job.tools,
+        removals=made.removals,
+        tell=tell,
     )
     findings = sorted(
         [*proof.findings, *_warnings(proof, made, job.stock.stock(), file)], key=lambda finding: finding.place.line

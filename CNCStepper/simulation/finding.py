@@ -59,6 +59,14 @@ class Finding:
             "advice": self.advice,
         }
 
+    @classmethod
+    def from_dict(cls, content: dict[str, Any]) -> Finding:
+        """Return the finding of `as_dict`, after its way through JSON."""
+        rest = dict(content)
+        place = Place(rest.pop("file"), rest.pop("line"), rest.pop("column"))
+        place_mm = rest.pop("place_mm")
+        return cls(place=place, place_mm=None if place_mm is None else tuple(place_mm), **rest)
+
 
 def refused(findings: list[Finding]) -> bool:
     """Return whether any of the findings forbids sending the program."""

@@ -1,0 +1,253 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The proof of a job's program, made by a process of its own while the window goes on.
+
+    run = ProofRun(job, parent)
+    run.finished.connect(show)      # ProofResult
+    run.failed.connect(tell)        # CNCStepperError
+    run.start()
+
+What is proven is the program text that stands in the document; a job whose text is missing or out of date is refused.
+A program that was proven last is not proven again.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import tempfile
+from concurrent.futures import Future
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from PySide import QtCore
+
+from CNCStepper.control.python_finder import PROOF, command, environment, seek_python
+from CNCStepper.errors import CNCStepperError
+from CNCStepper.workbench import api, packages
+from CNCStepper.workbench.words import later, tr
+
+if TYPE_CHECKING:
+    import numpy as np
+
+    from CNCStepper.job.proof_files import Part
+    from CNCStepper.simulation.finding import Finding
+    from CNCStepper.simulation.timeline import Timeline
+
+WORKER = "CNCStepper.job.proof_worker"
+LOOK_EVERY_MS = 20
+KILLED_WITHIN_MS = 2000
+STAGES = {
+    "start": later("Looking for a Python…"),
+    "make": later("Reading the job…"),
+    "read": later("Reading the program back…"),
+    "time": later("Timing the moves…"),
+    "judge": later("Comparing the cut with the drawing…"),
+    "check": later("Checking against the machine…"),
+    "cut": later("Cutting the part…"),
+    "report": later("Writing the report…"),
+}
+
+
+@dataclass(frozen=True)
+class ProofResult:
+    """What is known of a program; its folder goes when the last who holds this object lets go of it.
+
+    program_lines: the text. findings: in the order of the lines. refused: whether it must not be sent.
+    send_file: a SendJob as JSON, without a port. moves: the tip in work coordinates in time. part: what is left of the
+    stock. report: as `cncstepper run` writes it. work_origin_mm: where the work zero lies in the document.
+    tools: shape and diameter in mm by number.
+    """
+
+    program_lines: list[str]
+    findings: list[Finding]
+    refused: bool
+    send_file: Path
+    time_s: float
+    moves: Timeline
+    part: Part
+    report: dict[str, Any]
+    work_origin_mm: tuple[float, float, float]
+    tools: dict[int, tuple[str, float]]
+    folder: tempfile.TemporaryDirectory
+
+    @property
+    def end_mm(self) -> np.ndarray:
+        """Where the tip stands after every row, float64[n, 3], work coordinates."""
+        return self.moves.end
+
+
+class ProofRun(QtCore.QObject):
+    """One proof of a job's program; `start` it once, `cancel` it at any time."""
+
+    finished = QtCore.Signal(object)
+    failed = QtCore.Signal(object)
+    progress = QtCore.Signal(str)
+
+    _last: tuple[str, ProofResult] | None = None  # fingerprint of the question, and its answer
+
+    def __init__(self, job_object: Any, parent: Any = None):
+        super().__init__(parent)
+        self._job = job_object
+        self._folder: tempfile.TemporaryDirectory | None = None
+        self._key = ""
+        self._told: tuple[Any, Any] | None = None  # a signal and its value that the next look sends
+        self._python: Future[str] | None = None
+        self._process: Any = None
+        self._timer = QtCore.QTimer(self)
+        self._timer.setInterval(LOOK_EVERY_MS)
+        self._timer.timeout.connect(self._look)
+        QtCore.QCoreApplication.instance().aboutToQuit.connect(self.cancel)
+
+    @property
+    def running(self) -> bool:
+        """Whether an answer is still to come."""
+        return self._timer.isActive() or self._process is not None
+
+    def start(self) -> None:
+        """Begin; `finished` or `failed` follows from the event loop, unless it is cancelled before."""
+        try:
+            self._ask()
+        except CNCStepperError as error:
+            self._tell_soon(self.failed, error)
+        except OSError as error:
+            advice = tr("make room in the folder for temporary files")
+            self._tell_soon(self.failed, CNCStepperError("proof-folder", str(error), advice=advice))
+
+    def cancel(self) -> None:
+        """End the process and take its folder away; nothing is told any more."""
+        self._timer.stop()
+        process, self._process = self._process, None
+        if process is not None:
+            process.finished.disconnect(self._ended)
+            process.errorOccurred.disconnect(self._not_started)
+            process.kill()
+            process.waitForFinished(KILLED_WITHIN_MS)
+            process.deleteLater()
+        self._drop_folder()
+
+    def _ask(self) -> None:
+        packages.require()
+        from CNCStepper.job.proof_files import write_question
+        from CNCStepper.workbench.making import job_of, machine_of
+
+        self._program = api.program_text(self._job)
+        self._folder = tempfile.TemporaryDirectory(prefix="cncstepper-", ignore_cleanup_errors=True)
+        path = Path(self._folder.name)
+        model = job_of(self._job)
+        write_question(path, self._program, model, machine_of(self._job))
+        self._origin_mm = tuple(self._job.WorkOrigin)
+        self._tools = {tool.number: (tool.shape, tool.diameter_mm) for tool in model.tool}
+        self._key = _fingerprint(path, self._job.Label, self._origin_mm)
+        if ProofRun._last and ProofRun._last[0] == self._key:
+            self._drop_folder()
+            self._tell_soon(self.finished, ProofRun._last[1])
+            return
+        self.progress.emit(tr(STAGES["start"]))
+        self._python = seek_python(PROOF)
+        self._timer.start()
+
+    def _tell_soon(self, signal: Any, value: Any) -> None:
+        self._told = (signal, value)
+        self._timer.start()
+
+    def _look(self) -> None:
+        """Send what waits to be sent, or see whether the Python is found; the process then tells by itself."""
+        if self._told:
+            self._timer.stop()
+            signal, value = self._told
+            signal.emit(value)
+            return
+        if self._python is None or not self._python.done():
+            return
+        self._timer.stop()
+        try:
+            self._spawn(self._python.result())
+        except CNCStepperError as error:
+            self._fail(error)
+
+    def _spawn(self, python: str) -> None:
+        assert self._folder is not None
+        variables = QtCore.QProcessEnvironment()
+        for name, value in environment().items():
+            variables.insert(name, value)
+        self._process = process = QtCore.QProcess(self)
+        process.setProcessEnvironment(variables)
+        process.readyReadStandardOutput.connect(self._hear)
+        process.finished.connect(self._ended)
+        process.errorOccurred.connect(self._not_started)
+        program, *words = command(python, WORKER, self._folder.name, self._job.Label)
+        process.start(program, words)
+
+    def _hear(self) -> None:
+        if self._process is None:
+            return
+        stages = bytes(self._process.readAllStandardOutput()).decode("ascii", "replace").split()
+        if stages and stages[-1] in STAGES:
+            self.progress.emit(tr(STAGES[stages[-1]]))
+
+    def _not_started(self, problem: Any) -> None:
+        """Tell that the process did not start; every other end of it is told by `_ended`."""
+        if problem == QtCore.QProcess.ProcessError.FailedToStart and self._process is not None:
+            error = CNCStepperError(
+                "proof-start",
+                "the process that proves cannot be started",
+                value=self._process.errorString(),
+                advice="try again",
+            )
+            self._process = None
+            self._fail(error)
+
+    def _ended(self, *_: Any) -> None:
+        """Take the answer, or tell why there is none."""
+        process, self._process = self._process, None
+        if process is None:
+            return
+        process.deleteLater()
+        try:
+            result = self._result()
+        except CNCStepperError as error:
+            self._fail(error)
+            return
+        ProofRun._last = (self._key, result)
+        self.finished.emit(result)
+
+    def _result(self) -> ProofResult:
+        from CNCStepper.job.proof_files import read_answer
+
+        folder, self._folder = self._folder, None
+        assert folder is not None
+        try:
+            answer = read_answer(Path(folder.name))
+        except CNCStepperError:
+            folder.cleanup()
+            raise
+        return ProofResult(
+            program_lines=self._program.splitlines(),
+            findings=answer.findings,
+            refused=answer.refused,
+            send_file=answer.send_file,
+            time_s=answer.moves.duration_s,
+            moves=answer.moves,
+            part=answer.part,
+            report=answer.report,
+            work_origin_mm=self._origin_mm,
+            tools=self._tools,
+            folder=folder,
+        )
+
+    def _fail(self, error: CNCStepperError) -> None:
+        self._drop_folder()
+        self.failed.emit(error)
+
+    def _drop_folder(self) -> None:
+        folder, self._folder = self._folder, None
+        if folder is not None:
+            folder.cleanup()
+
+
+def _fingerprint(folder: Path, *more: Any) -> str:
+    """Return what names a question: the bytes of its files, and what else the answer says."""
+    digest = hashlib.sha256(repr(more).encode("utf-8"))
+    for path in sorted(folder.iterdir()):
+        digest.update(path.read_bytes())
+    return digest.hexdigest()
