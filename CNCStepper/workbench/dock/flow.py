@@ -76,6 +76,7 @@ AWAITED = {  # which happening moves which step to which
     ("starting", "cutting"): "cutting",
     ("starting", "differences"): "differs",
     ("starting", "outcome"): "ended",
+    ("starting", "refusal"): "failed",
     ("starting", "lost"): "failed",
     ("differs", "onward"): "starting",
     ("differs", "lost"): "connect",

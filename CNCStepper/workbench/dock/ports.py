@@ -31,18 +31,13 @@ class Choice:
 def choices(found: Iterable[tuple[str, str]], virtual_text: str, last: str = "") -> list[Choice]:
     """Return the port list: the virtual grbl first, then the ports found, then the last one used if it is none of them.
 
-    found: name and description of each serial port. last: what was opened last, "" for nothing.
+    found: name of each serial port, and the text that people know it by. last: what was opened last, "" for nothing.
     """
     listed = [Choice(VIRTUAL, virtual_text)]
-    listed += [Choice(name, described(name, text)) for name, text in found]
+    listed += [Choice(name, text) for name, text in found]
     if last and last not in {choice.port for choice in listed}:
         listed.append(Choice(last, last))
     return listed
-
-
-def described(name: str, text: str) -> str:
-    """Return a serial port as people know it: its name, then what hangs on it."""
-    return f"{name} – {text}" if text and text not in ("n/a", name) else name
 
 
 def port_of(typed: str, listed: Iterable[Choice]) -> str:

@@ -14,7 +14,7 @@ OFF, CALM, GOING, WAITING, DANGER = "off", "calm", "going", "waiting", "danger"
 
 STANDING = frozenset({"held", "paused", "door"})
 JOB_RUNS = frozenset({"running", "holding", "finishing", "stopping", *STANDING})
-CONNECTED = frozenset({"idle", "alarm", "jogging", "homing", *JOB_RUNS})
+CONNECTED = frozenset({"idle", "alarm", "jogging", "homing", "busy", *JOB_RUNS})
 
 
 @dataclass(frozen=True)
@@ -23,15 +23,17 @@ class Moment:
 
     phase: "off" (no controller), "starting", "connecting", "gone" (the connection ended by itself), or the desk's
     phase. machine_state: as grbl writes it. message: the program's words at a pause, the sentence of an alarm or of
-    what ended the connection. missing: why no port can be opened here at all. homing: None while it is not known
-    whether the machine can home.
+    what ended the connection. missing: why no port can be opened here at all. job: whether a job is on its way; a
+    machine may be held without one. homing, position_known: None while it is not known.
     """
 
     phase: str = "off"
     machine_state: str = ""
     message: str = ""
     missing: str = ""
+    job: bool = False
     homing: bool | None = None
+    position_known: bool | None = None
 
     @property
     def connected(self) -> bool:
@@ -41,7 +43,7 @@ class Moment:
     @property
     def job_runs(self) -> bool:
         """Whether a job is being cut, also while it is held."""
-        return self.phase in JOB_RUNS
+        return self.job and self.connected
 
     @property
     def busy(self) -> bool:
@@ -74,9 +76,10 @@ FACES = {
     "alarm": Face(later("Alarm"), DANGER, later("Find the cause, then home the machine or unlock it.")),
     "jogging": Face(later("Jogging"), GOING),
     "homing": Face(later("Homing"), GOING, later("The machine looks for its switches.")),
+    "busy": Face(later("Busy"), WAITING, later("The controller does something that was not asked for here.")),
 }
 MISSING = Face(later("Not connected"), OFF, later("No port can be opened here."))
-UNKNOWN = Face(later("Busy"), WAITING)
+LOST = later("Where the table stands is not known: home the machine, or set the work zero anew.")
 WITH_OWN_WORDS = ("paused", "alarm", "gone", "held", "door")  # where a message says more than our sentence
 
 
@@ -84,9 +87,11 @@ def face(moment: Moment) -> Face:
     """Return what to show large; its sentence is still to be translated unless it is the moment's own message."""
     if moment.missing and moment.phase == "off":
         return Face(MISSING.headline, MISSING.tone, moment.missing)
-    found = FACES.get(moment.phase, UNKNOWN)
+    found = FACES.get(moment.phase, FACES["busy"])
     if moment.message and moment.phase in WITH_OWN_WORDS:
         return Face(found.headline, found.tone, moment.message[0].upper() + moment.message[1:])
+    if moment.phase == "idle" and moment.position_known is False:
+        return Face(found.headline, found.tone, LOST)
     return found
 
 
@@ -102,18 +107,22 @@ class Rule:
 NOT_CONNECTED = later("Connect to a controller first.")
 RULES = {
     "hold": Rule(
-        frozenset({"running", "finishing"}),
+        frozenset({"running", "finishing", "jogging", "busy"}),
         later("Hold: slow down and stand still; nothing is lost, the spindle goes on turning."),
-        later("No job is being cut: there is nothing to hold."),
+        later("Nothing moves that could be held."),
     ),
-    "resume": Rule(STANDING, later("Go on with the job."), later("The job is not held: there is nothing to resume.")),
+    "resume": Rule(
+        STANDING,
+        later("Go on after a hold, a pause or the door."),
+        later("The machine is not held: there is nothing to resume."),
+    ),
     "stop": Rule(
-        JOB_RUNS - {"stopping"},
+        JOB_RUNS - {"stopping"} | {"jogging", "homing", "busy"},
         later(
-            "Stop the job: slow down, stand still, spindle off, the rest is not cut. "
+            "Stop: slow down, stand still, spindle off; the rest of the job is not cut. "
             "This is not an emergency stop: the emergency stop is on the machine."
         ),
-        later("No job is being cut: there is nothing to stop. The emergency stop is on the machine."),
+        later("Nothing moves that could be stopped. The emergency stop is on the machine."),
     ),
     "jog": Rule(
         frozenset({"idle", "jogging"}),
@@ -136,7 +145,7 @@ RULES = {
         later("The machine is not in alarm: there is nothing to unlock."),
     ),
     "override": Rule(
-        CONNECTED - {"alarm", "homing", "stopping"},
+        CONNECTED - {"alarm", "homing", "stopping", "busy"},
         later("Change the programmed value while cutting, in percent."),
         later("Overrides work only while the machine is idle or cutting."),
     ),

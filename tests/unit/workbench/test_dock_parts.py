@@ -1,20 +1,19 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Ports, figures and the pieces of a jog, as the dock needs them."""
+"""Ports and figures, as the dock shows them."""
 
 from __future__ import annotations
 
 import pytest
 
 from CNCStepper.workbench.dock.figures import INCH, MM, duration
-from CNCStepper.workbench.dock.jogging import AHEAD, PIECE_S, Held
 from CNCStepper.workbench.dock.ports import VIRTUAL, choices, needs_baud, port_of
 
-FOUND = [("COM3", "Arduino Uno"), ("COM4", "n/a"), ("/dev/ttyS0", "/dev/ttyS0")]
+FOUND = [("COM3", "COM3 – Arduino Uno"), ("COM4", "COM4")]
 
 
 def test_the_virtual_grbl_is_the_first_choice() -> None:
     listed = choices(FOUND, "Virtual")
-    assert [choice.text for choice in listed] == ["Virtual", "COM3 – Arduino Uno", "COM4", "/dev/ttyS0"]
+    assert [choice.text for choice in listed] == ["Virtual", "COM3 – Arduino Uno", "COM4"]
     assert listed[0].virtual and not listed[1].virtual
     assert choices([], "Virtual") == listed[:1]
 
@@ -53,17 +52,3 @@ def test_lengths_with_a_decimal_comma() -> None:
 )
 def test_durations(time_s: float | None, text: str) -> None:
     assert duration(time_s) == text
-
-
-def test_a_held_jog_is_fed_a_little_ahead_and_no_more() -> None:
-    held = Held("y", -1, 600.0)
-    first = list(held.pieces(0.0))
-    assert first == [{"y_mm": pytest.approx(-600 / 60 * PIECE_S)}] * AHEAD
-    assert list(held.pieces(0.5 * PIECE_S)) == []
-    assert len(list(held.pieces(1.01 * PIECE_S))) == 1
-
-
-def test_a_window_that_was_kept_busy_does_not_make_up_for_it() -> None:
-    held = Held("x", 1, 600.0)
-    list(held.pieces(0.0))
-    assert len(list(held.pieces(60.0))) <= AHEAD

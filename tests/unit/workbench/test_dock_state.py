@@ -43,8 +43,9 @@ def test_every_phase_has_a_face_and_a_reason_for_what_is_locked(phase: str) -> N
         ("connecting", set()),
         ("gone", set()),
         ("idle", {"jog", "zero", "home", "override"}),
-        ("jogging", {"jog", "override"}),
-        ("homing", set()),
+        ("jogging", {"hold", "stop", "jog", "override"}),
+        ("homing", {"stop"}),
+        ("busy", {"hold", "stop"}),
         ("alarm", {"home", "unlock"}),
         ("running", {"hold", "stop", "override"}),
         ("finishing", {"hold", "stop", "override"}),
@@ -76,7 +77,16 @@ def test_stop_is_never_called_emergency_stop() -> None:
 
 @pytest.mark.parametrize("phase", sorted(JOB_RUNS))
 def test_a_running_job_is_not_disconnected(phase: str) -> None:
-    assert why_not_disconnect(Moment(phase))
+    assert why_not_disconnect(Moment(phase, job=True))
+
+
+def test_a_machine_may_be_held_without_a_job() -> None:
+    assert not Moment("held").job_runs and why_not("resume", Moment("held")) == "" == why_not_disconnect(Moment("held"))
+
+
+def test_a_lost_position_is_said_while_the_machine_is_idle() -> None:
+    assert "home" in face(Moment("idle", position_known=False)).sentence
+    assert face(Moment("idle", position_known=None)) == face(Moment("idle", position_known=True)) == FACES["idle"]
 
 
 def test_connecting_is_offered_once() -> None:

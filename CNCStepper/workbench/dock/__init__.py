@@ -1,0 +1,26 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The controller's dock: `show()` opens it, `send(job)` sends a job from it. Nothing of Qt is loaded before."""
+
+from __future__ import annotations
+
+from typing import Any
+
+
+def show() -> Any:
+    """Open the dock, attached to a machine that a window before this one left connected; return it."""
+    from CNCStepper.workbench.dock.window import open_dock
+
+    return open_dock()
+
+
+def send(job: Any) -> None:
+    """Open the dock and begin to send a job object: check, connect, ask for the work zero, stream. Returns at once."""
+    show().widget().sending.send(job)
+
+
+def greet() -> None:
+    """Open the dock when a machine is left connected that no window of this user holds; else do nothing."""
+    from CNCStepper.control.desk_client import running_desks
+
+    if running_desks():
+        show()

@@ -1,0 +1,72 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The way of a job to the machine, step by step, with its questions and their answers."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from PySide import QtGui
+
+from CNCStepper.workbench.dock import parts
+from CNCStepper.workbench.dock.flow import LAST_NUMBER, Flow
+from CNCStepper.workbench.tell import guarded
+from CNCStepper.workbench.words import tr
+
+FINDINGS_HEIGHT = 200
+HIDDEN_AT = ("", "cutting")  # the job's own section says it then
+
+
+class FlowView(QtGui.QFrame):
+    """A frame in the colour of the step; `findings` is the list widget of the checks."""
+
+    def __init__(self, findings: Any, onward: Callable[[], None], away: Callable[[], None]):
+        super().__init__()
+        parts.named(self, "Flow")
+        self.findings = findings
+        self.number, self.title = QtGui.QLabel(), parts.named(parts.caption(""), "FlowTitle")
+        self.text, self.detail = parts.wrapped("FlowText"), parts.wrapped("FlowDetail")
+        self.away = parts.named(QtGui.QPushButton(), "Cancel")
+        self.onward = parts.named(QtGui.QPushButton(), "Start")
+        self.away.clicked.connect(guarded(away))
+        self.onward.clicked.connect(guarded(onward))
+        layout = parts.column(self)
+        layout.setContentsMargins(10, 8, 10, 8)
+        head = parts.row(self.title, self.number)
+        head.setStretch(0, 1)
+        layout.addLayout(head)
+        for widget in (self.text, self.detail, findings):
+            layout.addWidget(widget)
+        layout.addLayout(parts.row(self.away, self.onward))
+        findings.setMaximumHeight(FINDINGS_HEIGHT)
+        self._tone = ""
+        self.hide()
+
+    def show_flow(self, flow: Flow, why_not: str) -> None:
+        """Show where the flow stands; `why_not`: why its question cannot be answered with yes."""
+        shown = flow.step not in HIDDEN_AT
+        self.setVisible(shown)
+        if not shown:
+            return
+        step = flow.shown
+        self.title.setText(tr("{0}: {1}").format(flow.label, tr(step.title)))
+        self.number.setText(tr("Step {0} of {1}").format(step.number, LAST_NUMBER) if step.number else "")
+        self._say(self.text, tr(step.text))
+        self._say(self.detail, flow.detail)
+        self.findings.setVisible(flow.step in ("refused", "warned"))
+        for button, text in ((self.onward, step.onward), (self.away, step.away)):
+            button.setVisible(bool(text))
+            button.setText(tr(text))
+        parts.lock(self.onward, why_not, "")
+        self._colour(step.tone)
+
+    def _say(self, label: Any, text: str) -> None:
+        label.setText(text)
+        label.setVisible(bool(text))
+
+    def _colour(self, tone: str) -> None:
+        if tone != self._tone:
+            self._tone = tone
+            self.setStyleSheet(
+                f"#{self.objectName()} {{ border: 2px solid {parts.TONES[tone][0]}; border-radius: 6px; }}"
+            )

@@ -1,0 +1,75 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The job being cut: progress, line, times, and hold, resume, stop."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from PySide import QtCore, QtGui
+
+from CNCStepper.workbench.dock import parts
+from CNCStepper.workbench.dock.figures import duration
+from CNCStepper.workbench.dock.remaining import Remaining
+from CNCStepper.workbench.dock.state import RULES, Moment, why_not
+from CNCStepper.workbench.words import tr
+
+PARTS = 1000  # of the progress bar
+
+
+class HaltView(QtGui.QWidget):
+    """Hold, resume and stop, always in sight; `command` is called with their names."""
+
+    def __init__(self, command: Callable[[str], None]):
+        super().__init__()
+        self.buttons = {
+            "hold": parts.button("Hold", tr("Hold"), lambda: command("hold"), icon="Hold"),
+            "resume": parts.button("Resume", tr("Resume"), lambda: command("resume"), icon="Resume"),
+            "stop": parts.button("Stop", tr("Stop"), lambda: command("stop"), icon="Stop"),
+        }
+        self.setLayout(parts.row(*self.buttons.values()))
+        for button in self.buttons.values():
+            button.setMinimumHeight(button.sizeHint().height() + 8)
+
+    def lock(self, moment: Moment) -> None:
+        """Enable the buttons that can work."""
+        for name, button in self.buttons.items():
+            parts.lock(button, why_not(name, moment), RULES[name].does)
+
+
+class JobView(QtGui.QWidget):
+    """What is cut and how far it is; hidden while nothing is cut."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.title = parts.wrapped("JobTitle")
+        self.title.setFont(parts.caption("").font())
+        self.progress = parts.named(QtGui.QProgressBar(), "Progress")
+        self.progress.setRange(0, PARTS)
+        self.lines = parts.wrapped("Lines")
+        self.text = parts.named(QtGui.QLabel(), "ProgramLine")
+        self.text.setFont(QtGui.QFontDatabase.systemFont(QtGui.QFontDatabase.SystemFont.FixedFont))
+        self.text.setTextFormat(QtCore.Qt.TextFormat.PlainText)
+        self.text.setMinimumWidth(1)
+        self.elapsed, self.remaining = parts.figure("Elapsed"), parts.figure("Remaining")
+        times = parts.row(QtGui.QLabel(tr("Elapsed")), self.elapsed, QtGui.QLabel(tr("Remaining")), self.remaining)
+        times.insertStretch(2, 1)
+        layout = parts.column(self)
+        for widget in (self.title, self.progress, self.lines, self.text):
+            layout.addWidget(widget)
+        layout.addLayout(times)
+        self.hide()
+
+    def show_job(self, label: str, status: Any, remaining: Remaining, program_lines: Any) -> None:
+        """Show how far a job is; `program_lines` of its file, empty when they are not known here."""
+        self.show()
+        self.title.setText(tr("Job: {0}").format(label) if label else tr("Job"))
+        self.progress.setValue(round(PARTS * remaining.done))
+        self.progress.setFormat(tr("{0} %").format(int(100 * remaining.done)))
+        self.lines.setText(
+            tr("{0} of {1} lines, line {2} of the file").format(status.acknowledged, status.total, status.file_line)
+        )
+        known = 0 < status.file_line <= len(program_lines)
+        self.text.setText(program_lines[status.file_line - 1].strip() if known else "")
+        self.elapsed.setText(duration(status.elapsed_s))
+        self.remaining.setText(duration(remaining.remaining_s))

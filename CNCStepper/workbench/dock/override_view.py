@@ -1,0 +1,54 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Feed, rapid and spindle in percent of what the program says, as the controller reports them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import partial
+from typing import Any
+
+from PySide import QtGui
+
+from CNCStepper.workbench.dock import parts
+from CNCStepper.workbench.dock.figures import NOTHING
+from CNCStepper.workbench.dock.state import RULES, Moment, why_not
+from CNCStepper.workbench.words import later, tr
+
+# What stands on the button, the step, the grid's column, and over how many columns it goes.
+Steps = tuple[tuple[str, "int | str", int, int], ...]
+STEPS: Steps = (("−10", -10, 2, 1), ("−1", -1, 3, 1), ("100", "reset", 4, 1), ("+1", 1, 5, 1), ("+10", 10, 6, 1))
+RAPIDS: Steps = (("25", 25, 2, 1), ("50", 50, 3, 3), ("100", 100, 6, 1))
+KINDS = (("feed", later("Feed"), STEPS), ("rapid", later("Rapid"), RAPIDS), ("spindle", later("Spindle"), STEPS))
+
+
+class OverrideView(QtGui.QWidget):
+    """Three rows of buttons; change(kind, step) passes a click on."""
+
+    def __init__(self, change: Callable[[str, int | str], None]):
+        super().__init__()
+        layout = parts.grid(self)
+        layout.setSpacing(3)
+        self.percents = {}
+        self._buttons: list[Any] = []
+        for line, (kind, text, steps) in enumerate(KINDS):
+            self.percents[kind] = parts.figure(f"Override_{kind}")
+            layout.addWidget(QtGui.QLabel(tr(text)), line, 0)
+            layout.addWidget(self.percents[kind], line, 1)
+            for shown, step, place, width in steps:
+                button = parts.button(f"Override_{kind}_{step}", shown, partial(change, kind, step))
+                self._buttons.append(button)
+                layout.addWidget(button, line, place, 1, width)
+        for place in range(2, 2 + len(STEPS)):
+            layout.setColumnStretch(place, 1)
+
+    def lock(self, moment: Moment) -> None:
+        """Enable the buttons when an override can be changed."""
+        why = why_not("override", moment)
+        for button in self._buttons:
+            parts.lock(button, why, RULES["override"].does)
+
+    def show_overrides(self, percents: dict[str, int | None]) -> None:
+        """Show the percentages reported; None shows a dash."""
+        for kind, label in self.percents.items():
+            percent = percents.get(kind)
+            label.setText(tr("{0} %").format(NOTHING if percent is None else percent))

@@ -1,0 +1,173 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The controller's panel: its sections below each other, filled from the link twenty times a second."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+from PySide import QtCore, QtGui
+
+from CNCStepper.errors import CNCStepperError
+from CNCStepper.workbench import tell
+from CNCStepper.workbench.dock import parts, settings
+from CNCStepper.workbench.dock.connection_view import ConnectionView
+from CNCStepper.workbench.dock.flow import why_not_onward
+from CNCStepper.workbench.dock.flow_view import FlowView
+from CNCStepper.workbench.dock.job_view import HaltView, JobView
+from CNCStepper.workbench.dock.jog_view import JogView
+from CNCStepper.workbench.dock.link import Link, told
+from CNCStepper.workbench.dock.log_view import LogView
+from CNCStepper.workbench.dock.override_view import OverrideView
+from CNCStepper.workbench.dock.sending import Sending
+from CNCStepper.workbench.dock.state import RULES, face, why_not
+from CNCStepper.workbench.dock.state_view import PositionView, StateView
+from CNCStepper.workbench.findings import FindingsList
+from CNCStepper.workbench.words import tr
+
+POLL_MS = 50
+WIDTH, ROOM = 320, 20
+MARGINS = (8, 4, 8, 4)
+
+
+class Panel(QtGui.QWidget):
+    """All of the dock's content; `link` is its controller, `sending` the job on its way."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        parts.named(self, "Panel")
+        self.link, self.log = Link(), LogView()
+        lengths, point = settings.lengths(), settings.decimal_point()
+        self.findings = parts.named(FindingsList(), "Findings")
+        self.sending = Sending(self, self.link, self.findings.show, self.connect_chosen, self.refresh)
+        self.connection = ConnectionView(self.connect_chosen, self._leave, self._ports)
+        self.state = StateView()
+        self.flow = FlowView(self.findings, self.sending.onward, self.sending.away)
+        self.position = PositionView(lengths, point, lambda axes: self.link.command("set_zero", axes))
+        self.halt, self.job = HaltView(self.link.command), JobView()
+        self.jog = JogView(lengths, point, self.link.command)
+        self.overrides = OverrideView(lambda kind, step: self.link.command("override", kind, step))
+        self.home = parts.button("Home", tr("Home"), lambda: self.link.command("home"), icon="Home")
+        self.unlock = parts.button("Unlock", tr("Unlock"), lambda: self.link.command("unlock"), icon="Unlock")
+        self._mark: tuple[Any, str] = (None, "")
+        self._arrange()
+        self._timer = QtCore.QTimer(self)
+        self._timer.setInterval(POLL_MS)
+        self._timer.timeout.connect(tell.guarded(self._tick))
+        self._timer.start()
+        self.refresh()
+
+    def minimumSizeHint(self) -> Any:
+        """Return the narrowest that nothing is cut off at, in any language."""
+        bar = self.area.verticalScrollBar().sizeHint().width()
+        return QtCore.QSize(max(WIDTH, self.area.widget().minimumSizeHint().width() + bar), 1)
+
+    def sizeHint(self) -> Any:
+        """Return a comfortable size."""
+        return self.minimumSizeHint() + QtCore.QSize(ROOM, self.area.widget().sizeHint().height())
+
+    # --- asked from outside ----------------------------------------------------------------------
+
+    def attach(self, session_file: Path) -> None:
+        """Take up a controller's process that a window before this one has left."""
+        self.link.attach(session_file)
+        self.sending.forget()
+        self.log.say("message", tr("Attached again to the controller at {0}.").format(self.link.port))
+        self.refresh()
+
+    def connect_chosen(self) -> None:
+        """Begin to connect to the port that is chosen, and remember it."""
+        port, baud = self.connection.port, self.connection.baud_rate
+        settings.remember_port(port, baud)
+        try:
+            self.link.open(port, baud, self.connection.times_faster)
+        except CNCStepperError as error:
+            tell.error(error)
+        self.refresh()
+
+    def refresh(self) -> None:
+        """Show the present moment in all sections."""
+        moment, flow = self.link.moment, self.sending.flow
+        shown = face(moment)
+        self.state.show_face(shown, tr(shown.sentence))
+        for view in (self.connection, self.position, self.halt, self.jog, self.overrides):
+            view.lock(moment)
+        for name, button in (("home", self.home), ("unlock", self.unlock)):
+            parts.lock(button, why_not(name, moment), RULES[name].does)
+        self.flow.show_flow(flow, why_not_onward(flow, moment.phase))
+        self._show_status(self.link.status, moment.job_runs)
+
+    # --- inside ----------------------------------------------------------------------------------
+
+    def _tick(self) -> None:
+        events = self.link.poll()
+        for event in events:
+            if event["event"] in ("message", "warning", "refused"):
+                self.log.say(event["event"], told(event["error"]) if event.get("error") else event["text"])
+            self.sending.take(event)
+        self.sending.advance()
+        mark = (self.link.moment, self.sending.flow.step)
+        if events or mark != self._mark:
+            if mark[1] != self._mark[1]:  # a new step must be seen
+                self.area.verticalScrollBar().setValue(0)
+            self._mark = mark
+            self.refresh()
+
+    def _show_status(self, status: Any, job_runs: bool) -> None:
+        self.position.show_status(status)
+        self.overrides.show_overrides(overrides_of(status))
+        if status is not None and job_runs:
+            remaining = self.sending.remaining
+            remaining.take(status.phase, status.elapsed_s, status.file_line, status.acknowledged, status.total)
+            self.job.show_job(Path(status.file).name, status, remaining, self.sending.program_lines)
+        elif not job_runs:
+            self.job.hide()
+
+    def _leave(self) -> None:
+        self.link.leave()
+        self.refresh()
+
+    def _ports(self) -> list[tuple[str, str]]:
+        """Return the serial ports with their names; none, and a message, when pyserial is missing."""
+        from CNCStepper.control.port_list import port_list
+
+        try:
+            return [(choice.name, choice.text) for choice in port_list()]
+        except CNCStepperError as error:
+            self.log.say("warning", told(error))
+            return []
+
+    def _arrange(self) -> None:
+        """Put what must always be in sight above what may scroll."""
+        content = QtGui.QWidget()
+        layout = parts.column(content)
+        layout.setContentsMargins(*MARGINS)
+        sections: tuple[list[Any], ...] = (
+            [self.flow, self.job, self.position],
+            [parts.caption(tr("Jog")), self.jog, parts.row(self.home, self.unlock)],
+            [parts.caption(tr("Overrides")), self.overrides],
+            [parts.caption(tr("Messages")), self.log],
+        )
+        for number, section in enumerate(sections):
+            if number:
+                layout.addWidget(parts.line())
+            for entry in section:
+                layout.addWidget(entry) if isinstance(entry, QtGui.QWidget) else layout.addLayout(entry)
+        layout.addStretch(1)
+        self.area = QtGui.QScrollArea()
+        self.area.setWidget(content)
+        self.area.setWidgetResizable(True)
+        self.area.setFrameShape(QtGui.QFrame.Shape.NoFrame)
+        self.area.setHorizontalScrollBarPolicy(QtCore.Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        head = parts.column()
+        head.setContentsMargins(*MARGINS)
+        for view in (self.connection, self.state, self.halt):
+            head.addWidget(view)
+        whole = parts.column(self)
+        whole.addLayout(head)
+        whole.addWidget(self.area, 1)
+
+
+def overrides_of(status: Any) -> dict[str, Any]:
+    """Return feed, rapid and spindle in percent as reported, {} when nothing is."""
+    return dict(zip(("feed", "rapid", "spindle"), (status and status.overrides) or (), strict=False))

@@ -1,0 +1,140 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Sends one job: the steps of `flow` with the proof, the findings and the controller's process behind them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import Any
+
+from CNCStepper.errors import CNCStepperError
+from CNCStepper.workbench import tell
+from CNCStepper.workbench.dock.flow import Flow
+from CNCStepper.workbench.dock.link import Link
+from CNCStepper.workbench.dock.remaining import Remaining
+from CNCStepper.workbench.words import tr
+
+
+class Sending:
+    """The flow of one job at a time.
+
+    show_findings: fills the list of the checks. connect: opens the port that is chosen. changed: called when
+    something new is to be shown.
+    """
+
+    def __init__(
+        self,
+        parent: Any,
+        link: Link,
+        show_findings: Callable[[Sequence[Any]], None],
+        connect: Callable[[], None],
+        changed: Callable[[], None],
+    ):
+        self.flow = Flow()
+        self.remaining = Remaining()
+        self.program_lines: Sequence[str] = ()
+        self._parent, self._link = parent, link
+        self._show_findings, self._connect, self._changed = show_findings, connect, changed
+        self._run: Any = None
+        self._result: Any = None
+
+    def send(self, job: Any) -> None:
+        """Begin with a job object; one that is being cut already is refused with a message."""
+        if self._link.moment.job_runs:
+            tell.note(tr("A job is being cut already: wait for its end, or stop it."))
+            return
+        self._give_up_run()
+        self.flow.begin(job.Label)
+        try:
+            self._check(job)
+        except CNCStepperError as error:
+            self._failed(error)
+        self._changed()
+
+    def forget(self) -> None:
+        """Know nothing of the job that is being cut, when another window began it."""
+        self.remaining, self.program_lines = Remaining(), ()
+
+    def onward(self) -> None:
+        """Answer the question of the present step with yes."""
+        step = self.flow.step
+        if step == "connect":
+            self._connect()
+        elif self.flow.happen("onward") and self.flow.step == "starting":
+            self._start()
+        self._advance()
+        self._changed()
+
+    def away(self) -> None:
+        """Give up before the cut, or close what has ended."""
+        self._give_up_run()
+        self.flow.leave()
+        self._changed()
+
+    def take(self, event: dict[str, Any]) -> None:
+        """Follow an event of the controller's process."""
+        if event["event"] == "outcome" and self._link.client:
+            self._ended(self._link.client.outcome)
+        elif event["event"] == "refused" and event.get("command") == "run":
+            self.flow.happen("refusal", event["text"])
+
+    def advance(self) -> None:
+        """Follow the controller's state; called after every poll."""
+        phase = self._link.moment.phase
+        if phase in ("off", "gone"):
+            self.flow.happen("lost", self._link.moment.message)
+        elif self._link.moment.job_runs:
+            self.flow.happen("cutting")
+        self._advance()
+
+    # --- inside ----------------------------------------------------------------------------------
+
+    def _check(self, job: Any) -> None:
+        from CNCStepper.workbench import api
+        from CNCStepper.workbench.proof import ProofRun
+
+        api.require_valid(job)
+        self._run = ProofRun(job, self._parent)
+        self._run.finished.connect(tell.guarded(self._proved))
+        self._run.failed.connect(tell.guarded(self._failed))
+        self._run.progress.connect(tell.guarded(self._progress))
+        self._run.start()
+
+    def _progress(self, text: str) -> None:
+        self.flow.detail = text
+        self._changed()
+
+    def _proved(self, result: Any) -> None:
+        self._run, self._result = None, result
+        self.program_lines = result.program_lines
+        worth_seeing = [finding for finding in result.findings if finding.severity != "info"]
+        self._show_findings(worth_seeing)
+        self.flow.happen("errors" if result.refused else "warnings" if worth_seeing else "clean")
+        self._advance()
+        self._changed()
+
+    def _failed(self, error: CNCStepperError) -> None:
+        self._run = None
+        self.flow.happen("failure", f"{tell.sentence(error)}\n{error.advice}".strip())
+        self._changed()
+
+    def _advance(self) -> None:
+        """Ask for the work zero as soon as a controller is there."""
+        if self._link.moment.connected:
+            self.flow.happen("idle")
+
+    def _start(self) -> None:
+        result = self._result
+        self.remaining = Remaining(result.moves.line, result.moves.ends_s, 1.0 / self._link.speed)
+        self._link.command("run", result.send_file, zero_confirmed=True, allow_differences=self.flow.anyway)
+
+    def _ended(self, outcome: Any) -> None:
+        if outcome.error is not None and outcome.error.code == "settings-differ" and not self.flow.anyway:
+            self.flow.happen("differences", f"{outcome.error.what}\n{outcome.error.advice}")
+        else:
+            self.flow.end(outcome.kind, outcome.text)
+        self._changed()
+
+    def _give_up_run(self) -> None:
+        if self._run is not None:
+            self._run.cancel()
+            self._run = None

@@ -1,0 +1,60 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The dock in FreeCAD's window: one for each, where it was the last time."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import FreeCADGui
+from PySide import QtCore, QtGui
+
+from CNCStepper.control.desk_client import running_desks
+from CNCStepper.workbench import tell
+from CNCStepper.workbench.dock.closing import ClosingGuard
+from CNCStepper.workbench.dock.panel import Panel
+from CNCStepper.workbench.words import tr
+
+NAME = "CNCStepper_Dock"
+
+
+def dock() -> Any:
+    """Return the dock of this window, made at its last place when it is not there yet."""
+    window = FreeCADGui.getMainWindow()
+    found = window.findChild(QtGui.QDockWidget, NAME)
+    return found or _made(window)
+
+
+def panel() -> Panel:
+    """Return the dock's content."""
+    return dock().widget()
+
+
+def open_dock() -> Any:
+    """Show the dock in front, attached to a controller's process that runs already, and return it."""
+    shown = dock()
+    shown.show()
+    shown.raise_()
+    attach_running(shown.widget())
+    return shown
+
+
+def attach_running(shown: Panel) -> None:
+    """Take up the newest process that still has a controller, when this window has none."""
+    if shown.link.moment.connected or shown.link.moment.busy:
+        return
+    for session_file in reversed(running_desks()):
+        shown.attach(session_file)
+        tell.note(tr("The controller's panel is attached again to a machine that was left connected."))
+        return
+
+
+def _made(window: Any) -> Any:
+    made = QtGui.QDockWidget(tr("Controller"), window)
+    made.setObjectName(NAME)
+    area = QtCore.Qt.DockWidgetArea
+    made.setAllowedAreas(area.LeftDockWidgetArea | area.RightDockWidgetArea)
+    made.setWidget(Panel())
+    if not window.restoreDockWidget(made):
+        window.addDockWidget(area.RightDockWidgetArea, made)
+    ClosingGuard(window, made.widget().link)
+    return made
