@@ -178,11 +178,10 @@ def combo_list(target: Any) -> Any:
 
 def view_widget() -> Any:
     """Return the widget that shows the active 3D view."""
-    area = FreeCADGui.getMainWindow().centralWidget()
-    views = [w for w in area.findChildren(QtGui.QGraphicsView) if w.isVisible()]
-    assert views, "no 3D view is open"
-    active = area.activeSubWindow() if hasattr(area, "activeSubWindow") else None
-    return next((view for view in views if active is not None and active.isAncestorOf(view)), views[0])
+    # Not by findChildren: PySide would keep what it found, and give the closed view's remains for a new one.
+    view = FreeCADGui.activeDocument() and FreeCADGui.activeDocument().activeView()
+    assert hasattr(view, "graphicsView"), "no 3D view is open"
+    return view.graphicsView()
 
 
 def of_view(point: Point) -> Point:
