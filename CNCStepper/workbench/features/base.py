@@ -15,6 +15,7 @@ from typing import Any
 
 from CNCStepper.errors import CNCStepperError, JobError
 from CNCStepper.units import mm_min_from_mm_s, mm_s_from_mm_min
+from CNCStepper.workbench.words import later
 
 JOB = "CNCStepper_Job"
 FAILED = "object-failed"  # the code of an error that another object has caused
@@ -38,20 +39,25 @@ NUMBERS = (SPEED, DISTANCE, ANGLE, "App::PropertyFloat")
 class Property:
     """One property of a document object; `default` is a value for `key`, in the unit that its suffix names.
 
-    choices: of an enumeration. output: shown, saved, and set by the object alone.
+    group, label, text: English, marked for the translators with `later`; a panel shows the label and explains it
+    with the text. choices: of an enumeration. output: shown, saved, and set by the object alone.
     """
 
     key: str
     name: str
     type: str
     group: str
+    label: str
     text: str
     default: Any = None
     choices: tuple[str, ...] = ()
     output: bool = False
 
 
-PROBLEM = Property("problem", "Problem", TEXT, "Problem", "Why it cannot be made; empty when it can", "", output=True)
+PROBLEM = Property(
+    "problem", "Problem", TEXT, later("Problem"), later("Problem"), later("Why it cannot be made; empty when it can"),
+    "", output=True,
+)  # fmt: skip
 
 
 class Feature:

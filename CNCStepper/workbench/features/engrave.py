@@ -7,7 +7,10 @@ from typing import Any
 
 from CNCStepper.errors import CycleError
 from CNCStepper.workbench.features.base import DISTANCE, INTEGER, Property
-from CNCStepper.workbench.features.operation import OPERATION, Operation, drawn, parameters
+from CNCStepper.workbench.features.operation import CUT, OPERATION, RESULT, Operation, drawn, parameters
+from CNCStepper.workbench.words import later
+
+LINES = later("Lines")
 
 
 class Engrave(Operation):
@@ -17,14 +20,19 @@ class Engrave(Operation):
     CYCLE = "engrave"
     PROPERTIES = (
         *OPERATION,
-        *drawn("Lines", "The sketch, wire, B-spline or freehand line to follow"),
-        Property("tolerance_mm", "Tolerance", DISTANCE, "Lines",
-                 "How far the path may be off an ellipse or a B-spline; lines and arcs are exact", 0.01),
-        Property("depth_mm", "Depth", DISTANCE, "Cut", "The depth below the top of the stock", 1.0),
-        Property("stepdown_mm", "Stepdown", DISTANCE, "Cut", "The depth of one pass at most; 0: all at once", 0.0),
-        Property("ap_mm", "StepdownUsed", DISTANCE, "Result", "ap, recalculated to whole passes", 0.0, output=True),
-        Property("levels", "Levels", INTEGER, "Result", "How many passes in depth", 0, output=True),
-        Property("length_mm", "LineLength", DISTANCE, "Result", "The length of all lines", 0.0, output=True),
+        *drawn(LINES, later("The sketch, wire, B-spline or freehand line to follow")),
+        Property("tolerance_mm", "Tolerance", DISTANCE, LINES, later("Tolerance"),
+                 later("How far the path may be off an ellipse or a B-spline; lines and arcs are exact"), 0.01),
+        Property("depth_mm", "Depth", DISTANCE, CUT, later("Depth"),
+                 later("The depth below the top of the stock"), 1.0),
+        Property("stepdown_mm", "Stepdown", DISTANCE, CUT, later("Stepdown ap"),
+                 later("The depth of one pass at most; 0: all at once"), 0.0),
+        Property("ap_mm", "StepdownUsed", DISTANCE, RESULT, later("Stepdown ap"),
+                 later("ap, recalculated to whole passes"), 0.0, output=True),
+        Property("levels", "Levels", INTEGER, RESULT, later("Levels"), later("How many passes in depth"), 0,
+                 output=True),
+        Property("length_mm", "LineLength", DISTANCE, RESULT, later("Line length"),
+                 later("The length of all lines"), 0.0, output=True),
     )  # fmt: skip
 
     def cycle_values(self, obj: Any, origin_mm: tuple[float, ...]) -> dict[str, Any]:

@@ -7,6 +7,9 @@ from typing import Any
 
 from CNCStepper.workbench import packages
 from CNCStepper.workbench.features.base import BOOL, DISTANCE, INTEGER, POINTS, Feature, Property
+from CNCStepper.workbench.words import later
+
+LINE = later("Line")
 
 
 class Freehand(Feature):
@@ -14,11 +17,13 @@ class Freehand(Feature):
 
     Type = "CNCStepper_Freehand"
     PROPERTIES = (
-        Property("points_mm", "Points", POINTS, "Line", "The points as they were drawn", ()),
-        Property("tolerance_mm", "Tolerance", DISTANCE, "Line",
-                 "The wire stays this close to every drawn point; 0 keeps every point that bends the line", 0.0),
-        Property("closed", "Closed", BOOL, "Line", "Whether the last point joins the first", False),
-        Property("kept", "Kept", INTEGER, "Line", "How many points the wire has", 0, output=True),
+        Property("points_mm", "Points", POINTS, LINE, later("Points"), later("The points as they were drawn"), ()),
+        Property("tolerance_mm", "Tolerance", DISTANCE, LINE, later("Tolerance"),
+                 later("The wire stays this close to every drawn point; 0 keeps every point that bends the line"), 0.0),
+        Property("closed", "Closed", BOOL, LINE, later("Closed"), later("Whether the last point joins the first"),
+                 False),
+        Property("kept", "Kept", INTEGER, LINE, later("Points kept"), later("How many points the wire has"), 0,
+                 output=True),
     )  # fmt: skip
 
     def make(self, obj: Any) -> None:

@@ -17,7 +17,9 @@ from CNCStepper.workbench.features.base import (
     proxy_type,
     require_parts,
 )
+from CNCStepper.workbench.words import later
 
+MACHINE, STOCK, HEIGHTS, JOB_GROUP = later("Machine"), later("Stock"), later("Heights"), later("Job")
 LINKS = "App::PropertyLinkList"
 ORIGINS = ("top-centre", "top-left-front")
 SETUP = {"Clearance", "Retract", "WorkOrigin", "Operations"}  # what an operation's own figures depend on
@@ -28,25 +30,34 @@ class Job(Feature):
 
     Type = "CNCStepper_Job"
     PROPERTIES = (
-        Property("machine", "Machine", TEXT, "Machine", "A shipped profile's name, or a profile's file", "table-a"),
-        Property("dialect", "Dialect", TEXT, "Machine", "The program's dialect; empty: the machine's own", ""),
-        Property("units", "Units", ENUMERATION, "Machine", "Of the written program", "mm", choices=("mm", "inch")),
-        Property("work_offset", "WorkOffset", ENUMERATION, "Machine", "The work coordinate system", "G54",
-                 choices=WORK_SYSTEMS),
-        Property("coolant", "Coolant", ENUMERATION, "Machine", "What is switched on while cutting", "none",
-                 choices=("none", "mist", "flood")),
-        Property("stock_size_mm", "StockSize", POSITION, "Stock", "Length, width and height", (100.0, 70.0, 20.0)),
-        Property("stock_origin", "StockOrigin", ENUMERATION, "Stock", "Where on the stock the work zero lies",
-                 "top-centre", choices=ORIGINS),
-        Property("work_origin_mm", "WorkOrigin", POSITION, "Stock", "Where the work zero lies in this document",
-                 (0.0, 0.0, 0.0)),
-        Property("clearance_mm", "Clearance", DISTANCE, "Heights", "Where rapids travel across the work", 10.0),
-        Property("retract_mm", "Retract", DISTANCE, "Heights", "From here down the tool feeds", 2.0),
-        Property("operations", "Operations", LINKS, "Job", "What is cut, in this order", ()),
-        Property("tools", "Tools", LINKS, "Job", "The tools that operations may choose from", ()),
-        Property("program", "Program", "App::PropertyFileIncluded", "Job", "The program, kept in this document",
+        Property("machine", "Machine", TEXT, MACHINE, later("Profile"),
+                 later("A shipped profile's name, or a profile's file"), "table-a"),
+        Property("dialect", "Dialect", TEXT, MACHINE, later("Dialect"),
+                 later("The program's dialect; empty: the machine's own"), ""),
+        Property("units", "Units", ENUMERATION, MACHINE, later("Program's units"), later("Of the written program"),
+                 "mm", choices=("mm", "inch")),
+        Property("work_offset", "WorkOffset", ENUMERATION, MACHINE, later("Work offset"),
+                 later("The work coordinate system"), "G54", choices=WORK_SYSTEMS),
+        Property("coolant", "Coolant", ENUMERATION, MACHINE, later("Coolant"),
+                 later("What is switched on while cutting"), "none", choices=("none", "mist", "flood")),
+        Property("stock_size_mm", "StockSize", POSITION, STOCK, later("Size"), later("Length, width and height"),
+                 (100.0, 70.0, 20.0)),
+        Property("stock_origin", "StockOrigin", ENUMERATION, STOCK, later("Work zero"),
+                 later("Where on the stock the work zero lies"), "top-centre", choices=ORIGINS),
+        Property("work_origin_mm", "WorkOrigin", POSITION, STOCK, later("Zero's place"),
+                 later("Where the work zero lies in this document"), (0.0, 0.0, 0.0)),
+        Property("clearance_mm", "Clearance", DISTANCE, HEIGHTS, later("Clearance"),
+                 later("Where rapids travel across the work"), 10.0),
+        Property("retract_mm", "Retract", DISTANCE, HEIGHTS, later("Retract"),
+                 later("From here down the tool feeds"), 2.0),
+        Property("operations", "Operations", LINKS, JOB_GROUP, later("Operations"),
+                 later("What is cut, in this order"), ()),
+        Property("tools", "Tools", LINKS, JOB_GROUP, later("Tools"),
+                 later("The tools that operations may choose from"), ()),
+        Property("program", "Program", "App::PropertyFileIncluded", JOB_GROUP, later("Program"),
+                 later("The program, kept in this document"), output=True),
+        Property("message", "Message", TEXT, JOB_GROUP, later("Message"), later("Why there is no program"), "",
                  output=True),
-        Property("message", "Message", TEXT, "Job", "Why there is no program", "", output=True),
     )  # fmt: skip
 
     def check(self, obj: Any) -> None:

@@ -22,21 +22,23 @@ from CNCStepper.workbench.features.base import (
     values,
 )
 from CNCStepper.workbench.shapes import containers_of
+from CNCStepper.workbench.words import later
 
+OPERATION_GROUP, CUT, RESULT = later("Operation"), later("Cut"), later("Recalculated to whole passes")
 OPERATION = (
-    Property("tool", "Tool", LINK, "Operation", "The tool that cuts it"),
-    Property("active", "Active", BOOL, "Operation", "Whether the program holds it", True),
+    Property("tool", "Tool", LINK, OPERATION_GROUP, later("Tool"), later("The tool that cuts it")),
+    Property("active", "Active", BOOL, OPERATION_GROUP, later("Active"), later("Whether the program holds it"), True),
 )
 
 
 def drawn(group: str, text: str) -> tuple[Property, ...]:
     """Return the properties of an operation that follows a drawing."""
     return (
-        Property("drawing", "Drawing", DRAWING, group, text),
-        Property("containers", "Containers", CONTAINERS, group, "The parts and bodies that the drawing moves with",
-                 (), output=True),
-        Property("deleted_drawing", "DeletedDrawing", TEXT, group, "The drawing it followed, when that was deleted", "",
-                 output=True),
+        Property("drawing", "Drawing", DRAWING, group, later("Drawing"), text),
+        Property("containers", "Containers", CONTAINERS, group, later("Containers"),
+                 later("The parts and bodies that the drawing moves with"), (), output=True),
+        Property("deleted_drawing", "DeletedDrawing", TEXT, group, later("Deleted drawing"),
+                 later("The drawing it followed, when that was deleted"), "", output=True),
     )  # fmt: skip
 
 

@@ -10,13 +10,16 @@ from typing import Any
 
 from CNCStepper.workbench import packages, program_file
 from CNCStepper.workbench.features.base import LINK, Feature, Property
+from CNCStepper.workbench.words import later
 
 
 class Preview(Feature):
     """The proxy of a preview; it stands on its job and is placed at the job's work zero."""
 
     Type = "CNCStepper_Preview"
-    PROPERTIES = (Property("job", "Job", LINK, "Preview", "The job whose program is shown"),)
+    PROPERTIES = (
+        Property("job", "Job", LINK, later("Preview"), later("Job"), later("The job whose program is shown")),
+    )
 
     def make(self, obj: Any) -> None:
         """Read the program text and show it."""

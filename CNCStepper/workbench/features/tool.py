@@ -7,7 +7,9 @@ from typing import Any
 
 from CNCStepper.workbench import packages
 from CNCStepper.workbench.features.base import DISTANCE, ENUMERATION, INTEGER, SPEED, Feature, Property, values
+from CNCStepper.workbench.words import later
 
+TOOL, CUTTING = later("Tool"), later("Cutting")
 SHAPES = ("flat", "ball", "bullnose", "v", "drill", "engraver")
 
 
@@ -16,13 +18,17 @@ class Tool(Feature):
 
     Type = "CNCStepper_Tool"
     PROPERTIES = (
-        Property("number", "Number", INTEGER, "Tool", "The T word of the program", 1),
-        Property("shape", "ToolShape", ENUMERATION, "Tool", "The form of the cutter", "flat", choices=SHAPES),
-        Property("diameter_mm", "Diameter", DISTANCE, "Tool", "The diameter of the cutter", 6.0),
-        Property("feed_mm_min", "Feed", SPEED, "Cutting", "The speed of cutting moves", 800.0),
-        Property("plunge_mm_min", "Plunge", SPEED, "Cutting", "The speed straight down", 200.0),
-        Property("spindle_rpm", "SpindleSpeed", "App::PropertyFloat", "Cutting", "Spindle turns a minute", 10000.0),
-    )
+        Property("number", "Number", INTEGER, TOOL, later("Number"), later("The T word of the program"), 1),
+        Property("shape", "ToolShape", ENUMERATION, TOOL, later("Shape"), later("The form of the cutter"), "flat",
+                 choices=SHAPES),
+        Property("diameter_mm", "Diameter", DISTANCE, TOOL, later("Diameter"), later("The diameter of the cutter"),
+                 6.0),
+        Property("feed_mm_min", "Feed", SPEED, CUTTING, later("Feed"), later("The speed of cutting moves"), 800.0),
+        Property("plunge_mm_min", "Plunge", SPEED, CUTTING, later("Plunge feed"), later("The speed straight down"),
+                 200.0),
+        Property("spindle_rpm", "SpindleSpeed", "App::PropertyFloat", CUTTING, later("Spindle"),
+                 later("Spindle turns a minute"), 10000.0),
+    )  # fmt: skip
 
     def check(self, obj: Any) -> None:
         """Raise JobError that names the value that cannot be."""
