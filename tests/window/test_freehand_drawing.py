@@ -20,6 +20,8 @@ def document(hand: Hand) -> Any:
     """A document seen from above, 100 mm high on the screen."""
 
     def make() -> Any:
+        import pivy.coin  # noqa: F401  the camera's type comes from it
+
         made = FreeCAD.newDocument("Linha à mão")
         made.UndoMode = 1
         view = FreeCADGui.ActiveDocument.ActiveView
@@ -123,12 +125,12 @@ def test_shift_goes_straight_and_along_an_axis_that_is_near(hand: Hand, document
 
 
 def test_a_release_beside_the_start_closes_the_line(hand: Hand, document: Any) -> None:
-    round_trip = [(400 + 80 * math.cos(a / 10), 300 + 80 * math.sin(a / 10)) for a in range(62)]
+    round_trip = [(400 + 80 * math.cos(a / 10), 300 + 80 * math.sin(a / 10)) for a in range(63)]
     hand.command("CNCStepper_Freehand")
     hand.press_at(round_trip[0])
     for point in round_trip[1:]:
         hand.move_to(point)
-    assert "close the line" in status(hand)
+    assert "Release to close" in status(hand)
     hand.shot("freehand-closing")
     hand.release()
     (line,) = lines(hand, document)

@@ -58,6 +58,6 @@ def going_on() -> bool:
 
 
 def _begin(mode: Mode) -> None:
-    _going_on.append(mode)
-    mode.on_left = lambda: _going_on.remove(mode)
     mode.begin()
+    mode.on_left = _going_on.clear
+    _going_on.append(mode)

@@ -37,49 +37,51 @@ class Pointer(QtCore.QObject):
     def __init__(self, view: Any, mode: Mode):
         super().__init__()
         self._mode = mode
-        self._widget = view.graphicsView()
+        self._view = view
         self._holds = False  # the press was taken, so the release belongs to us as well
+
+    def _widgets(self) -> list[Any]:
+        """Return the view's widgets: the one with the keys and the one with the mouse; [] when the view was closed.
+
+        They are never kept: PySide would hand out a kept one of a closed view for a new one at the same address.
+        """
+        try:
+            keys = self._view.graphicsView()
+        except (RuntimeError, ReferenceError):  # as the versions of FreeCAD say that a view is gone
+            return []
+        return [keys, keys.viewport()]
 
     def take(self) -> None:
         """Begin: the view gets the keyboard and a cross for its pointer."""
-        for widget in (self._widget, self._widget.viewport()):
+        keys, mouse = self._widgets()
+        for widget in (keys, mouse):
             widget.installEventFilter(self)
-        self._widget.viewport().setCursor(QtCore.Qt.CursorShape.CrossCursor)
-        self._widget.setFocus()
-        self._widget.destroyed.connect(self._gone)
+        mouse.setCursor(QtCore.Qt.CursorShape.CrossCursor)
+        keys.setFocus()
 
     def give_back(self) -> None:
         """End; a view that was closed meanwhile has nothing to be given back."""
-        widget, self._widget = self._widget, None
-        if widget is not None:
-            widget.destroyed.disconnect(self._gone)
-            widget.viewport().unsetCursor()
-            for filtered in (widget, widget.viewport()):
-                filtered.removeEventFilter(self)
+        for widget in self._widgets():
+            widget.removeEventFilter(self)
+            widget.unsetCursor()
 
-    def _gone(self) -> None:
-        self._widget = None
-        self._mode.leave()
-
-    def eventFilter(self, _widget: QtCore.QObject, event: QtCore.QEvent) -> bool:
+    def eventFilter(self, widget: Any, event: QtCore.QEvent) -> bool:
         """Return whether the event ends here; Qt calls this."""
-        return bool(self._taken(event))
+        return bool(self._taken(widget, event))
 
     @guarded
-    def _taken(self, event: QtCore.QEvent) -> bool:
+    def _taken(self, widget: Any, event: QtCore.QEvent) -> bool:
         kind = event.type()
-        if self._widget is None:
-            return False
         if kind in (TYPE.ShortcutOverride, TYPE.KeyPress):
             return self._key(event, kind)
         if kind in PRESSES and event.button() == LEFT and event.buttons() == LEFT and not event.modifiers() & OTHERS:
-            self._holds = self._mode.pressed(self._pixel(event), bool(event.modifiers() & SHIFT))
+            self._holds = self._mode.pressed(_pixel(widget, event), bool(event.modifiers() & SHIFT))
             return self._holds
         if kind == TYPE.MouseMove and (self._holds or not event.buttons()):
-            return self._mode.moved(self._pixel(event), bool(event.modifiers() & SHIFT)) and self._holds
+            return self._mode.moved(_pixel(widget, event), bool(event.modifiers() & SHIFT)) and self._holds
         if kind == TYPE.MouseButtonRelease and event.button() == LEFT and self._holds:
             self._holds = False
-            return self._mode.released(self._pixel(event))
+            return self._mode.released(_pixel(widget, event))
         return False
 
     def _key(self, event: QtCore.QEvent, kind: QtCore.QEvent.Type) -> bool:
@@ -92,8 +94,9 @@ class Pointer(QtCore.QObject):
         event.accept()
         return True
 
-    def _pixel(self, event: QtCore.QEvent) -> Point:
-        place = event.position() if hasattr(event, "position") else event.localPos()
-        viewport = self._widget.viewport()
-        scale = viewport.devicePixelRatioF()
-        return (place.x() * scale, (viewport.height() - 1 - place.y()) * scale)
+
+def _pixel(viewport: Any, event: Any) -> Point:
+    """Return where a mouse event is, in OpenGL's pixels from the lower left corner."""
+    place = event.position() if hasattr(event, "position") else event.localPos()
+    scale = viewport.devicePixelRatioF()
+    return (place.x() * scale, (viewport.height() - 1 - place.y()) * scale)
