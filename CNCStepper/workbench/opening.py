@@ -7,6 +7,7 @@ from typing import Any
 
 from CNCStepper.workbench import commands, missing, packages
 from CNCStepper.workbench.tell import NAME, guarded
+from CNCStepper.workbench.viewproviders import tips
 
 
 @guarded
@@ -19,6 +20,7 @@ def first(workbench: Any) -> None:
     names = commands.register()
     workbench.appendToolbar(NAME, names)
     workbench.appendMenu(NAME, names)
+    tips.install()
 
 
 @guarded

@@ -21,27 +21,40 @@ REPORT_AT = "https://github.com/cncstepper/CNCStepper/issues"
 NOTE_MS = 8000
 
 
-def guarded(function: Callable[..., Any]) -> Callable[..., Any]:
-    """Return `function` for Qt or FreeCAD to call: nothing it raises leaves it, it is told instead.
+def guarded(function: Callable[..., Any], repeat: bool = True) -> Callable[..., Any]:
+    """Return `function` for Qt or FreeCAD to call: nothing it raises leaves it, it is told and None returned.
 
     Surplus arguments are dropped, as Qt itself does for a slot: `clicked` sends one that few slots take.
+    repeat: whether the same fault is told again when it happens again.
     """
-    kinds = [parameter.kind for parameter in inspect.signature(function).parameters.values()]
-    takes = None if inspect.Parameter.VAR_POSITIONAL in kinds else sum(kind in POSITIONAL for kind in kinds)
+    takes = _arguments_taken(function)
+    told: set[str] = set()
 
     @functools.wraps(function)
     def call(*arguments: Any, **named: Any) -> Any:
         try:
             return function(*arguments[:takes], **named)
         except Exception as problem:
-            error(problem)
+            if repeat or str(problem) not in told:
+                told.add(str(problem))
+                error(problem)
             return None
 
     del call.__wrapped__  # type: ignore[attr-defined]  # PySide must count the arguments of `call`
     return call
 
 
-POSITIONAL = (inspect.Parameter.POSITIONAL_ONLY, inspect.Parameter.POSITIONAL_OR_KEYWORD)
+def polled(function: Callable[..., Any]) -> Callable[..., Any]:
+    """Return `function` guarded, for what is called again and again by itself: each fault is told once."""
+    return guarded(function, repeat=False)
+
+
+def _arguments_taken(function: Callable[..., Any]) -> int | None:
+    """Return how many positional arguments a function takes, None for any number."""
+    kinds = [parameter.kind for parameter in inspect.signature(function).parameters.values()]
+    if inspect.Parameter.VAR_POSITIONAL in kinds:
+        return None
+    return sum(kind in (inspect.Parameter.POSITIONAL_ONLY, inspect.Parameter.POSITIONAL_OR_KEYWORD) for kind in kinds)
 
 
 def error(problem: BaseException) -> None:

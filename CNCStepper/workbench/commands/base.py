@@ -7,7 +7,7 @@ import html
 from typing import Any
 
 from CNCStepper.workbench import packages
-from CNCStepper.workbench.tell import guarded
+from CNCStepper.workbench.tell import guarded, polled
 
 
 class Command:
@@ -42,13 +42,16 @@ class Command:
         return FreeCAD.Qt.translate(self.name, self.menu_text)
 
     def GetResources(self) -> dict[str, str]:
-        """Return what FreeCAD shows of the command."""
+        """Return what FreeCAD shows of the command; with "ForEdit" it asks `IsActive` while a task panel is open, too."""
         icon = packages.ROOT / "resources" / "icons" / f"{self.name}.svg"
-        return {"MenuText": self.menu_text, "ToolTip": self.tooltip, "Pixmap": str(icon)}
+        return {"MenuText": self.menu_text, "ToolTip": self.tooltip, "Pixmap": str(icon), "CmdType": "ForEdit"}
 
-    @guarded
     def IsActive(self) -> bool:
         """Return whether the command can work now, and let its tooltip say why not."""
+        return bool(self._is_able())
+
+    @polled
+    def _is_able(self) -> bool:
         reason = self.why_not()
         self._explain(reason)
         return not reason

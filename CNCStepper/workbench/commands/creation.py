@@ -9,6 +9,7 @@ from typing import Any
 from CNCStepper.workbench import missing
 from CNCStepper.workbench.commands import choice
 from CNCStepper.workbench.commands.base import Command
+from CNCStepper.workbench.words import tr
 
 
 def create(document: Any, title: str, make: Callable[[], Any]) -> None:
@@ -31,7 +32,13 @@ def tool_for(job: Any) -> Any:
     """Return the tool with which a new operation of the job begins: a selected one, the last, or a new one."""
     from CNCStepper.workbench import api
 
-    return choice.tool(job) or api.add_tool(job)
+    return choice.tool(job) or labelled(api.add_tool(job), tr("Tool"))
+
+
+def labelled(obj: Any, label: str) -> Any:
+    """Return the object, named in the tree in the user's language; FreeCAD adds a number where the name is taken."""
+    obj.Label = label
+    return obj
 
 
 class Operation(Command):

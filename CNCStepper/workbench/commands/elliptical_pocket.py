@@ -6,7 +6,7 @@ from __future__ import annotations
 from typing import Any
 
 from CNCStepper.workbench.commands import choice, defaults
-from CNCStepper.workbench.commands.creation import Operation, create, tool_for
+from CNCStepper.workbench.commands.creation import Operation, create, labelled, tool_for
 from CNCStepper.workbench.words import QT_TRANSLATE_NOOP, tr
 
 
@@ -31,4 +31,4 @@ def _pocket(job: Any, drawing: Any) -> Any:
         ellipse_of(drawing)
     tool = tool_for(job)
     values = defaults.pocket(tuple(job.StockSize), job.StockOrigin, float(tool.Diameter), drawing is not None)
-    return api.add_elliptical_pocket(job, drawing, tool=tool, **values)
+    return labelled(api.add_elliptical_pocket(job, drawing, tool=tool, **values), tr("Elliptical pocket"))

@@ -6,7 +6,7 @@ from __future__ import annotations
 from typing import Any
 
 from CNCStepper.workbench.commands import choice, defaults
-from CNCStepper.workbench.commands.creation import Operation, create, tool_for
+from CNCStepper.workbench.commands.creation import Operation, create, labelled, tool_for
 from CNCStepper.workbench.words import QT_TRANSLATE_NOOP, tr
 
 
@@ -36,4 +36,5 @@ def _engraving(job: Any, drawing: Any) -> Any:
     from CNCStepper.workbench.shapes import edges_of
 
     edges_of(drawing)
-    return api.add_engrave(job, drawing, tool=tool_for(job), **defaults.engraving(tuple(job.StockSize)))
+    values = defaults.engraving(tuple(job.StockSize))
+    return labelled(api.add_engrave(job, drawing, tool=tool_for(job), **values), tr("Engraving"))

@@ -8,7 +8,7 @@ from typing import Any
 from CNCStepper.workbench import missing
 from CNCStepper.workbench.commands import choice, defaults
 from CNCStepper.workbench.commands.base import Command
-from CNCStepper.workbench.commands.creation import create
+from CNCStepper.workbench.commands.creation import create, labelled
 from CNCStepper.workbench.words import QT_TRANSLATE_NOOP, tr
 
 
@@ -33,9 +33,12 @@ class NewJob(Command):
 
 def _job(document: Any) -> Any:
     from CNCStepper.workbench import api
+    from CNCStepper.workbench.viewproviders.job import previews
 
-    job = api.new_job(document, **_stock())
-    api.add_tool(job)
+    job = labelled(api.new_job(document, **_stock()), tr("Job"))
+    labelled(api.add_tool(job), tr("Tool"))
+    for preview in previews(job):
+        labelled(preview, tr("Preview"))
     return job
 
 

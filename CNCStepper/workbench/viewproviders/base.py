@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from CNCStepper.workbench.features.base import problem_of, proxy_type
-from CNCStepper.workbench.tell import guarded
+from CNCStepper.workbench.tell import guarded, polled
 from CNCStepper.workbench.words import tr
 
 
@@ -34,7 +34,7 @@ class ViewProvider:
         """Remember whose proxy this is; FreeCAD calls this when an object is made or opened."""
         self.obj = view.Object
 
-    @guarded
+    @polled
     def getIcon(self) -> Any:
         """Return the icon of the tree."""
         from CNCStepper.workbench.viewproviders.icons import icon
@@ -49,7 +49,7 @@ class ViewProvider:
         """Return whether the tree shows it as visible; FreeCAD asks, as most of our objects draw nothing."""
         return bool(self.obj.ViewObject.Visibility)
 
-    @guarded
+    @polled
     def updateData(self, obj: Any, name: str) -> None:
         """Draw the icon anew when what it says has changed; FreeCAD calls this at every change of a property."""
         if name in self.BADGED_BY:

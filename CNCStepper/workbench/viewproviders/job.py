@@ -6,7 +6,7 @@ from __future__ import annotations
 from typing import Any
 
 from CNCStepper.workbench.features.base import proxy_type
-from CNCStepper.workbench.tell import guarded
+from CNCStepper.workbench.tell import guarded, polled
 from CNCStepper.workbench.viewproviders.base import Entry, ViewProvider
 from CNCStepper.workbench.words import tr
 
@@ -14,12 +14,12 @@ from CNCStepper.workbench.words import tr
 class Job(ViewProvider):
     """The view of a job."""
 
-    @guarded
+    @polled
     def claimChildren(self) -> list[Any]:
         """Return what stands below the job in the tree."""
         return [*self.obj.Tools, *self.obj.Operations, *previews(self.obj)]
 
-    @guarded
+    @polled
     def onChanged(self, view: Any, name: str) -> None:
         """Show and hide the preview with the job, except while a document is opened."""
         if name == "Visibility" and "Restore" not in view.Object.State:
