@@ -31,8 +31,9 @@ def command() -> None:
 )
 @click.option("--trace", type=click.Path(path_type=Path), help="Save the path of the axes: t_s,x_mm,y_mm,z_mm.")
 @click.option("--homing", is_flag=True, help="Start in alarm until homed, as with $22=1.")
+@click.option("--until-left", is_flag=True, help="End when its client has left, or when none has come within 30 s.")
 @machine_option(required=False)
-def grbl(pty, tcp, speed, baud, trace, homing, machine: Machine | None) -> None:
+def grbl(pty, tcp, speed, baud, trace, homing, until_left, machine: Machine | None) -> None:
     """A grbl 1.1 with 128 bytes and 15 blocks, on a pseudo-terminal or a TCP port; Ctrl-C ends it.
 
     Without --machine it has the settings of table-a.
@@ -49,5 +50,6 @@ def grbl(pty, tcp, speed, baud, trace, homing, machine: Machine | None) -> None:
         baud=baud,
         trace=trace,
         homing=homing,
+        until_left=until_left,
         ready=lambda address: click.echo(f"virtual grbl at {address}"),
     )

@@ -14,7 +14,7 @@ from CNCStepper.control.timing import Timing
 from CNCStepper.errors import LinkError, MachineRefusal
 
 ASK_AGAIN_S = 0.25
-OFFSETS = ("G54", "G55", "G56", "G57", "G58", "G59", "G59.1", "G59.2", "G59.3", "G28", "G30", "G92")
+OFFSETS = ("G54", "G55", "G56", "G57", "G58", "G59", "G59.1", "G59.2", "G59.3", "G28", "G30", "G92", "TLO")
 OLD_VERSIONS = ("0.", "1.0")
 
 
@@ -39,20 +39,43 @@ def meet(driver: Grbl, timing: Timing) -> Found:
     """
     woken = wake_up(driver, timing)
     check_state(driver.status)
+    return learn(driver, timing, greeted(woken))
+
+
+def learn(driver: Grbl, timing: Timing, greeted: bool = False) -> Found:
+    """Ask a controller that is idle or locked what it is and how it is set."""
     discard_half_line(driver, timing)
     version = _version(driver, ask(driver, "$I", timing))
     ask(driver, "$$", timing)
-    offsets = _offsets(ask(driver, "$#", timing))
-    modes = [report.text for report in _feedback(ask(driver, "$G", timing)) if report.tag == "GC"]
-    greeted = any(isinstance(report, Greeting) for report in woken)
-    return Found(version, dict(driver.settings), offsets, " ".join(modes), greeted)
+    return Found(version, dict(driver.settings), read_offsets(driver, timing), read_modes(driver, timing), greeted)
 
 
-def wake_up(driver: Grbl, timing: Timing) -> list[Received]:
+def read_offsets(driver: Grbl, timing: Timing) -> dict[str, Vector]:
+    """Return the offsets of `$#` by name, in the controller's own units; raises LinkError on a damaged one."""
+    try:
+        said = _feedback(ask(driver, "$#", timing))
+        return {report.tag: vector(report.text) for report in said if report.tag in OFFSETS}
+    except ValueError as error:
+        raise LinkError("link-noise", f"an offset came damaged: {error}", advice="check cable and baud rate") from error
+
+
+def read_modes(driver: Grbl, timing: Timing) -> str:
+    """Return the words of `$G`: "G0 G54 G17 ..."."""
+    return " ".join(report.text for report in _feedback(ask(driver, "$G", timing)) if report.tag == "GC")
+
+
+def greeted(said: Sequence[Received]) -> bool:
+    """Return whether a greeting is in what was said."""
+    return any(isinstance(report, Greeting) for report in said)
+
+
+def wake_up(driver: Grbl, timing: Timing, locked: bool = False) -> list[Received]:
     """Ask `?` until a status comes and the chatter after it ends; return all that was said.
 
-    Nothing but `?` is sent: a controller that still moves must not be disturbed.
+    Nothing but `?` is sent: a controller that still moves must not be disturbed. An alarm is refused
+    unless `locked` says that it may be.
     """
+    checked = (lambda driver, received: received) if locked else _checked
     said: list[Received] = []
     end_s = driver.clock() + timing.wake_s
     next_s = driver.clock()
@@ -60,11 +83,11 @@ def wake_up(driver: Grbl, timing: Timing) -> list[Received]:
         if driver.clock() >= next_s:
             driver.ask_status()
             next_s = driver.clock() + ASK_AGAIN_S
-        said += _checked(driver, driver.receive(ASK_AGAIN_S / 5))
+        said += checked(driver, driver.receive(ASK_AGAIN_S / 5))
         if driver.clock() > end_s and driver.status is None:
             raise _not_grbl(driver, timing, said)
     while received := driver.receive(timing.quiet_s):
-        said += _checked(driver, received)
+        said += checked(driver, received)
         if driver.clock() > end_s:
             break
     return said
@@ -163,11 +186,3 @@ def _version(driver: Grbl, said: Sequence[Received]) -> str:
             "grbl-too-old", f"{driver.link.name} runs grbl {version}", limit="1.1", advice="update its firmware"
         )
     return version
-
-
-def _offsets(said: Sequence[Received]) -> dict[str, Vector]:
-    """Return the offsets of `$#`; raises LinkError on a damaged one."""
-    try:
-        return {report.tag: vector(report.text) for report in _feedback(said) if report.tag in OFFSETS}
-    except ValueError as error:
-        raise LinkError("link-noise", f"an offset came damaged: {error}", advice="check cable and baud rate") from error

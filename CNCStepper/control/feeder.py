@@ -7,7 +7,7 @@ from CNCStepper.control.codes import error_code
 from CNCStepper.control.grbl import Answered, Grbl
 from CNCStepper.control.lines import dwell_s, needs_idle, pauses, stores
 from CNCStepper.control.send_job import SendJob
-from CNCStepper.errors import MachineRefusal, ProgramError
+from CNCStepper.errors import MachineRefusal, Place, ProgramError
 
 
 class Feeder:
@@ -62,6 +62,10 @@ class Feeder:
         if driver.unanswered and pauses(driver.unanswered[0].text):
             return self.job.messages.get(driver.unanswered[0].index, self._message)
         return None
+
+    def place_at_work(self) -> Place:
+        """Return where the first line stands that was not acknowledged, or the last one."""
+        return self.job.place(min(self.acknowledged, self.total - 1))
 
     def dwell_s(self, driver: Grbl) -> float:
         """Return how long the oldest line under way may keep its answer back on purpose."""

@@ -23,7 +23,7 @@ from CNCStepper.control.transport import Link
 from CNCStepper.errors import LinkError
 from CNCStepper.units import mm_from_inch
 
-HOLD, RESUME, RESET, STATUS = b"!", b"~", b"\x18", b"?"
+HOLD, RESUME, RESET, STATUS, JOG_CANCEL = b"!", b"~", b"\x18", b"?", b"\x85"
 WINDOW_BYTES = 127  # of grbl's 128 one stays free
 NOISE_LIMIT_BYTES = 4096  # without a line end
 REPORT_INCHES = 13  # the setting that switches reports to inches
@@ -54,6 +54,7 @@ class Grbl:
     listen: called after every `receive` with what came, on the same thread.
     status: the last answer to `?`. status_asked_s: when it was asked for, by `clock`; a status may
     have been on its way before whatever was written later. mpos_mm, wpos_mm: None until reported.
+    overrides: feed, rapid and spindle in percent, as last reported.
     """
 
     def __init__(
@@ -69,6 +70,7 @@ class Grbl:
         self.status: Status | None = None
         self.status_asked_s = float("-inf")
         self.settings: dict[int, float] = {}
+        self.overrides: tuple[int, ...] | None = None
         self._listen = listen
         self._bytes_under_way = 0
         self._to_write = bytearray()
@@ -133,12 +135,22 @@ class Grbl:
     @property
     def mpos_mm(self) -> Vector | None:
         """The machine position last reported."""
-        return self._mm(self._mpos or _sum(self._wpos, self._wco, 1))
+        return self.mm(self._mpos or _sum(self._wpos, self._wco, 1))
 
     @property
     def wpos_mm(self) -> Vector | None:
         """The work position last reported: machine position minus the offset last reported."""
-        return self._mm(self._wpos or _sum(self._mpos, self._wco, -1))
+        return self.mm(self._wpos or _sum(self._mpos, self._wco, -1))
+
+    @property
+    def feed_mm_min(self) -> float | None:
+        """The speed last reported."""
+        feed = self.status.feed if self.status else None
+        return feed if feed is None else self._length_mm(feed)
+
+    def mm(self, position: Vector | None) -> Vector | None:
+        """Return a position in the controller's own units ($13) in mm."""
+        return None if position is None else tuple(map(self._length_mm, position))
 
     def _lines(self, wait_s: float) -> list[str]:
         data = self._tail + self.link.read(wait_s)
@@ -184,6 +196,7 @@ class Grbl:
             self.status_asked_s, self._asked_s = self._asked_s, None
         self._mpos, self._wpos = status.mpos, status.wpos
         self._wco = status.wco or self._wco
+        self.overrides = status.overrides or self.overrides
         if status.buffer and not self.unanswered:
             self._free_bytes = status.buffer[1]
             self.window = max(self.window, self._free_bytes - 1)
@@ -200,10 +213,8 @@ class Grbl:
         self._bytes_under_way = 0
         self._asked_s = None
 
-    def _mm(self, position: Vector | None) -> Vector | None:
-        if position is None or not self.settings.get(REPORT_INCHES):
-            return position
-        return tuple(mm_from_inch(value) for value in position)
+    def _length_mm(self, length: float) -> float:
+        return mm_from_inch(length) if self.settings.get(REPORT_INCHES) else length
 
 
 def _sum(first: Vector | None, second: Vector | None, sign: int) -> Vector | None:

@@ -18,8 +18,12 @@ class SenderStatus:
     """One moment of a session.
 
     phase: "connecting", "running", "holding", "held", "paused" (M0; `message` is the program's),
-    "door", "finishing", "stopping", then the kind of the outcome. machine_state: as grbl writes it.
+    "door", "finishing", "stopping", then the kind of the outcome; of a desk without a job "idle", "alarm"
+    (`message` says which), "jogging", "homing", "held", "door" or "busy". machine_state: as grbl writes it.
     file_line: the last line of the file that was acknowledged. Positions are None until reported.
+    overrides: feed, rapid, spindle in percent. pins: the inputs that are on, as "XYZ" for limit switches, P for the
+    probe, D for the door. homing: whether the machine can home itself. position_known: whether machine positions
+    can be trusted. None stands for: not reported yet.
     """
 
     phase: str = "connecting"
@@ -31,9 +35,14 @@ class SenderStatus:
     wpos_mm: Vector | None = None
     feed_mm_min: float | None = None
     spindle_rpm: float | None = None
+    file: str = ""
     file_line: int = 0
     message: str = ""
     elapsed_s: float = 0.0
+    overrides: tuple[int, ...] | None = None
+    pins: str = ""
+    homing: bool | None = None
+    position_known: bool | None = None
 
     def to_json(self) -> dict[str, Any]:
         """Return it as plain values."""
@@ -42,7 +51,7 @@ class SenderStatus:
     @classmethod
     def from_json(cls, content: dict[str, Any]) -> SenderStatus:
         """Return the status of `to_json`, after its way through JSON."""
-        vectors = {key: tuple(content[key]) if content[key] else None for key in ("mpos_mm", "wpos_mm")}
+        vectors = {key: tuple(content[key]) if content[key] else None for key in ("mpos_mm", "wpos_mm", "overrides")}
         return cls(**(content | vectors))
 
 

@@ -6,6 +6,7 @@ from __future__ import annotations
 import json
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, fields
+from typing import Any
 
 from CNCStepper.control.lines import check_line
 from CNCStepper.errors import JobError, Place, ProgramError
@@ -65,10 +66,10 @@ class SendJob:
         return json.dumps(content)
 
     @classmethod
-    def from_json(cls, text: str) -> SendJob:
-        """Return the job of `to_json`; raises JobError when it is not one."""
+    def from_json(cls, text: str, **instead: Any) -> SendJob:
+        """Return the job of `to_json`, with other values for some fields; raises JobError when it is not one."""
         try:
-            content = json.loads(text)
+            content = json.loads(text) | instead
             unknown = set(content) - {entry.name for entry in fields(cls)}
             if unknown:
                 raise ValueError(f"unknown keys {sorted(unknown)}")

@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import json
-import os
 import select
 import socket
 import subprocess
@@ -14,11 +13,13 @@ from pathlib import Path
 from typing import Any
 
 from CNCStepper.control.outcome import Outcome, SenderStatus
-from CNCStepper.control.python_finder import command, environment, find_python
+from CNCStepper.control.own_process import start
+from CNCStepper.control.python_finder import find_python
 from CNCStepper.control.send_job import SendJob
 from CNCStepper.control.session_file import LOG, OUTCOME, new_session, read_private
 from CNCStepper.errors import LinkError
 
+WORKER = "CNCStepper.control.worker"
 START_LIMIT_S = 30.0
 ANSWER_LIMIT_S = 10.0
 LOOK_EVERY_S = 0.02
@@ -46,7 +47,8 @@ class SessionClient:
         Raises MissingPackage when no Python can run it, LinkError when it does not come up.
         """
         path = new_session(folder)
-        client = cls(path, _started(python or find_python(), path, job))
+        told = job.to_json().encode("utf-8")
+        client = cls(path, start(python or find_python(), WORKER, path, told=told))
         client._await_start()
         client._connect()
         return client
@@ -207,32 +209,3 @@ class SessionClient:
 
     def _log(self) -> str:
         return str(self.session_file.with_suffix(LOG))
-
-
-def _started(python: str, session_file: Path, job: SendJob) -> subprocess.Popen:
-    """Start the sender's process apart from this one: no signal of our terminal reaches it."""
-    apart: dict[str, Any] = {"start_new_session": True}
-    if os.name == "nt":
-        flags = ("DETACHED_PROCESS", "CREATE_NEW_PROCESS_GROUP")
-        apart = {"creationflags": sum(getattr(subprocess, flag) for flag in flags)}
-    log = os.open(session_file.with_suffix(LOG), os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o600)
-    try:
-        process = subprocess.Popen(
-            command(python, "CNCStepper.control.worker", str(session_file)),
-            stdin=subprocess.PIPE,
-            stdout=subprocess.DEVNULL,
-            stderr=log,
-            env=environment(),
-            **apart,
-        )
-    except OSError as error:
-        raise LinkError("sender-start", f"{python} cannot be started: {error}", advice="choose another") from error
-    finally:
-        os.close(log)
-    assert process.stdin
-    try:
-        process.stdin.write(job.to_json().encode("utf-8"))
-        process.stdin.close()
-    except BrokenPipeError:  # it ended at once: its log says why, and `_await_start` says so
-        pass
-    return process

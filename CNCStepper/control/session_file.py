@@ -2,6 +2,7 @@
 """The files of a session, readable by their owner only: how to reach it, how it ended, what it logged.
 
 NAME.session   port, token and process, while it runs       NAME.outcome   afterwards       NAME.log
+NAME.desk      the same of a desk, touched every second     (one that nobody touches is a killed desk's)
 """
 
 from __future__ import annotations
@@ -16,7 +17,8 @@ from pathlib import Path
 from typing import Any
 
 KEPT = 20  # sessions whose outcome and log are kept
-SESSION, OUTCOME, LOG = ".session", ".outcome", ".log"
+SESSION, DESK, OUTCOME, LOG = ".session", ".desk", ".outcome", ".log"
+FRESH_S, TOUCH_S = 10.0, 1.0
 
 
 def session_folder() -> Path:
@@ -28,16 +30,65 @@ def session_folder() -> Path:
     return folder
 
 
-def new_session(folder: Path | None = None) -> Path:
-    """Return the path for the file of a new session, and remove what old ones left."""
+def new_session(folder: Path | None = None, kind: str = SESSION) -> Path:
+    """Return the path for the file of a new session or desk, and remove what old ones left."""
     folder = folder or session_folder()
     _prune(folder)
-    return folder / f"{time.strftime('%Y%m%d-%H%M%S')}-{secrets.token_hex(4)}{SESSION}"
+    return folder / f"{time.strftime('%Y%m%d-%H%M%S')}-{secrets.token_hex(4)}{kind}"
 
 
 def sessions(folder: Path | None = None) -> list[Path]:
     """Return the files of the sessions that run, oldest first; one may have been killed."""
     return sorted((folder or session_folder()).glob(f"*{SESSION}"))
+
+
+def running_desks(folder: Path | None = None) -> list[Path]:
+    """Return the files of the desks that run, oldest first."""
+    return [path for path in sorted((folder or session_folder()).glob(f"*{DESK}")) if is_fresh(path)]
+
+
+def is_fresh(path: Path) -> bool:
+    """Return whether the desk of this file runs, to judge by when it last touched it."""
+    try:
+        return abs(time.time() - path.stat().st_mtime) < FRESH_S
+    except OSError:
+        return False
+
+
+class DeskFile:
+    """The file of a desk, in the hands of its own process."""
+
+    def __init__(self, path: Path):
+        self._path = path
+        self._content: Mapping[str, Any] = {}
+        self._touched_s = 0.0
+
+    def write(self, content: Mapping[str, Any]) -> None:
+        """Write it for the first time."""
+        self._content = content
+        self._touched_s = time.monotonic()
+        write_private(self._path, content)
+
+    def keep_fresh(self) -> None:
+        """Touch it when that is due; one that was taken for a killed desk's and removed is written again."""
+        if time.monotonic() - self._touched_s < TOUCH_S:
+            return
+        self._touched_s = time.monotonic()
+        try:
+            os.utime(self._path)
+        except OSError:
+            write_private(self._path, self._content)
+
+    def elder(self, machine_port: str) -> Path | None:
+        """Return the file of a desk that was before this one at the same port."""
+        for path in running_desks(self._path.parent):
+            if path.name < self._path.name and (read_private(path) or {}).get("machine_port") == machine_port:
+                return path
+        return None
+
+    def remove(self) -> None:
+        """Remove it: the desk has ended."""
+        self._path.unlink(missing_ok=True)
 
 
 def write_private(path: Path, content: Mapping[str, Any]) -> None:
@@ -61,3 +112,7 @@ def _prune(folder: Path) -> None:
         for old in sorted(folder.glob(f"*{kind}"))[:-KEPT]:
             with suppress(OSError):  # another program prunes too
                 old.unlink()
+    for killed in folder.glob(f"*{DESK}"):
+        if not is_fresh(killed):
+            with suppress(OSError):
+                killed.unlink()

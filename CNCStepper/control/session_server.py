@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The ear of a sender's process: a loopback port where clients that know the token watch and command.
+"""The ear of a sender's or a desk's process: a loopback port where clients that know the token watch and command.
 
 One JSON object a line, both ways:
 
-    -> {"token": ..., "command": "attach" | "status" | "hold" | "resume" | "stop"}
+    -> {"token": ..., "command": "attach" | "status" | "leave" | one of `Served.commands`, its values...}
     <- {"event": "status", "status": {...}}      {"event": "accepted", "command": ...}
-       {"event": "message" | "warning" | "phase", "text": ...}
-       {"event": "refused", "text": ...}         {"event": "outcome", "outcome": {...}}
+       {"event": "message" | "warning" | "phase" | "job", "text": ...}
+       {"event": "refused", "text": ..., "command": ..., "error": {...}}
+       {"event": "outcome", "outcome": {...}}
 
 An attached client hears everything from the session's beginning on. The thread of this server never
 touches the machine's port, so that a slow or dead client cannot delay the cut.
@@ -16,26 +17,45 @@ from __future__ import annotations
 
 import hmac
 import json
+import os
 import secrets
 import selectors
 import socket
 import threading
 import time
 from collections import deque
+from collections.abc import Callable
 from dataclasses import replace
 from queue import SimpleQueue
-from typing import Any
+from typing import Any, Protocol
 
-from CNCStepper.control.outcome import Outcome
-from CNCStepper.control.sender import Sender
+from CNCStepper.control.command import Command, read_command
+from CNCStepper.control.outcome import Outcome, SenderStatus, error_to_json
+from CNCStepper.errors import CNCStepperError
 
 STATUS_EVERY_S = 0.1
 LINE_LIMIT_BYTES = 4096
 BACKLOG_LIMIT_BYTES = 1_000_000  # of a client that does not read
+STATUS_BACKLOG_BYTES = 20_000  # a client that is behind with reading gets no further status until it has read
 PEER_LIMIT = 32
 SILENCE_LIMIT_S = 5.0  # of a peer that has not shown the token
 FAREWELL_LIMIT_S = 1.0
 HISTORY = 500
+
+
+class Served(Protocol):
+    """What a server serves: commands that it knows, and a status; both from any thread, at once."""
+
+    commands: tuple[str, ...]
+
+    def ask(self, command: Command) -> None:
+        """Take a command."""
+
+    def stop(self) -> None:
+        """End all work safely."""
+
+    def status(self) -> SenderStatus:
+        """Return this moment."""
 
 
 class Peer:
@@ -51,45 +71,73 @@ class Peer:
 
 
 class SessionServer:
-    """Serves one sender on 127.0.0.1; `port` and `token` are for the session file."""
+    """Serves on 127.0.0.1; `address` is for the session file.
 
-    def __init__(self) -> None:
-        self.token = secrets.token_urlsafe(32)
+    each_turn: called by the server's thread about ten times a second.
+    """
+
+    def __init__(self, each_turn: Callable[[], None] = lambda: None) -> None:
+        self._token = secrets.token_urlsafe(32)
         self._listener = socket.create_server(("127.0.0.1", 0))
-        self.port: int = self._listener.getsockname()[1]
-        self._sender: Sender | None = None
+        self._each_turn = each_turn
+        self._served: Served | None = None
         self._news: SimpleQueue[dict[str, Any]] = SimpleQueue()
         self._history: deque[dict[str, Any]] = deque(maxlen=HISTORY)
         self._peers: dict[socket.socket, Peer] = {}
+        self._alone_since_s = time.monotonic()  # of no use while a client is attached
         self._selector = selectors.DefaultSelector()
         self._ended = threading.Event()
         self._last_status: Any = None
         self._thread = threading.Thread(target=self._serve, name="session", daemon=True)
 
-    def start(self, sender: Sender) -> None:
-        """Begin to listen for `sender`."""
-        self._sender = sender
+    def address(self, machine_port: str, file: str = "") -> dict[str, object]:
+        """Return what the session file says: how to reach this process, and what it serves."""
+        return {
+            "host": "127.0.0.1",
+            "port": self._listener.getsockname()[1],
+            "token": self._token,
+            "process": os.getpid(),
+            "machine_port": machine_port,
+            "file": file,
+            "begin": time.strftime("%Y-%m-%d %H:%M:%S"),
+        }
+
+    def start(self, served: Served) -> None:
+        """Begin to listen for `served`."""
+        self._served = served
         self._listener.setblocking(False)
         self._selector.register(self._listener, selectors.EVENT_READ)
         self._thread.start()
 
     def tell(self, kind: str, text: str) -> None:
-        """Pass on what the sender tells; never blocks."""
+        """Pass on what the served one tells; never blocks."""
         self._news.put({"event": kind, "text": text})
 
-    def finish(self, outcome: Outcome) -> None:
-        """Tell all attached clients the outcome, then close."""
+    def refuse(self, command: Command, error: CNCStepperError) -> None:
+        """Pass on why a command was not obeyed; never blocks."""
+        self._news.put({"event": "refused", "text": str(error), "command": command.name, "error": error_to_json(error)})
+
+    def tell_outcome(self, outcome: Outcome) -> None:
+        """Pass on how a job ended; never blocks."""
         self._news.put({"event": "outcome", "outcome": outcome.to_json()})
+
+    def alone_s(self) -> float:
+        """Return how long no client has been attached; infinite when the last one has left for good."""
+        attached = any(peer.attached for peer in list(self._peers.values()))
+        return 0.0 if attached else time.monotonic() - self._alone_since_s
+
+    def finish(self) -> None:
+        """Tell all attached clients what is still to be told, then close."""
         self._ended.set()
         self._thread.join(2 * FAREWELL_LIMIT_S + STATUS_EVERY_S)
 
     def _serve(self) -> None:
-        assert self._sender
+        assert self._served
         try:
             while not self._ended.is_set():
                 self._turn()
         except BaseException:  # a machine that nobody can hold any more must not go on
-            self._sender.stop()
+            self._served.stop()
             raise
         self._farewell()
 
@@ -115,6 +163,7 @@ class SessionServer:
             self._write(peer)
             if not peer.known and time.monotonic() - peer.since_s > SILENCE_LIMIT_S:
                 self._drop(peer)
+        self._each_turn()
 
     def _accept(self) -> None:
         connection, _ = self._listener.accept()
@@ -142,29 +191,40 @@ class SessionServer:
     def _obey(self, peer: Peer, line: bytes) -> None:
         try:
             request = json.loads(line)
-            token, command = str(request["token"]), str(request["command"])
+            token = str(request["token"])
         except (ValueError, KeyError, TypeError, RecursionError):
-            token, command = "", ""
-        if not hmac.compare_digest(token.encode("utf-8", "replace"), self.token.encode("utf-8")):
+            request, token = {}, ""
+        if not hmac.compare_digest(token.encode("utf-8", "replace"), self._token.encode("utf-8")):
             self._post(peer, {"event": "refused", "text": "a request without the session's token"})
             self._write(peer)
             self._drop(peer)
             return
         peer.known = True
-        self._post(peer, self._answer(peer, command))
+        self._answer(peer, request)
 
-    def _answer(self, peer: Peer, command: str) -> dict[str, Any]:
-        assert self._sender
-        if command in ("hold", "resume", "stop"):
-            getattr(self._sender, command)()
-            return {"event": "accepted", "command": command}
-        if command == "attach":
+    def _answer(self, peer: Peer, request: dict[str, Any]) -> None:
+        assert self._served
+        command = request.get("command")
+        if command == "leave":
+            self._drop(peer)
+            self._alone_since_s = float("-inf")
+        elif command == "attach":
             peer.attached = True
             for event in self._history:
                 self._post(peer, event)
-        elif command != "status":
-            return {"event": "refused", "text": f"there is no command '{command[:40]}'"}
-        return {"event": "status", "status": self._sender.status().to_json()}
+        if command in ("attach", "status"):
+            self._post(peer, {"event": "status", "status": self._served.status().to_json()})
+        elif command != "leave":
+            self._post(peer, self._asked(request))
+
+    def _asked(self, request: dict[str, Any]) -> dict[str, Any]:
+        assert self._served
+        try:
+            command = read_command(request, self._served.commands)
+        except (ValueError, KeyError) as error:
+            return {"event": "refused", "text": str(error)}
+        self._served.ask(command)
+        return {"event": "accepted", "command": command.name}
 
     def _spread_news(self) -> None:
         while not self._news.empty():
@@ -174,16 +234,16 @@ class SessionServer:
 
     def _spread_status(self) -> None:
         """Post the status to all attached clients when more than the clock has changed, else once a second."""
-        assert self._sender
-        status = self._sender.status()
+        assert self._served
+        status = self._served.status()
         mark = (replace(status, elapsed_s=0.0), int(status.elapsed_s))
         if mark != self._last_status:
             self._last_status = mark
-            self._spread({"event": "status", "status": status.to_json()})
+            self._spread({"event": "status", "status": status.to_json()}, STATUS_BACKLOG_BYTES)
 
-    def _spread(self, event: dict[str, Any]) -> None:
+    def _spread(self, event: dict[str, Any], backlog_bytes: float = float("inf")) -> None:
         for peer in list(self._peers.values()):
-            if peer.attached:
+            if peer.attached and len(peer.outbox) < backlog_bytes:
                 self._post(peer, event)
 
     def _post(self, peer: Peer, event: dict[str, Any]) -> None:
@@ -205,3 +265,5 @@ class SessionServer:
         if self._peers.pop(peer.connection, None):
             self._selector.unregister(peer.connection)
             peer.connection.close()
+            if peer.attached:
+                self._alone_since_s = time.monotonic()

@@ -13,7 +13,8 @@ class Timing:
     poll_s: between two `?`. quick_poll_s: the same while holding, stopping and finishing.
     wake_s: a board that was reset by the opening of its port runs its boot loader first.
     quiet_s: silence that ends the chatter after a greeting. answer_s: a line or a `?` without answer.
-    hold_s: from a feed hold to standstill, on slow axes too.
+    hold_s: from a feed hold to standstill, on slow axes too. homing_s: a whole homing cycle, in which grbl is silent.
+    desk_poll_s: between two `?` of a desk without a job. alone_s: a desk without clients and without work ends.
     """
 
     poll_s: float = 0.2
@@ -22,3 +23,6 @@ class Timing:
     quiet_s: float = 0.1
     answer_s: float = 10.0
     hold_s: float = 15.0
+    homing_s: float = 300.0
+    desk_poll_s: float = 0.12
+    alone_s: float = 10.0

@@ -3,10 +3,9 @@
 
 from __future__ import annotations
 
-from CNCStepper.control.feeder import Feeder
 from CNCStepper.control.grbl import Grbl
 from CNCStepper.control.timing import Timing
-from CNCStepper.errors import LinkError
+from CNCStepper.errors import LinkError, Place
 
 ASK_AGAIN_S = 1.0  # a `?` may have been lost
 
@@ -19,9 +18,8 @@ class Watch:
         self._timing = timing
         self._polled_s = float("-inf")
 
-    def poll(self, driver: Grbl, quick: bool) -> float:
-        """Ask `?` when it is due; return the time until the next one, in s."""
-        every_s = self._timing.quick_poll_s if quick else self._timing.poll_s
+    def poll(self, driver: Grbl, every_s: float) -> float:
+        """Ask `?` when the last one is `every_s` old; return the time until the next one, in s."""
         since_s = driver.clock() - self._polled_s
         if since_s >= (every_s if driver.question_age_s() is None else max(every_s, ASK_AGAIN_S)):
             driver.ask_status()
@@ -33,20 +31,23 @@ class Watch:
         idle = driver.status is not None and driver.status.state == "Idle"
         return idle and driver.status_asked_s > max(self.heard_s, since_s)
 
-    def check(self, driver: Grbl, feeder: Feeder, idle: bool) -> None:
-        """Raise LinkError when a `?`, or a line while the machine is idle, has no answer for too long."""
+    def check(self, driver: Grbl, idle: bool, dwell_s: float = 0.0, place: Place | None = None) -> None:
+        """Raise LinkError when a `?`, or a line while the machine is idle, has no answer for too long.
+
+        dwell_s: what the oldest line may take longer. place: of the program, for the error.
+        """
         limit_s = self._timing.answer_s
         if (driver.question_age_s() or 0.0) > limit_s:
-            raise self._silence("the controller does not answer any more", feeder)
-        if idle and driver.unanswered and driver.clock() - self.heard_s > limit_s + feeder.dwell_s(driver):
+            raise self._silence("the controller does not answer any more", place)
+        if idle and driver.unanswered and driver.clock() - self.heard_s > limit_s + dwell_s:
             text = driver.unanswered[0].text
-            raise self._silence(f"the controller is idle but has not answered '{text}'", feeder)
+            raise self._silence(f"the controller is idle but has not answered '{text}'", place)
 
-    def _silence(self, what: str, feeder: Feeder) -> LinkError:
+    def _silence(self, what: str, place: Place | None) -> LinkError:
         return LinkError(
             "answer-missing",
             what,
             limit=f"{self._timing.answer_s:g} s",
             advice="check cable, power and other programs on this port",
-            place=feeder.job.place(min(feeder.acknowledged, feeder.total - 1)),
+            place=place,
         )

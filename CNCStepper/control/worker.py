@@ -7,15 +7,14 @@ standstill, reset). Its exit status is 0 when the machine is idle at the job's e
 
 from __future__ import annotations
 
-import os
-import signal
 import sys
-import time
 from pathlib import Path
 
 from CNCStepper.control.outcome import FAILED, Outcome
+from CNCStepper.control.own_process import stop_on_signals
+from CNCStepper.control.run import LOST
 from CNCStepper.control.send_job import SendJob
-from CNCStepper.control.sender import LOST, Sender
+from CNCStepper.control.sender import Sender
 from CNCStepper.control.session_file import OUTCOME, write_private
 from CNCStepper.control.session_server import SessionServer
 from CNCStepper.errors import CNCStepperError
@@ -30,44 +29,24 @@ def main(arguments: list[str]) -> int:
     job = SendJob.from_json(sys.stdin.buffer.read().decode("utf-8"))
     server = SessionServer()
     sender = Sender(job, tell=server.tell)
-    _stop_on_signals(sender)
+    stop_on_signals(sender.stop)
     server.start(sender)
-    write_private(session, _address(server, job))
+    write_private(session, server.address(job.port, job.file))
     outcome = _fault(sender)
     try:
         outcome = sender.run()
     finally:
         write_private(session.with_suffix(OUTCOME), outcome.to_json())
         session.unlink(missing_ok=True)
-        server.finish(outcome)
+        server.tell_outcome(outcome)
+        server.finish()
     return 0 if outcome.done else 1
-
-
-def _address(server: SessionServer, job: SendJob) -> dict[str, object]:
-    return {
-        "host": "127.0.0.1",
-        "port": server.port,
-        "token": server.token,
-        "process": os.getpid(),
-        "machine_port": job.port,
-        "file": job.file,
-        "begin": time.strftime("%Y-%m-%d %H:%M:%S"),
-    }
 
 
 def _fault(sender: Sender) -> Outcome:
     """Return the outcome that stands unless the sender gives its own: a fault of this program."""
     error = CNCStepperError("sender-fault", "the sender failed by a fault of its own", advice="see its log, report it")
     return Outcome(FAILED, f"{error}. Now {LOST}", False, sender.status(), error)
-
-
-def _stop_on_signals(sender: Sender) -> None:
-    """Let every polite signal end the job safely; a closed terminal is no reason to end it."""
-    for name in ("SIGTERM", "SIGINT", "SIGBREAK"):
-        if hasattr(signal, name):
-            signal.signal(getattr(signal, name), lambda *_: sender.stop())
-    if hasattr(signal, "SIGHUP"):
-        signal.signal(signal.SIGHUP, signal.SIG_IGN)
 
 
 if __name__ == "__main__":

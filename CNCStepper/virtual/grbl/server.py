@@ -17,6 +17,7 @@ import signal
 import threading
 import time
 from collections.abc import Callable, Iterator
+from math import inf
 from pathlib import Path
 
 from CNCStepper.errors import LinkError
@@ -32,16 +33,20 @@ QUIET_WAIT_S = 0.02
 POWER_UP_S = 0.1  # a client that opens a port throws away what came before
 LOOPBACK = ("127.0.0.1", "localhost", "")
 LONGEST_LAG_S = 0.02  # of real time, made up for at once
+NOBODY_CAME_S = 30.0  # after which a server that serves until it is left ends
 
 
 class Server:
-    """Runs a board behind a port until `stop` is called."""
+    """Runs a board behind a port until `stop` is called or, with `until_left`, its client has left or none came."""
 
-    def __init__(self, link: Link, port: Port, speed: float = 1.0, trace: Trace | None = None):
+    def __init__(
+        self, link: Link, port: Port, speed: float = 1.0, trace: Trace | None = None, until_left: bool = False
+    ):
         self._link = link
         self._port = port
         self._speed = speed
         self._trace = trace
+        self._until_left = until_left
         self._stopping = False
         self._step_s = min(max(STEP_S * speed, SHORTEST_STEP_S), LONGEST_STEP_S)
 
@@ -53,7 +58,7 @@ class Server:
         """Serve until stopped."""
         self._wait_for_first_client()
         due_s, last = 0.0, time.monotonic()
-        while not self._stopping:
+        while not self._stopping and not self._was_left:
             self._exchange(QUIET_WAIT_S if self._link.quiet else max(self._step_s - due_s, 0.0) / self._speed)
             now = time.monotonic()
             due_s += min(now - last, LONGEST_LAG_S) * self._speed
@@ -62,9 +67,15 @@ class Server:
             if self._trace and self._link.quiet:
                 self._trace.flush()
 
+    @property
+    def _was_left(self) -> bool:
+        return self._until_left and not self._port.connected
+
     def _wait_for_first_client(self) -> None:
+        end_s = time.monotonic() + (NOBODY_CAME_S if self._until_left else inf)
         while not self._stopping and not self._port.connected and not self._port.wait(QUIET_WAIT_S):
-            pass
+            if time.monotonic() > end_s:
+                return
         time.sleep(POWER_UP_S)
 
     def _advance(self, due_s: float) -> float:
@@ -98,9 +109,12 @@ def serve(
     trace: str | Path | None = None,
     homing: bool = False,
     probe_height_mm: float | None = None,
+    until_left: bool = False,
     ready: Callable[[str], None] | None = None,
 ) -> None:
     """Be a grbl 1.1h on `machine` until SIGTERM or SIGINT comes.
+
+    With `until_left` it also ends when its client has left, or none has come within 30 s.
 
     pty: path that becomes a link to a pseudo-terminal. tcp: "HOST:PORT", port 0 for any that is free.
     speed: simulated seconds in a real one. baud: of the serial line, in simulated time. trace: CSV file
@@ -116,7 +130,7 @@ def serve(
         port: Port = PtyPort(str(pty)) if pty else _tcp_port(str(tcp))
         stack.callback(port.close)
         link = Link(board, baud)
-        server = Server(link, port, speed, record)
+        server = Server(link, port, speed, record, until_left)
         stack.enter_context(_stopped_by_signals(server))
         if ready:
             ready(port.address)

@@ -17,9 +17,10 @@ from fake_controller import FakeServer
 
 from CNCStepper.control import python_finder
 from CNCStepper.control.outcome import DONE, FAILED, REFUSED, STOPPED
+from CNCStepper.control.own_process import start
 from CNCStepper.control.python_finder import candidates, checked, find_python, seek_python
 from CNCStepper.control.send_job import SendJob
-from CNCStepper.control.session import SessionClient
+from CNCStepper.control.session import WORKER, SessionClient
 from CNCStepper.control.session_file import OUTCOME, new_session, sessions
 from CNCStepper.errors import LinkError, MachineRefusal, MissingPackage
 
@@ -200,12 +201,11 @@ def test_missing_port_is_a_refusal_not_a_crash(tmp_path):
 
 def test_worker_that_ends_at_once_names_its_log(tmp_path):
     client = SessionClient(new_session(tmp_path))
-    from CNCStepper.control import session
-
     broken = SendJob("x", ["G1"])
     object.__setattr__(broken, "baud", "fast")
     object.__setattr__(broken, "expected", {"no number": 1})
-    client._process = session._started(sys.executable, client.session_file, broken)
+    told = broken.to_json().encode()
+    client._process = start(sys.executable, WORKER, client.session_file, told=told)
     with pytest.raises(LinkError, match=r"\.log"):
         client._await_start()
     assert "not a job to send" in client.session_file.with_suffix(".log").read_text()

@@ -1,0 +1,75 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What people ask of a sender or a desk, as it comes over the loopback and waits for the thread of the link."""
+
+from __future__ import annotations
+
+import math
+import time
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from queue import SimpleQueue
+from typing import Any
+
+from CNCStepper.control.transport import Link
+
+_NUMBER = (int, float)
+_WAY = {"x_mm": _NUMBER, "y_mm": _NUMBER, "z_mm": _NUMBER, "feed_mm_min": _NUMBER}
+
+JOB_COMMANDS = ("hold", "resume", "stop")
+VALUES: dict[str, dict[str, Any]] = {  # of each command: its values and their types
+    "hold": {},
+    "resume": {},
+    "stop": {},
+    "run": {"file": str, "zero_confirmed": bool, "allow_differences": bool},
+    "jog": _WAY,
+    "jog_on": _WAY | {"press": str},
+    "jog_cancel": {},
+    "set_zero": {"axes": str},
+    "home": {},
+    "unlock": {},
+    "override": {"kind": str, "step": str},
+    "end": {},
+}
+
+
+@dataclass(frozen=True)
+class Command:
+    """A wish; asked_s: when it came, by `time.monotonic`."""
+
+    name: str
+    values: Mapping[str, Any] = field(default_factory=dict)
+    asked_s: float = field(default_factory=time.monotonic)
+
+
+def read_command(request: Mapping[str, Any], known: tuple[str, ...]) -> Command:
+    """Return the command of a client's request; raises ValueError with words when it is none of `known`."""
+    name = str(request["command"])
+    if name not in known:
+        raise ValueError(f"there is no command '{name[:40]}'")
+    return Command(name, {key: _value(request.get(key), kind, key) for key, kind in VALUES[name].items()})
+
+
+def _value(value: Any, kind: Any, key: str) -> Any:
+    boolean = isinstance(value, bool)
+    if not isinstance(value, kind) or boolean != (kind is bool) or (isinstance(value, float) and math.isnan(value)):
+        raise ValueError(f"'{key}' cannot be {str(value)[:40]!r}")
+    return value
+
+
+class Inbox:
+    """Takes commands from any thread or signal handler and wakes up the thread that waits on `link`."""
+
+    def __init__(self) -> None:
+        self.link: Link | None = None
+        self._commands: SimpleQueue[Command] = SimpleQueue()
+
+    def put(self, command: Command) -> None:
+        """Leave a command; it is taken within the link's next turn."""
+        self._commands.put(command)
+        if self.link:
+            self.link.wake()
+
+    def take(self) -> Iterator[Command]:
+        """Yield the commands that wait, oldest first."""
+        while not self._commands.empty():
+            yield self._commands.get()

@@ -1,0 +1,199 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The desk: stays connected to one controller, obeys what people ask, and lets jobs run over its open link.
+
+    connecting --> idle <--> jogging, homing, alarm ...        (`Idle`)
+                    ^  `---> a job's phases ---'               (`JobRun`)
+                    `-----> ended: link lost, left alone, told to end
+
+An alarm is no refusal here: the desk is there to home and to unlock. A job is refused in it.
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+
+from CNCStepper.control import connect
+from CNCStepper.control.command import VALUES, Command, Inbox
+from CNCStepper.control.grbl import Grbl, Received
+from CNCStepper.control.idle import Idle, is_fatal
+from CNCStepper.control.moment import tell_words
+from CNCStepper.control.outcome import REFUSED, Outcome, SenderStatus
+from CNCStepper.control.readiness import check_state
+from CNCStepper.control.run import JobRun, Refuse, Stopped, Tell
+from CNCStepper.control.send_job import SendJob
+from CNCStepper.control.timing import Timing
+from CNCStepper.control.transport import Link, open_link
+from CNCStepper.errors import CNCStepperError, JobError
+
+
+class Desk:
+    """One connection; `run` blocks until it ends, `ask`, `stop` and `status` may be called from any thread.
+
+    tell, refuse, ended: hear what happens, as of a `JobRun`, and how a job ended. alone_s: how long nobody has
+    been there; a desk that is alone and has nothing to do ends.
+    """
+
+    commands: tuple[str, ...] = tuple(VALUES)
+
+    def __init__(
+        self,
+        port: str,
+        baud: int = 115_200,
+        *,
+        opener: Callable[[str, int], Link] = open_link,
+        timing: Timing | None = None,
+        tell: Tell = lambda kind, text: None,
+        refuse: Refuse = lambda command, error: None,
+        ended: Callable[[Outcome], None] = lambda outcome: None,
+        alone_s: Callable[[], float] = lambda: 0.0,
+    ):
+        self.port = port
+        self._baud = baud
+        self._opener = opener
+        self._timing = timing or Timing()
+        self._tell = tell
+        self._refuse = refuse
+        self._ended = ended
+        self._alone_s = alone_s
+        self._inbox = Inbox()
+        self._driver: Grbl | None = None
+        self._idle: Idle | None = None
+        self._run: JobRun | None = None
+        self._connected = False
+        self._learned = False
+        self._ending = False
+        self._phase = "connecting"  # last told
+
+    def ask(self, command: Command) -> None:
+        """Ask for one of `commands`."""
+        self._inbox.put(command)
+
+    def stop(self) -> None:
+        """End the desk: a job or a motion is stopped safely first."""
+        self._ending = True
+        self._inbox.put(Command("end"))
+
+    def status(self) -> SenderStatus:
+        """Return this moment."""
+        run, idle = self._run, self._idle
+        if idle is None or not self._connected:
+            return SenderStatus()
+        if run is None or (status := run.status()).phase == "connecting":
+            return idle.status()
+        return replace(status, position_known=idle.position_known)
+
+    def run(self) -> None:
+        """Connect and serve until told to end, or left alone; raises LinkError when the link breaks."""
+        self._inbox.link = link = self._opener(self.port, self._baud)
+        try:
+            self._driver = driver = Grbl(link, listen=self._listen)
+            self._idle = Idle(driver, self._timing, self._tell, self._refuse)
+            self._connect(driver, self._idle)
+            while not self._over(self._idle):
+                self._turn(driver, self._idle)
+            self._come_to_rest(self._idle)
+        except Stopped:  # while connecting: nothing was sent
+            return
+        finally:
+            link.close()
+
+    # --- the loop ------------------------------------------------------------------------------
+
+    def _connect(self, driver: Grbl, idle: Idle) -> None:
+        if connect.greeted(connect.wake_up(driver, self._timing, locked=True)):
+            self._tell("warning", "the controller restarted when its port was opened; it counts from where it stands")
+        self._learn(driver, idle)
+        self._connected = True
+
+    def _turn(self, driver: Grbl, idle: Idle) -> None:
+        idle.turn()
+        if not self._learned:
+            self._learn(driver, idle)
+        for command in self._inbox.take():
+            self._obey(command, idle)
+        self._tell_phase(idle.phase)
+
+    def _learn(self, driver: Grbl, idle: Idle) -> None:
+        """Read what the controller is as soon as it stands; one that moves is not asked."""
+        if idle.may_be_asked:
+            connect.learn(driver, self._timing)
+            self._learned = True
+
+    def _obey(self, command: Command, idle: Idle) -> None:
+        try:
+            if command.name == "run":
+                self._run_job(idle, **command.values)
+            elif command.name != "end":
+                idle.do(command)
+        except CNCStepperError as error:
+            if is_fatal(error):
+                raise
+            self._refuse(command, error)
+
+    def _listen(self, received: list[Received]) -> None:
+        tell_words(received, self._tell)
+        if self._run:
+            self._run.count(received)
+        if self._idle:
+            self._idle.hear(received)
+        if self._ending and not self._connected:
+            raise Stopped
+
+    def _tell_phase(self, phase: str) -> None:
+        if phase != self._phase:
+            self._phase = phase
+            self._tell("phase", phase)
+
+    # --- a job ---------------------------------------------------------------------------------
+
+    def _run_job(self, idle: Idle, file: str, zero_confirmed: bool, allow_differences: bool) -> None:
+        """Let the job of a file run; however it ends, its outcome is told."""
+        known = idle.position_known
+        self._tell("job", file)
+        try:
+            job = self._read(Path(file), zero_confirmed, allow_differences)
+        except JobError as error:
+            self._ended(Outcome(REFUSED, str(error), known is not False, replace(self.status(), phase=REFUSED), error))
+            return
+        self._run = JobRun(job, self._inbox, timing=self._timing, tell=self._tell, refuse=self._refuse)
+        try:
+            outcome = self._run.run(self._ready)
+        finally:
+            self._run, self._phase = None, ""
+        idle.position_known = known
+        if not outcome.position_known and outcome.kind != REFUSED:
+            idle.lose_position()
+        self._ended(outcome)
+
+    def _read(self, file: Path, zero_confirmed: bool, allow_differences: bool) -> SendJob:
+        try:
+            text = file.read_text("utf-8")
+        except (OSError, ValueError) as error:
+            raise JobError("send-job", f"the job cannot be read: {error}", advice="make it again") from error
+        return SendJob.from_json(
+            text, port=self.port, baud=self._baud, zero_confirmed=zero_confirmed, allow_differences=allow_differences
+        )
+
+    def _ready(self) -> dict[int, float]:
+        """Return the settings of the machine, read anew: somebody may have changed them since it was met."""
+        assert self._driver and self._run and self._idle
+        self._run.driver = self._driver
+        check_state(self._driver.status)
+        self._idle.check_at_rest()
+        return connect.learn(self._driver, self._timing).settings
+
+    # --- the end -------------------------------------------------------------------------------
+
+    def _over(self, idle: Idle) -> bool:
+        return self._ending or (self._alone_s() > self._timing.alone_s and not idle.busy)
+
+    def _come_to_rest(self, idle: Idle) -> None:
+        """Stop a jog or a homing that is still under way; a job has ended already."""
+        if idle.phase in ("jogging", "homing"):
+            idle.stop()
+        end_s = time.monotonic() + self._timing.hold_s
+        while idle.busy and time.monotonic() < end_s:
+            idle.turn()

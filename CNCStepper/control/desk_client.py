@@ -1,0 +1,236 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A window's side of a desk: launch or attach, look at it from a timer, ask. Nothing here ever waits.
+
+    client = DeskClient.launch("socket://127.0.0.1:2217")
+    ... from a timer, about 20 times a second:
+    for event in client.poll(): ...
+    client.phase, client.status, client.outcome, client.error
+
+What is asked is asked: whether it was done shows in the status and the events, a refusal is an event.
+"""
+
+from __future__ import annotations
+
+import secrets
+import subprocess
+import time
+from concurrent.futures import Future
+from contextlib import suppress
+from pathlib import Path
+from typing import Any
+
+from CNCStepper.control import desk_launch
+from CNCStepper.control.desk_launch import Launched
+from CNCStepper.control.line_socket import LineSocket
+from CNCStepper.control.outcome import Outcome, SenderStatus, error_from_json
+from CNCStepper.control.session_file import LOG, OUTCOME, is_fresh, read_private, running_desks
+from CNCStepper.errors import CNCStepperError, LinkError
+
+__all__ = ["DeskClient", "running_desks"]
+
+START_LIMIT_S = 30.0
+JOG_RENEW_S = 0.1  # how often `jog_on` wants to be called; the desk stops after 0.3 s without it
+JOG_FEED_MM_MIN = 1000.0
+
+
+class DeskClient:
+    """One client of one desk; it may vanish and another attach at any time, a running job goes on.
+
+    phase: "starting", "connecting", "connected" or "gone": then `error` says why, None when it was left.
+    status: the last one heard. outcome: of the last job, None while one runs. Not for several threads.
+    """
+
+    def __init__(self, port: str, launched: Future[Launched] | None = None, session_file: Path | None = None):
+        self.port = port
+        self.session_file = session_file
+        self.phase = "starting"
+        self.status = SenderStatus()
+        self.outcome: Outcome | None = None
+        self.error: CNCStepperError | None = None
+        self._launched = launched
+        self._begin_s = time.monotonic()
+        self._process: subprocess.Popen | None = None
+        self._socket: LineSocket | None = None
+        self._token = ""
+        self._press = secrets.token_hex(4)
+        self._waiting: list[dict[str, Any]] = []  # asked before there is a connection
+        self._told_phase = "starting"
+
+    @classmethod
+    def launch(cls, port: str, baud: int = 115_200, folder: Path | None = None) -> DeskClient:
+        """Start a desk for a port and return at once; where one runs at that port already, attach to it."""
+        return cls(port, desk_launch.launch(port, baud, folder))
+
+    @classmethod
+    def attach(cls, session_file: Path) -> DeskClient:
+        """Attach to a desk of `running_desks`; one that has ended meanwhile is "gone"."""
+        return cls((read_private(session_file) or {}).get("machine_port", ""), session_file=session_file)
+
+    def poll(self) -> list[dict[str, Any]]:
+        """Return what has happened since the last call, at once; to be called from a timer.
+
+        Events: {"event": "status"}, {"event": "phase" | "message" | "warning" | "job", "text": ...},
+        {"event": "refused", "text": ..., "command": ..., "error": CNCStepperError | None}, {"event": "outcome"};
+        and {"event": "connection", "text": phase} when `phase` has changed.
+        """
+        events: list[dict[str, Any]] = []
+        if self._socket:
+            events = [event for event in self._socket.receive() if self._take(event)]
+            if self._socket.closed:
+                self._lost()
+        elif self.phase == "starting":
+            self._start()
+        if self.phase != self._told_phase:
+            self._told_phase = self.phase
+            events.append({"event": "connection", "text": self.phase})
+        return events
+
+    def run(self, job_file: Path, zero_confirmed: bool, allow_differences: bool = False) -> None:
+        """Let the job of a file (`SendJob` as JSON) run; its port and its confirmations are not looked at."""
+        self.outcome = None
+        self._ask("run", file=str(job_file), zero_confirmed=zero_confirmed, allow_differences=allow_differences)
+
+    def hold(self) -> None:
+        """Ask for a feed hold; a jog ends."""
+        self._ask("hold")
+
+    def resume(self) -> None:
+        """Ask to go on after a hold, a pause of the program or a closed door."""
+        self._ask("resume")
+
+    def stop(self) -> None:
+        """Ask to end the job or whatever moves: hold, standstill, reset. It is no emergency stop."""
+        self._ask("stop")
+
+    def jog(
+        self, x_mm: float = 0.0, y_mm: float = 0.0, z_mm: float = 0.0, feed_mm_min: float = JOG_FEED_MM_MIN
+    ) -> None:
+        """Ask for one step of that way."""
+        self._ask("jog", x_mm=x_mm, y_mm=y_mm, z_mm=z_mm, feed_mm_min=feed_mm_min)
+
+    def jog_on(self, x: float = 0.0, y: float = 0.0, z: float = 0.0, feed_mm_min: float = JOG_FEED_MM_MIN) -> None:
+        """Jog in a direction for as long as a button is pressed: call it every JOG_RENEW_S, `jog_cancel` at release.
+
+        The machine stops by itself when the calls stay away, and then wants the button to be pressed anew.
+        """
+        self._ask("jog_on", x_mm=x, y_mm=y, z_mm=z, feed_mm_min=feed_mm_min, press=self._press)
+
+    def jog_cancel(self) -> None:
+        """Stop jogging now."""
+        self._press = secrets.token_hex(4)
+        self._ask("jog_cancel")
+
+    def set_zero(self, axes: str = "XYZ") -> None:
+        """Make this place the work zero of these axes, in the work system in force."""
+        self._ask("set_zero", axes=axes)
+
+    def home(self) -> None:
+        """Let the machine find its own zero."""
+        self._ask("home")
+
+    def unlock(self) -> None:
+        """Take the lock of an alarm away without homing."""
+        self._ask("unlock")
+
+    def override(self, kind: str, percent_step: int | str) -> None:
+        """Change "feed" or "spindle" by 10, -10, 1, -1 percent, "rapid" to 100, 50, 25; "reset" brings 100 back."""
+        self._ask("override", kind=kind, step=str(percent_step))
+
+    def leave(self) -> None:
+        """Detach for good: the desk ends as soon as no job runs and nothing moves."""
+        self._ask("leave")
+        self.detach()
+
+    def detach(self) -> None:
+        """Let go of the desk; it goes on, and ends by itself when nobody comes back."""
+        if self._socket:
+            self._socket.close()
+            self._socket = None
+        self.phase = self._told_phase = "gone"
+
+    # --- inside --------------------------------------------------------------------------------
+
+    def _ask(self, command: str, **values: Any) -> None:
+        request = {"command": command, **values}
+        if self._socket:
+            self._socket.send({"token": self._token, **request})
+        elif self.phase == "starting" and not command.startswith("jog"):
+            self._waiting.append(request)
+
+    def _start(self) -> None:
+        """Go one step nearer to a connection: the launch, then the file, then the socket."""
+        if self._launched and self._launched.done():
+            self._take_launch(self._launched)
+        if self.session_file and self.phase == "starting":
+            self._connect(self.session_file)
+        if self.phase == "starting" and time.monotonic() - self._begin_s > START_LIMIT_S:
+            self._end(LinkError("desk-start", "the desk's process does not come up", advice="see " + self._log()))
+
+    def _take_launch(self, launched: Future[Launched]) -> None:
+        self._launched = None
+        try:
+            self.session_file, self._process = launched.result()
+        except CNCStepperError as error:
+            self._end(error)
+
+    def _connect(self, path: Path) -> None:
+        address = read_private(path)
+        if address is None:
+            if self._has_ended(path):
+                self._end(self._cause(path))
+            return
+        self.phase = "connecting"
+        self._token = address["token"]
+        self._socket = LineSocket(address["host"], address["port"])
+        self._ask("attach")
+        for request in self._waiting:
+            self._socket.send({"token": self._token, **request})
+        self._waiting.clear()
+
+    def _take(self, event: dict[str, Any]) -> bool:
+        """Take one event over; return whether the window wants to hear of it."""
+        kind = event["event"]
+        if kind == "status":
+            self.status = SenderStatus.from_json(event["status"])
+            self.phase = "connecting" if self.status.phase == "connecting" else "connected"
+        elif kind == "job":
+            self.outcome = None
+        elif kind == "outcome":
+            self.outcome = Outcome.from_json(event["outcome"])
+        elif kind == "refused":
+            event["error"] = error_from_json(event["error"]) if event.get("error") else None
+        return kind != "accepted"
+
+    def _lost(self) -> None:
+        """The connection is over: the desk has ended, or it lost patience with a window that did not read."""
+        self._socket = None
+        path = self.session_file
+        assert path
+        if not self._has_ended(path):
+            self.phase, self._begin_s = "starting", time.monotonic()
+        else:
+            self._end(self._cause(path))
+
+    def _has_ended(self, path: Path) -> bool:
+        runs = self._process.poll() is None if self._process else is_fresh(path)
+        return not runs or path.with_suffix(OUTCOME).exists()
+
+    def _cause(self, path: Path) -> CNCStepperError | None:
+        """Return why the desk has ended; one that left no word was killed."""
+        content = read_private(path.with_suffix(OUTCOME))
+        if content is not None:
+            return error_from_json(content["error"]) if content["error"] else None
+        with suppress(OSError):
+            path.unlink(missing_ok=True)
+        return LinkError(
+            "desk-lost",
+            f"the desk of {self.port} is not there, or was killed",
+            advice="if it was cutting, the position is unknown: look at the machine, then see " + self._log(),
+        )
+
+    def _end(self, error: CNCStepperError | None) -> None:
+        self.phase, self.error = "gone", error
+        self._launched = None
+
+    def _log(self) -> str:
+        return str(self.session_file.with_suffix(LOG)) if self.session_file else "the session's log"

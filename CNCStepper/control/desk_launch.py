@@ -1,0 +1,51 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Starts a desk's process beside the window's thread: looking for a Python and starting it take their time."""
+
+from __future__ import annotations
+
+import subprocess
+import threading
+from concurrent.futures import Future
+from pathlib import Path
+
+from CNCStepper.control.own_process import start
+from CNCStepper.control.python_finder import find_python
+from CNCStepper.control.session_file import DESK, new_session, read_private, running_desks, session_folder
+
+WORKER = "CNCStepper.control.desk_worker"
+
+Launched = tuple[Path, subprocess.Popen | None]
+
+
+def launch(port: str, baud: int, folder: Path | None) -> Future[Launched]:
+    """Return at once what will be the file of the desk at `port` and its process, None when it runs already.
+
+    Its exception is MissingPackage when no Python can be the desk's, or LinkError when it cannot be started.
+    """
+    answer: Future[Launched] = Future()
+
+    def work() -> None:
+        try:
+            path, process = _launched(port, baud, folder or session_folder())
+        except Exception as error:
+            answer.set_exception(error)
+            return
+        answer.set_result((path, process))
+        if process:
+            process.wait()  # so that nothing is left of it when it has ended
+
+    threading.Thread(target=work, name="launch-desk", daemon=True).start()
+    return answer
+
+
+def desk_at(port: str, folder: Path | None = None) -> Path | None:
+    """Return the file of the desk that runs at a port, if there is one."""
+    desks = (path for path in running_desks(folder) if (read_private(path) or {}).get("machine_port") == port)
+    return next(desks, None)
+
+
+def _launched(port: str, baud: int, folder: Path) -> Launched:
+    if there := desk_at(port, folder):
+        return there, None
+    path = new_session(folder, DESK)
+    return path, start(find_python(), WORKER, path, port, str(baud))

@@ -1,0 +1,57 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The desk's process: `python -m CNCStepper.control.desk_worker DESK_FILE PORT BAUD`.
+
+It lives as long as somebody is attached, a job runs or something moves; SIGTERM stops all safely. How it ended
+stands in its outcome file: {"error": ... or null}.
+"""
+
+from __future__ import annotations
+
+import sys
+import traceback
+from pathlib import Path
+
+from CNCStepper.control.desk import Desk
+from CNCStepper.control.outcome import error_to_json
+from CNCStepper.control.own_process import stop_on_signals
+from CNCStepper.control.session_file import OUTCOME, DeskFile, write_private
+from CNCStepper.control.session_server import SessionServer
+from CNCStepper.control.worker import SWITCH_S
+from CNCStepper.errors import CNCStepperError, LinkError
+
+
+def main(arguments: list[str]) -> int:
+    """Be the desk whose file is `arguments[0]`; return the exit status, 0 when it was left or told to end."""
+    sys.setswitchinterval(SWITCH_S)
+    path, port, baud = Path(arguments[0]), arguments[1], int(arguments[2])
+    desk_file = DeskFile(path)
+    server = SessionServer(each_turn=desk_file.keep_fresh)
+    desk = Desk(port, baud, tell=server.tell, refuse=server.refuse, ended=server.tell_outcome, alone_s=server.alone_s)
+    stop_on_signals(desk.stop)
+    desk_file.write(server.address(port))
+    server.start(desk)
+    error = _run(desk, desk_file)
+    write_private(path.with_suffix(OUTCOME), {"error": error_to_json(error) if error else None})
+    server.finish()
+    desk_file.remove()
+    return 1 if error else 0
+
+
+def _run(desk: Desk, desk_file: DeskFile) -> CNCStepperError | None:
+    """Return the error that ended the desk, if one did; a fault of this program goes to the log too."""
+    try:
+        if desk_file.elder(desk.port):
+            raise LinkError(
+                "port-busy", f"{desk.port} is in use by another window's connection", advice="attach to that one"
+            )
+        desk.run()
+    except CNCStepperError as error:
+        return error
+    except Exception:
+        traceback.print_exc()
+        return CNCStepperError("desk-fault", "the desk failed by a fault of its own", advice="see its log, report it")
+    return None
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

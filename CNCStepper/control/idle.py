@@ -1,0 +1,217 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a desk can do while no job runs: jog, set the zero, home, unlock, override, and see how the machine stands."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+
+from CNCStepper.control import acts, connect, halt
+from CNCStepper.control.codes import alarm_code, error_code
+from CNCStepper.control.command import Command
+from CNCStepper.control.grbl import HOLD, RESUME, Answered, Grbl, Received
+from CNCStepper.control.grbl_report import Alarm, Feedback, Greeting
+from CNCStepper.control.jogger import LAPSE_S, Jogger, Way
+from CNCStepper.control.moment import moment
+from CNCStepper.control.outcome import SenderStatus
+from CNCStepper.control.overrides import override_byte
+from CNCStepper.control.readiness import check_state
+from CNCStepper.control.run import Refuse, Tell
+from CNCStepper.control.timing import Timing
+from CNCStepper.control.watch import Watch
+from CNCStepper.errors import CNCStepperError, LinkError, MachineRefusal
+
+PHASES = {"Idle": "idle", "Jog": "jogging", "Home": "homing", "Hold": "held", "Door": "door"}
+LOCKED = {
+    "Alarm": "the controller is locked: home the machine, or unlock it if its position is surely right",
+    "Sleep": "the controller sleeps and its motors are off: unlock it, then home it or set its zero again",
+}
+HOME = "$H"
+CRITICAL = "Reset to continue"
+
+
+class Idle:
+    """One machine between jobs; everything here happens on the desk's thread, `status` apart.
+
+    position_known: None while nothing speaks for or against it.
+    """
+
+    def __init__(self, driver: Grbl, timing: Timing, tell: Tell, refuse: Refuse):
+        self.position_known: bool | None = None
+        self._driver = driver
+        self._timing = timing
+        self._tell = tell
+        self._refuse = refuse
+        self._jogger = Jogger(driver, lambda error: refuse(Command("jog"), error), tell)
+        self._watch = Watch(timing)
+        self._homing_since_s: float | None = None
+        self._alarm = ""
+        self._wants_reset = False
+        self._zeroed: set[str] = set()
+        self._does: dict[str, Callable[..., None]] = {
+            "hold": self._hold,
+            "resume": self._resume,
+            "stop": self.stop,
+            "jog": lambda **way: self._jogger.step(Way(**way)),
+            "jog_on": lambda press, **way: self._jogger.keep(press, Way(**way)),
+            "jog_cancel": self._cancel_jog,
+            "set_zero": self._set_zero,
+            "home": self._home,
+            "unlock": self._unlock,
+            "override": lambda **values: driver.realtime(override_byte(**values)),
+        }
+
+    @property
+    def busy(self) -> bool:
+        """Whether the machine moves, or something is under way to it."""
+        return self._jogger.active or self.phase in ("jogging", "homing", "busy")
+
+    @property
+    def phase(self) -> str:
+        """The phase of a desk without a job; see `SenderStatus`."""
+        if self._homing_since_s is not None:
+            return "homing"
+        state = self._driver.status.state if self._driver.status else ""
+        return "alarm" if state in LOCKED else PHASES.get(state, "busy")
+
+    @property
+    def may_be_asked(self) -> bool:
+        """Whether the controller answers to `$` commands now."""
+        return not self._wants_reset and not self._jogger.active and self.phase in ("idle", "alarm")
+
+    def status(self) -> SenderStatus:
+        """Return this moment."""
+        phase = self.phase
+        state = self._driver.status.state if self._driver.status else ""
+        message = (self._alarm or LOCKED[state]) if phase == "alarm" and state in LOCKED else ""
+        return replace(moment(self._driver, phase, message), position_known=self.position_known)
+
+    def turn(self) -> None:
+        """Send what is due, ask, and listen once."""
+        if self._homing_since_s is None:
+            self._watch.check(self._driver, self.phase == "idle")
+        elif self._driver.clock() - self._homing_since_s > self._timing.homing_s:
+            raise LinkError("answer-missing", "the machine does not end its homing", advice="look at its switches")
+        if not self._driver.unanswered:
+            self._watch.heard_s = self._driver.clock()  # what goes out from now on
+        self._jogger.turn()
+        every_s = self._timing.quick_poll_s if self.busy else self._timing.desk_poll_s
+        for report in self._driver.receive(min(self._watch.poll(self._driver, every_s), self._jogger.wait_s)):
+            if isinstance(report, Answered):
+                self._take_answer(report)
+
+    def do(self, command: Command) -> None:
+        """Carry out a command; raises MachineRefusal when it cannot be done now."""
+        if command.name.startswith("jog") and command.name != "jog_cancel":
+            late_s = self._driver.clock() - command.asked_s
+            if late_s > LAPSE_S:
+                raise MachineRefusal("jog-late", "the jog came too late to be safe", value=f"{late_s:.1f} s")
+        self._does[command.name](**command.values)
+
+    def hear(self, received: list[Received]) -> None:
+        """Note what ends jogs and homing, or costs the position; called for all that is received."""
+        for report in received:
+            if isinstance(report, Alarm):
+                self._take_alarm(report)
+            elif isinstance(report, Greeting):
+                self._give_up()
+                self._wants_reset, self._alarm = False, self._alarm if self._wants_reset else ""
+                self.lose_position()
+            elif isinstance(report, Feedback) and report.text == CRITICAL:
+                self._wants_reset = True
+
+    def lose_position(self) -> None:
+        """From now on the machine's position is unknown until it is homed or all its zeros are set."""
+        self.position_known = False
+        self._zeroed.clear()
+
+    def stop(self) -> None:
+        """Bring to rest whatever moves: a jog keeps its position, homing loses it."""
+        if self._homing_since_s is not None:
+            self._driver.reset()
+            self._give_up()
+            self.lose_position()
+        elif self._jogger.active or self.phase == "jogging":
+            self._jogger.cancel()
+        elif self.phase in ("busy", "held", "door"):
+            if not halt.hold_and_reset(self._driver, self._timing):
+                self.lose_position()
+        else:
+            raise MachineRefusal("nothing-to-stop", "nothing moves", advice="there is nothing to stop")
+
+    def check_at_rest(self) -> None:
+        """Raise MachineRefusal while something moves or is under way."""
+        if self._jogger.active or self.phase not in ("idle", "alarm"):
+            advice = "wait until it has ended, or stop it"
+            raise MachineRefusal("machine-busy", "the machine is not at rest", value=self.phase, advice=advice)
+
+    # --- inside --------------------------------------------------------------------------------
+
+    def _hold(self) -> None:
+        if self._jogger.active or self.phase == "jogging":
+            self._jogger.cancel()
+        elif self.phase == "busy":
+            self._driver.realtime(HOLD)
+        else:
+            raise MachineRefusal("nothing-to-hold", "nothing moves that could be held", advice="homing can be stopped")
+
+    def _resume(self) -> None:
+        if self.phase not in ("held", "door"):
+            raise MachineRefusal("nothing-to-resume", "the machine is not held", advice="there is nothing to resume")
+        self._driver.realtime(RESUME)
+
+    def _cancel_jog(self) -> None:
+        if self._jogger.active or self.phase == "jogging":
+            self._jogger.cancel()
+
+    def _set_zero(self, axes: str) -> None:
+        self.check_at_rest()
+        system = acts.set_zero(self._driver, axes, self._timing)
+        self._zeroed |= set(axes.upper())
+        if self._zeroed == set(acts.AXES):
+            self.position_known = True
+        self._tell("message", f"zero of {axes.upper()} set in {system}")
+
+    def _unlock(self) -> None:
+        self.check_at_rest()
+        known, asleep = self.position_known, self.status().machine_state == "Sleep"
+        acts.unlock(self._driver, self._timing, self._wants_reset or asleep)
+        self.position_known, self._alarm = known, ""  # a reset at rest does not cost it
+
+    def _home(self) -> None:
+        self.check_at_rest()
+        if self._wants_reset:
+            acts.soft_reset(self._driver, self._timing)
+        elif self.phase != "alarm":
+            check_state(self._driver.status)
+        self._driver.send(HOME)
+        self._driver.flush()
+        self._homing_since_s = self._driver.clock()
+
+    def _take_answer(self, answer: Answered) -> None:
+        if answer.sent.text != HOME:
+            self._jogger.answered(answer)
+            return
+        self._homing_since_s = None
+        if answer.error:
+            code = error_code(answer.error)
+            words = f"the machine does not home: {code.meaning} (error:{answer.error})"
+            self._refuse(Command("home"), MachineRefusal(f"grbl-error-{answer.error}", words, advice=code.advice))
+        else:
+            self.position_known, self._alarm = True, ""
+            self._tell("message", "the machine is homed")
+
+    def _take_alarm(self, alarm: Alarm) -> None:
+        self._alarm = str(connect.alarm_refusal(alarm))
+        self._give_up()
+        if not alarm_code(alarm.code).position_kept:
+            self.lose_position()
+
+    def _give_up(self) -> None:
+        self._jogger.forget()
+        self._homing_since_s = None
+
+
+def is_fatal(error: CNCStepperError) -> bool:
+    """Return whether an error ends the connection; a controller that restarts while it is asked does not."""
+    return isinstance(error, LinkError) and error.code != "controller-restarted"

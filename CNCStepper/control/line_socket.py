@@ -1,0 +1,79 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Lines of JSON over a loopback socket, without ever waiting: for a thread that draws windows."""
+
+from __future__ import annotations
+
+import json
+import select
+import socket
+from collections.abc import Mapping
+from typing import Any
+
+READ_BYTES = 262_144  # in one look, so that a flood does not keep the window
+OUTBOX_LIMIT_BYTES = 100_000
+
+
+class LineSocket:
+    """A connection that is being made, made, or `closed`; nothing here waits and nothing raises when it breaks."""
+
+    def __init__(self, host: str, port: int):
+        self.closed = False
+        self._socket = socket.socket(socket.AF_INET, socket.SOCK_STREAM)
+        self._socket.setblocking(False)
+        self._socket.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+        self._made = False
+        self._outbox = b""
+        self._tail = b""
+        try:
+            self._socket.connect((host, port))
+        except BlockingIOError:
+            pass
+        except OSError:
+            self.close()
+
+    def send(self, content: Mapping[str, Any]) -> None:
+        """Send a line now, or as soon as the other side takes it."""
+        self._outbox += json.dumps(content).encode("ascii") + b"\n"
+        self._write()
+
+    def receive(self) -> list[dict[str, Any]]:
+        """Return the lines that have come."""
+        self._write()
+        if self.closed or not self._made:
+            return []
+        try:
+            data = self._socket.recv(READ_BYTES)
+        except BlockingIOError:
+            return []
+        except OSError:
+            data = b""
+        if not data:
+            self.close()
+        *lines, self._tail = (self._tail + data).split(b"\n")
+        return [json.loads(line) for line in lines]
+
+    def close(self) -> None:
+        """Close it; what was sent before still arrives."""
+        self.closed = True
+        self._socket.close()
+
+    def _write(self) -> None:
+        if self.closed or not self._is_made():
+            return
+        try:
+            self._outbox = self._outbox[self._socket.send(self._outbox) :] if self._outbox else b""
+        except BlockingIOError:
+            if len(self._outbox) > OUTBOX_LIMIT_BYTES:  # nobody reads there any more
+                self.close()
+        except OSError:
+            self.close()
+
+    def _is_made(self) -> bool:
+        """Return whether the connection stands; a refused one is closed."""
+        if not self._made:
+            _, writable, failed = select.select([], [self._socket], [self._socket], 0)
+            if failed or (writable and self._socket.getsockopt(socket.SOL_SOCKET, socket.SO_ERROR)):
+                self.close()
+            else:
+                self._made = bool(writable)
+        return self._made
