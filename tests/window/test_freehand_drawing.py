@@ -200,36 +200,43 @@ def test_the_line_lies_at_the_job_s_work_zero_and_on_draft_s_plane(hand: Hand, d
     assert hand.main(lambda: line.Shape.BoundBox.ZMax) == pytest.approx(3)
 
 
+BENT = [(-30, 0), (0, 20), (30, 0)]
+LEFT_MM = -45  # newer FreeCADs lay the task panel over the right of the view
+
+
 def test_the_points_are_handles_that_move_come_and_go(hand: Hand, document: Any) -> None:
     def make() -> Any:
         from CNCStepper.workbench import api, freehand
 
-        line = api.add_freehand(document, [(-30, 0), (0, 20), (30, 0)], tolerance_mm=0.1)
+        line = api.add_freehand(document, [(x + LEFT_MM, y) for x, y in BENT], tolerance_mm=0.1)
         document.recompute()
         document.clearUndos()
         freehand.edit(line)
         return line
+
+    def at(x_mm: float, y_mm: float) -> Any:
+        return hand.view_point(x_mm + LEFT_MM, y_mm)
 
     line = hand.main(make)
     hand.settle()
     assert "Drag a point" in status(hand)
 
     def points() -> list[Any]:
-        return hand.main(lambda: [tuple(round(number, 1) for number in point)[:2] for point in line.Points])
+        return hand.main(lambda: [(round(x - LEFT_MM, 1), round(y, 1)) for x, y, _ in line.Points])
 
-    hand.drag([hand.view_point(0, 20), hand.view_point(0, 25), hand.view_point(10, 30)])
+    hand.drag([at(0, 20), at(0, 25), at(10, 30)])
     assert points()[1] == pytest.approx((10, 30), abs=0.3)
     assert hand.main(lambda: (len(line.Points), document.UndoCount, line.State)) == (3, 1, ["Up-to-date"])
     middle = (20, 15)  # of the second part
-    hand.drag([hand.view_point(*middle), hand.view_point(22, 16), hand.view_point(30, 25)])
+    hand.drag([at(*middle), at(22, 16), at(30, 25)])
     assert len(points()) == 4
     hand.shot("freehand-handles")
-    hand.move_to(hand.view_point(30, 25))
+    hand.move_to(at(30, 25))
     hand.key("Delete")
     assert len(points()) == 3
     assert lines(hand, document) == [line]
-    hand.press_at(hand.view_point(-30, 0))
-    hand.move_to(hand.view_point(-20, -20))
+    hand.press_at(at(-30, 0))
+    hand.move_to(at(-20, -20))
     hand.key("Escape")
     hand.release()
     assert points()[0] == (-30, 0)
@@ -239,7 +246,7 @@ def test_the_points_are_handles_that_move_come_and_go(hand: Hand, document: Any)
     assert status(hand) == ""
     for _ in range(2):
         hand.key("Ctrl+Z")
-    assert points() == [(-30, 0), (0, 20), (30, 0)]
+    assert points() == BENT
     assert hand.main(lambda: float(line.Tolerance)) == 0.1
 
 
