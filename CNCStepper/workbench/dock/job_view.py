@@ -71,5 +71,6 @@ class JobView(QtGui.QWidget):
         )
         known = 0 < status.file_line <= len(program_lines)
         self.text.setText(program_lines[status.file_line - 1].strip() if known else "")
+        self.text.setVisible(known)
         self.elapsed.setText(duration(status.elapsed_s))
         self.remaining.setText(duration(remaining.remaining_s))

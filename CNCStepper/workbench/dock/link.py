@@ -29,6 +29,7 @@ class Link:
         self._virtual: VirtualMachine | None = None
         self._baud = 0
         self._trouble: CNCStepperError | None = None
+        self._reached = False
 
     # --- coming and going ------------------------------------------------------------------------
 
@@ -63,7 +64,7 @@ class Link:
         self._forget()
 
     def _forget(self) -> None:
-        self.client, self._virtual, self._trouble = None, None, None
+        self.client, self._virtual, self._trouble, self._reached = None, None, None, False
 
     # --- while it lasts --------------------------------------------------------------------------
 
@@ -74,6 +75,7 @@ class Link:
         if not self.client:
             return []
         events = self.client.poll()
+        self._reached = self._reached or self.client.phase == "connected"
         if self.client.phase == "gone":
             self._trouble, self.client = self.client.error, None
         return events
@@ -92,7 +94,7 @@ class Link:
     def moment(self) -> Moment:
         """What the dock is to show now."""
         if self._trouble:
-            return Moment("gone", message=told(self._trouble))
+            return Moment("gone" if self._reached else "unreached", message=told(self._trouble))
         if not self.client:
             return Moment("starting") if self._virtual else Moment()
         if self.client.phase != "connected":

@@ -32,9 +32,9 @@ class Remaining:
         return float(self._ends_s[-1]) if len(self._ends_s) else 0.0
 
     def take(self, phase: str, elapsed_s: float, file_line: int, acknowledged: int, total: int) -> None:
-        """Learn from a status; time during which the machine was held does not count as cutting."""
-        if self._last_s is not None and phase not in STANDING:
-            self._moving_s += max(elapsed_s - self._last_s, 0.0)
+        """Learn from a status; time during which the machine was seen held does not count as cutting."""
+        if phase not in STANDING or self._last_s is None:
+            self._moving_s += max(elapsed_s - (self._last_s or 0.0), 0.0)
         self._last_s = elapsed_s
         self._planned_s = self._planned_to(file_line)
         self._fraction = acknowledged / total if total else 0.0

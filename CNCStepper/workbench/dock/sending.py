@@ -80,7 +80,7 @@ class Sending:
     def advance(self) -> None:
         """Follow the controller's state; called after every poll."""
         phase = self._link.moment.phase
-        if phase in ("off", "gone"):
+        if phase in ("off", "gone", "unreached"):
             self.flow.happen("lost", self._link.moment.message)
         elif self._link.moment.job_runs:
             self.flow.happen("cutting")

@@ -21,10 +21,10 @@ CONNECTED = frozenset({"idle", "alarm", "jogging", "homing", "busy", *JOB_RUNS})
 class Moment:
     """What the dock knows of the machine at one time.
 
-    phase: "off" (no controller), "starting", "connecting", "gone" (the connection ended by itself), or the desk's
-    phase. machine_state: as grbl writes it. message: the program's words at a pause, the sentence of an alarm or of
-    what ended the connection. missing: why no port can be opened here at all. job: whether a job is on its way; a
-    machine may be held without one. homing, position_known: None while it is not known.
+    phase: "off" (no controller), "starting", "connecting", "unreached" (no connection came about), "gone" (it ended by
+    itself), or the desk's phase. machine_state: as grbl writes it. message: the program's words at a pause, the
+    sentence of an alarm or of what ended the connection. missing: why no port can be opened here at all. job: whether
+    a job is on its way; a machine may be held without one. homing, position_known: None while it is not known.
     """
 
     phase: str = "off"
@@ -64,9 +64,10 @@ FACES = {
     "off": Face(later("Not connected"), OFF, later("Choose a port, then connect.")),
     "starting": Face(later("Connecting…"), OFF, later("The link to the controller is being started.")),
     "connecting": Face(later("Connecting…"), OFF, later("Waiting for the controller to answer.")),
+    "unreached": Face(later("No connection"), DANGER, later("Look at the port, then connect again.")),
     "gone": Face(later("Connection lost"), DANGER, later("Look at the machine, then connect again.")),
     "idle": Face(later("Idle"), CALM, later("The machine stands and waits.")),
-    "running": Face(later("Running"), GOING),
+    "running": Face(later("Running"), GOING, later("The job is being cut.")),
     "finishing": Face(later("Finishing"), GOING, later("All lines are sent; the last moves are being cut.")),
     "holding": Face(later("Holding…"), WAITING, later("The machine slows down.")),
     "held": Face(later("Held"), WAITING, later("The machine stands; nothing is lost. Resume or stop.")),
@@ -74,13 +75,13 @@ FACES = {
     "door": Face(later("Door"), WAITING, later("Close the safety door, then resume.")),
     "stopping": Face(later("Stopping…"), WAITING, later("The machine slows down, then the job is ended.")),
     "alarm": Face(later("Alarm"), DANGER, later("Find the cause, then home the machine or unlock it.")),
-    "jogging": Face(later("Jogging"), GOING),
+    "jogging": Face(later("Jogging"), GOING, later("The machine is moved by hand.")),
     "homing": Face(later("Homing"), GOING, later("The machine looks for its switches.")),
     "busy": Face(later("Busy"), WAITING, later("The controller does something that was not asked for here.")),
 }
 MISSING = Face(later("Not connected"), OFF, later("No port can be opened here."))
 LOST = later("Where the table stands is not known: home the machine, or set the work zero anew.")
-WITH_OWN_WORDS = ("paused", "alarm", "gone", "held", "door")  # where a message says more than our sentence
+WITH_OWN_WORDS = ("paused", "alarm", "gone", "unreached", "held", "door")  # where a message says more than our sentence
 
 
 def face(moment: Moment) -> Face:
@@ -89,10 +90,15 @@ def face(moment: Moment) -> Face:
         return Face(MISSING.headline, MISSING.tone, moment.missing)
     found = FACES.get(moment.phase, FACES["busy"])
     if moment.message and moment.phase in WITH_OWN_WORDS:
-        return Face(found.headline, found.tone, moment.message[0].upper() + moment.message[1:])
+        return Face(found.headline, found.tone, sentence_case(moment.message))
     if moment.phase == "idle" and moment.position_known is False:
         return Face(found.headline, found.tone, LOST)
     return found
+
+
+def sentence_case(text: str) -> str:
+    """Return a text that begins with a capital."""
+    return text[:1].upper() + text[1:]
 
 
 @dataclass(frozen=True)

@@ -15,6 +15,7 @@ from CNCStepper.workbench.dock.state import RULES, Face, Moment, why_not
 from CNCStepper.workbench.words import tr
 
 LARGE, SMALLEST_PT = 2.4, 9.0  # of the usual letters; in points
+LINES_KEPT = 2  # free for the sentence, so that the buttons below do not move under the pointer
 AXES = "XYZ"
 
 
@@ -47,6 +48,8 @@ class StateView(QtGui.QFrame):
         self.headline = parts.named(Headline(), "State")
         self.headline.setMinimumWidth(1)
         self.sentence = parts.wrapped("StateSentence")
+        self.sentence.setMinimumHeight(LINES_KEPT * self.sentence.fontMetrics().lineSpacing())
+        self.sentence.setAlignment(QtCore.Qt.AlignmentFlag.AlignTop | QtCore.Qt.AlignmentFlag.AlignLeft)
         layout = parts.column(self)
         layout.setContentsMargins(10, 8, 10, 8)
         layout.setSpacing(2)
@@ -61,7 +64,6 @@ class StateView(QtGui.QFrame):
             self.headline.setText(headline)
             self.headline.fit()
         self.sentence.setText(sentence)
-        self.sentence.setVisible(bool(sentence))
         if face.tone != self._tone:
             self._tone = face.tone
             ground, letters = parts.TONES[face.tone]

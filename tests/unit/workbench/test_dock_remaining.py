@@ -61,6 +61,12 @@ def test_without_planned_times_the_lines_are_counted() -> None:
     assert clock.done == 0.25 and clock.remaining_s == pytest.approx(90.0)
 
 
+def test_a_job_that_another_window_began_is_timed_from_its_own_begin() -> None:
+    clock = Remaining()
+    clock.take("running", 60.0, 90, 100, 400)
+    assert clock.remaining_s == pytest.approx(180.0)
+
+
 def test_lines_that_come_again_keep_their_latest_time() -> None:
     clock = cut(Remaining([4, 2, 3, 2], [1.0, 2.0, 3.0, 4.0]), ("running", 0.0, 2))
     assert clock.done == 1.0 and clock.remaining_s == 0.0

@@ -21,7 +21,7 @@ from CNCStepper.workbench.dock.state import (
     why_not_disconnect,
 )
 
-PHASES = ("off", "starting", "connecting", "gone", *sorted(CONNECTED))
+PHASES = ("off", "starting", "connecting", "unreached", "gone", *sorted(CONNECTED))
 
 
 def works(phase: str) -> set[str]:

@@ -1,0 +1,44 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Run by a plain Python: a window's side of a job that is cut on a virtual grbl, to be killed while it is cut.
+
+It prints the number of lines that are acknowledged, about ten times a second.
+"""
+
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+from CNCStepper.control.desk_client import DeskClient
+from CNCStepper.control.send_job import SendJob
+
+
+def main(folder: Path) -> None:
+    """Cut a job of some minutes."""
+    words = ["virtual", "grbl", "--tcp", "127.0.0.1:0", "--until-left"]
+    machine = subprocess.Popen(
+        [sys.executable, "-m", "CNCStepper.cli.main", *words],
+        stdout=subprocess.PIPE, text=True, start_new_session=True,
+    )  # fmt: skip
+    address = machine.stdout.readline().split()[-1]
+    file = folder / "send.json"
+    lines = ["G21", "G90", "G94", *(f"G1X{index % 2 * 5}Y{index % 3}F300" for index in range(400))]
+    file.write_text(SendJob(port="", lines=lines, file="left-behind.nc").to_json(), "utf-8")
+    client = DeskClient.launch(address)
+    wait_for(client, "idle")
+    client.run(file, zero_confirmed=True)
+    while True:
+        client.poll()
+        print(client.status.acknowledged, flush=True)
+        time.sleep(0.1)
+
+
+def wait_for(client: DeskClient, phase: str) -> None:
+    """Poll until the desk is in a phase."""
+    while client.status.phase != phase:
+        client.poll()
+        assert client.phase != "gone", client.error
+        time.sleep(0.05)
+
+
+main(Path(sys.argv[1]))

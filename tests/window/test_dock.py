@@ -1,0 +1,276 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The controller's dock under a real hand: connect, jog, zero, send, hold, resume, done; refused, stopped, closed."""
+
+from __future__ import annotations
+
+import subprocess
+import time
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import FreeCAD
+import FreeCADGui
+import pytest
+from hand import Hand
+from PySide import QtCore, QtGui
+
+from CNCStepper.control.python_finder import command, environment, find_python
+from CNCStepper.control.send_job import SendJob
+from CNCStepper.workbench import api
+from CNCStepper.workbench.dock.ports import VIRTUAL
+
+D = "CNCStepper_Dock_"
+LONGEST_MS = 50.0
+
+
+@pytest.fixture(autouse=True)
+def own_sessions(tmp_path_factory: pytest.TempPathFactory, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Machines that other windows on this computer are connected to are none of ours."""
+    monkeypatch.setenv("XDG_STATE_HOME", str(tmp_path_factory.mktemp("state")))
+
+
+@pytest.fixture
+def dock(hand: Hand) -> Iterator[Any]:
+    """The dock's panel, opened by its command; disconnected and closed afterwards."""
+    hand.command("CNCStepper_Controller")
+    hand.wait(lambda: FreeCADGui.getMainWindow().findChild(QtGui.QDockWidget, "CNCStepper_Dock"))
+    shown = hand.main(FreeCADGui.getMainWindow().findChild, QtGui.QDockWidget, "CNCStepper_Dock")
+    panel = hand.main(shown.widget)
+    hand.main(panel.connection.look, VIRTUAL)
+    yield panel
+    hand.main(panel.link.command, "stop")
+    hand.wait(lambda: not panel.link.moment.job_runs, 20)
+    hand.main(panel.sending.away)
+    hand.main(panel.link.leave)
+    hand.main(panel.refresh)
+    hand.main(shown.close)
+
+
+def says(hand: Hand, state: str, seconds: float = 20.0) -> None:
+    hand.wait(lambda: hand.find(f"{D}State").text() == state, seconds, f"the state {state}")
+
+
+def connected(hand: Hand, speed: str = "10× speed") -> None:
+    hand.choose(f"{D}Speed", speed)
+    hand.click(f"{D}Connect")
+    says(hand, "Idle", 60)
+
+
+def pocket(hand: Hand, depth_mm: float = 2.0, **values: Any) -> Any:
+    def make() -> Any:
+        document = FreeCAD.newDocument("Pocket")
+        job = api.new_job(document, machine="table-a", stock_size_mm=(100, 70, 20))
+        cutter = api.add_tool(job, number=1, diameter_mm=6, feed_mm_min=800, plunge_mm_min=200)
+        api.add_elliptical_pocket(job, tool=cutter, radius_x_mm=20, radius_y_mm=12, depth_mm=depth_mm, **values)
+        job.Label = "Pocket job"
+        document.recompute()
+        FreeCADGui.Selection.clearSelection()
+        FreeCADGui.Selection.addSelection(job)
+        return job
+
+    return hand.main(make)
+
+
+def work_mm(hand: Hand, axis: str) -> float:
+    return float(hand.text(f"{D}Work{axis}"))
+
+
+def test_without_a_controller_nothing_works_and_says_why(hand: Hand, dock: Any) -> None:
+    for name in ("Hold", "Resume", "Stop", "JogXPlus", "ZeroX", "Home", "Unlock", "Override_feed_10"):
+        widget = hand.find(f"{D}{name}")
+        assert not hand.main(widget.isEnabled), name
+        assert "Connect to a controller first" in hand.main(widget.toolTip), name
+    assert hand.text(f"{D}State") == "Not connected"
+    assert hand.text(f"{D}Port") == "Virtual grbl (no machine)"
+    hand.shot("dock-not-connected")
+
+
+def test_the_dock_is_one_and_comes_back(hand: Hand, dock: Any) -> None:
+    window = FreeCADGui.getMainWindow()
+    shown = hand.main(window.findChild, QtGui.QDockWidget, "CNCStepper_Dock")
+    hand.main(shown.close)
+    hand.command("CNCStepper_Controller")
+    assert hand.main(shown.isVisible)
+    assert len(hand.main(window.findChildren, QtGui.QDockWidget, "CNCStepper_Dock")) == 1
+
+
+def test_jog_and_zero(hand: Hand, dock: Any) -> None:
+    connected(hand)
+    hand.click(f"{D}Step3")
+    before = work_mm(hand, "X")
+    hand.click(f"{D}JogXPlus")
+    hand.wait(lambda: work_mm(hand, "X") == pytest.approx(before + 10, abs=0.01))
+    says(hand, "Idle")
+    hand.click(f"{D}Step1")
+    hand.click(f"{D}JogZMinus")
+    hand.wait(lambda: work_mm(hand, "Z") == pytest.approx(-0.1, abs=0.01))
+    says(hand, "Idle")
+    hand.click(f"{D}ZeroX")
+    hand.wait(lambda: work_mm(hand, "X") == 0)
+    assert work_mm(hand, "Z") != 0
+    hand.click(f"{D}ZeroAll")
+    hand.wait(lambda: work_mm(hand, "Z") == 0)
+    hand.shot("dock-idle")
+    hand.click(f"{D}Connect")
+    says(hand, "Not connected")
+
+
+def test_a_held_jog_ends_with_the_button(hand: Hand, dock: Any) -> None:
+    connected(hand, "1× speed")
+    hand.click(f"{D}Step4")
+    hand.hover(f"{D}JogYPlus")
+    hand.mouse.down(1)
+    says(hand, "Jogging")
+    hand.wait(lambda: work_mm(hand, "Y") > 8)
+    hand.mouse.up(1)
+    says(hand, "Idle", 2)
+    stood = work_mm(hand, "Y")
+    time.sleep(0.5)
+    assert work_mm(hand, "Y") == stood
+
+
+def test_a_held_jog_ends_when_the_window_hangs(hand: Hand, dock: Any) -> None:
+    connected(hand, "1× speed")
+    hand.click(f"{D}Step4")
+    hand.hover(f"{D}JogYPlus")
+    hand.mouse.down(1)
+    says(hand, "Jogging")
+    hand.main(time.sleep, 1.5)  # the button is still down, the window does not live
+    hung = hand.main(lambda: dock.link.client.poll() and None) or work_mm(hand, "Y")
+    hand.mouse.up(1)
+    says(hand, "Idle", 2)
+    assert work_mm(hand, "Y") == pytest.approx(hung, abs=15)
+    assert work_mm(hand, "Y") < 1000 / 60 * 2.0
+
+
+def test_send_hold_resume_done(hand: Hand, dock: Any) -> None:
+    pocket(hand)
+    hand.command("CNCStepper_Send")
+    hand.wait(lambda: hand.exists(f"{D}Start") and "Connect" in hand.text(f"{D}FlowTitle"), 60, "the proof")
+    hand.choose(f"{D}Speed", "10× speed")
+    hand.click(f"{D}Start")
+    hand.wait(lambda: "Work zero" in hand.text(f"{D}FlowTitle"), 60, "the controller")
+    hand.shot("dock-zero")
+    hand.click(f"{D}Start")
+    says(hand, "Running")
+    hand.wait(lambda: hand.find(f"{D}Progress").value() > 100, 60)
+    hand.shot("dock-running")
+    hand.click(f"{D}Override_feed_10")
+    hand.wait(lambda: hand.text(f"{D}Override_feed") == "110 %")
+    hand.click(f"{D}Hold")
+    says(hand, "Held")
+    hand.shot("dock-held")
+    assert not hand.main(hand.find(f"{D}JogXPlus").isEnabled)
+    hand.click(f"{D}Resume")
+    says(hand, "Running")
+    hand.wait(lambda: "Done" in hand.text(f"{D}FlowTitle"), 120, "the end of the cut")
+    assert "lines are cut" in hand.text(f"{D}FlowDetail")
+    says(hand, "Idle")
+    hand.shot("dock-done")
+    hand.click(f"{D}Cancel")
+    assert not hand.exists(f"{D}Flow")
+
+
+def test_stop_ends_the_job_and_says_how_it_stands(hand: Hand, dock: Any) -> None:
+    pocket(hand)
+    connected(hand, "1× speed")
+    hand.command("CNCStepper_Send")
+    hand.wait(lambda: hand.exists(f"{D}Start") and "Work zero" in hand.text(f"{D}FlowTitle"), 60)
+    hand.click(f"{D}Start")
+    says(hand, "Running")
+    hand.click(f"{D}Stop")
+    hand.wait(lambda: "Stopped" in hand.text(f"{D}FlowTitle"), 20)
+    assert "position is kept" in hand.text(f"{D}FlowDetail")
+
+
+def test_a_refusal_stops_before_the_machine(hand: Hand, dock: Any) -> None:
+    job = pocket(hand)
+    hand.main(setattr, job, "Coolant", "mist")  # which this machine has not
+    hand.command("CNCStepper_Send")
+    hand.wait(lambda: hand.exists(f"{D}Flow") and "Refused" in hand.text(f"{D}FlowTitle"), 60, "the proof")
+    assert hand.exists("CNCStepper_Findings_list") and not hand.exists(f"{D}Start")
+    assert hand.text(f"{D}State") == "Not connected"
+    hand.shot("dock-refused")
+
+
+@pytest.fixture
+def locked_machine() -> Iterator[str]:
+    """The address of a virtual grbl with homing switches, which is in alarm until it is homed."""
+    words = ("virtual", "grbl", "--tcp", "127.0.0.1:0", "--homing", "--speed", "10")
+    words = command(find_python(), "CNCStepper.cli.main", *words)
+    machine = subprocess.Popen(words, env=environment(), stdout=subprocess.PIPE, text=True)
+    yield machine.stdout.readline().split()[-1]
+    machine.terminate()
+    machine.wait()
+
+
+def test_an_alarm_is_unlocked_and_homed_at_an_address_that_is_typed(hand: Hand, dock: Any, locked_machine: str) -> None:
+    hand.fill(f"{D}Port", locked_machine)
+    assert not hand.exists(f"{D}Baud") and not hand.exists(f"{D}Speed")
+    hand.click(f"{D}Connect")
+    says(hand, "Alarm", 30)
+    assert "home the machine, or unlock it" in hand.text(f"{D}StateSentence")
+    hand.shot("dock-alarm")
+    hand.click(f"{D}Unlock")
+    says(hand, "Idle")
+    hand.click(f"{D}Home")
+    says(hand, "Homing")
+    says(hand, "Idle", 60)
+    assert hand.text(f"{D}StateSentence") == "The machine stands and waits."
+
+
+def test_the_window_asks_before_it_closes_over_a_job(hand: Hand, dock: Any) -> None:
+    pocket(hand)
+    connected(hand, "1× speed")
+    hand.command("CNCStepper_Send")
+    hand.wait(lambda: hand.exists(f"{D}Start") and "Work zero" in hand.text(f"{D}FlowTitle"), 60)
+    hand.click(f"{D}Start")
+    says(hand, "Running")
+    window = FreeCADGui.getMainWindow()
+    hand.main(lambda: QtCore.QTimer.singleShot(0, window.close))
+    hand.wait(lambda: hand.exists(f"{D}Closing"))
+    hand.shot("dock-closing")
+    hand.click(f"{D}Closing_cancel")
+    hand.wait(lambda: not hand.exists(f"{D}Closing"))
+    assert hand.main(window.isVisible)
+    says(hand, "Running")
+
+
+def test_the_window_lives_while_100_000_lines_stream(hand: Hand, dock: Any, tmp_path: Path) -> None:
+    lines = ["G21", "G90", "G94"] + [f"G1X{index % 7}Y{index % 5}F30000" for index in range(100_000)]
+    file = tmp_path / "send.json"
+    file.write_text(SendJob(port="", lines=lines, file="long.nc").to_json(), "utf-8")
+    connected(hand)
+    with hand.watchdog() as watch:
+        hand.main(lambda: dock.link.command("run", file, zero_confirmed=True))
+        says(hand, "Running", 60)
+        hand.wait(lambda: dock.link.status.acknowledged > 1000, 60)
+        time.sleep(3)
+    assert watch.max_cpu_ms < LONGEST_MS, watch
+
+
+def test_a_new_window_takes_up_what_a_killed_one_left(hand: Hand, tmp_path: Path) -> None:
+    words = [find_python(), str(Path(__file__).with_name("left_behind.py")), str(tmp_path)]
+    before = subprocess.Popen(words, env=environment(), stdout=subprocess.PIPE, text=True)
+    try:
+        while int(before.stdout.readline()) < 5:
+            pass
+    finally:
+        before.kill()
+        before.wait()
+    hand.command("CNCStepper_Controller")
+    says(hand, "Running")
+    assert "Attached again" in hand.text(f"{D}Messages")
+    assert "left-behind.nc" in hand.text(f"{D}JobTitle")
+    hand.shot("dock-attached")
+    lines = hand.text(f"{D}Lines")
+    hand.wait(lambda: hand.text(f"{D}Lines") != lines, 10, "the cut to go on")
+    hand.click(f"{D}Hold")
+    says(hand, "Held")
+    hand.click(f"{D}Resume")
+    says(hand, "Running")
+    hand.click(f"{D}Stop")
+    says(hand, "Idle")
+    hand.click(f"{D}Connect")
+    says(hand, "Not connected")
