@@ -19,7 +19,8 @@ from CNCStepper.workbench.features.base import (
 )
 from CNCStepper.workbench.words import later
 
-MACHINE, STOCK, HEIGHTS, JOB_GROUP = later("Machine"), later("Stock"), later("Heights"), later("Job")
+MACHINE, STOCK, HEIGHTS, PROGRAM = later("Machine"), later("Stock"), later("Heights"), later("Program")
+JOB_GROUP = later("Job")
 LINKS = "App::PropertyLinkList"
 ORIGINS = ("top-centre", "top-left-front")
 SETUP = {"Clearance", "Retract", "WorkOrigin", "Operations"}  # what an operation's own figures depend on
@@ -32,13 +33,13 @@ class Job(Feature):
     PROPERTIES = (
         Property("machine", "Machine", TEXT, MACHINE, later("Profile"),
                  later("A shipped profile's name, or a profile's file"), "table-a"),
-        Property("dialect", "Dialect", TEXT, MACHINE, later("Dialect"),
+        Property("dialect", "Dialect", TEXT, PROGRAM, later("Dialect"),
                  later("The program's dialect; empty: the machine's own"), ""),
-        Property("units", "Units", ENUMERATION, MACHINE, later("Program's units"), later("Of the written program"),
+        Property("units", "Units", ENUMERATION, PROGRAM, later("Units"), later("Of the written program"),
                  "mm", choices=("mm", "inch")),
-        Property("work_offset", "WorkOffset", ENUMERATION, MACHINE, later("Work offset"),
+        Property("work_offset", "WorkOffset", ENUMERATION, PROGRAM, later("Work offset"),
                  later("The work coordinate system"), "G54", choices=WORK_SYSTEMS),
-        Property("coolant", "Coolant", ENUMERATION, MACHINE, later("Coolant"),
+        Property("coolant", "Coolant", ENUMERATION, PROGRAM, later("Coolant"),
                  later("What is switched on while cutting"), "none", choices=("none", "mist", "flood")),
         Property("stock_size_mm", "StockSize", POSITION, STOCK, later("Size"), later("Length, width and height"),
                  (100.0, 70.0, 20.0)),

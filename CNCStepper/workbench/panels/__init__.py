@@ -1,0 +1,27 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The task panels: one for each of our objects that can be edited."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from CNCStepper.workbench.words import tr
+
+
+def open_panel(obj: Any) -> None:
+    """Show the task panel of a job, tool, operation or freehand line inside the transaction that is open.
+
+    OK keeps the changes as one undo step, Cancel takes them back, a newly made object with them. Where no
+    transaction is open yet, one is opened. Raises MissingPackage when the object's values cannot be judged.
+    """
+    import FreeCAD
+    import FreeCADGui
+
+    from CNCStepper.workbench import packages
+
+    packages.require()
+    from CNCStepper.workbench.panels.catalogue import panel_of
+
+    if FreeCAD.getActiveTransaction() is None:
+        obj.Document.openTransaction(tr("Edit {0}").format(obj.Label))
+    FreeCADGui.Control.showDialog(panel_of(obj))

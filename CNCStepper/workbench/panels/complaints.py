@@ -1,0 +1,76 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What the core's models and cycles refuse, as sentences beside the fields; the rules themselves stay in the core."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterable
+from typing import Any
+
+from CNCStepper.errors import CNCStepperError
+from CNCStepper.workbench.features.base import proxy_type
+from CNCStepper.workbench.panels.numbers import Refused
+from CNCStepper.workbench.words import later
+
+LIMITS = {
+    "greater_than": ("gt", later("must be above {0}")),
+    "greater_than_equal": ("ge", later("must be at least {0}")),
+    "less_than": ("lt", later("must be below {0}")),
+    "less_than_equal": ("le", later("must be at most {0}")),
+}
+
+
+def model_of_type(obj: Any) -> Any:
+    """Return the core's model of the parameters of one of our objects, or None where the core has none."""
+    if proxy_type(obj) == "CNCStepper_Tool":
+        from CNCStepper.machine.tool import Tool
+
+        return Tool
+    if proxy_type(obj) == "CNCStepper_Job":
+        from CNCStepper.job.model import Job
+
+        return Job
+    if not getattr(obj.Proxy, "CYCLE", ""):
+        return None
+    from CNCStepper.cycles.catalogue import cycle_class
+
+    return cycle_class(obj.Proxy.CYCLE)
+
+
+def complaints(model: Any, values: dict[str, Any], shown: Callable[[str, float], str]) -> dict[str, Refused]:
+    """Return what a pydantic model has against single values, by key; what is not in `values` is not judged.
+
+    shown: gives a limit as the user reads it, from a key and a number in the unit of that key.
+    """
+    from pydantic import ValidationError
+
+    try:
+        model.model_validate({key: value for key, value in values.items() if key in model.model_fields})
+    except ValidationError as error:
+        found = [(str(problem["loc"][0]), problem) for problem in error.errors() if problem["loc"]]
+        return {key: _sentence(key, problem, shown) for key, problem in reversed(found) if key in values}
+    return {}
+
+
+def _sentence(key: str, problem: Any, shown: Callable[[str, float], str]) -> Refused:
+    if problem["type"] in LIMITS:
+        name, sentence = LIMITS[problem["type"]]
+        return Refused(sentence, shown(key, problem["ctx"][name]))
+    return Refused("{0}", problem["msg"].removeprefix("Value error, "))
+
+
+def key_of(error: CNCStepperError, keys: Iterable[str]) -> str:
+    """Return the one key that a sentence of the core speaks of first ("stepover_mm (ae) is larger than the tool")."""
+    places = {key: match.start() for key in keys if (match := _word(key).search(error.what))}
+    return min(places, key=places.__getitem__) if places else ""
+
+
+def labelled(sentence: str, labels: dict[str, str]) -> str:
+    """Return a sentence of the core with the labels that a person sees in place of the keys."""
+    keys = {key: label for key, label in labels.items() if "_" in key}
+    return re.sub(r"\w+", lambda word: f"“{keys[word[0]]}”" if word[0] in keys else word[0], sentence)
+
+
+def _word(key: str) -> re.Pattern[str]:
+    stem = re.sub("_(mm|mm_min|deg|rpm)$", "", key)
+    return re.compile(rf"\b({key}|{stem})\b")

@@ -1,0 +1,263 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The fields of a form, one class a kind of property: shown, read, and marked with what is wrong below them."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from PySide import QtCore, QtGui
+
+from CNCStepper.workbench.features.base import (
+    BOOL,
+    ENUMERATION,
+    INTEGER,
+    POSITION,
+    TEXT,
+    Property,
+    value_of,
+)
+from CNCStepper.workbench.panels.choices import words_of
+from CNCStepper.workbench.panels.measures import measure_of, text_of, value_of_text, whole_of_text
+from CNCStepper.workbench.panels.numbers import Refused
+from CNCStepper.workbench.words import tr
+
+NAME = "CNCStepper_Panel"
+ERROR_COLOUR = "#d32f2f"  # reads on light and on dark
+WARNING_COLOUR = "#b26a00"
+AXES = "XYZ"
+
+
+class Field(QtCore.QObject):
+    """One property in a form: `widget` with the note below it. `changed` tells that a person has changed it."""
+
+    changed = QtCore.Signal()
+
+    def __init__(self, obj: Any, entry: Property, parent: Any):
+        super().__init__(parent)
+        self.obj = obj
+        self.entry = entry
+        self.edited = False  # what stands here is not yet in the object
+        self.widget = QtGui.QWidget(parent)
+        self.label = QtGui.QLabel(tr(entry.label), parent)
+        self.note = note_label(f"{NAME}_{entry.key}_error", ERROR_COLOUR, self.widget)
+        self._column = QtGui.QVBoxLayout(self.widget)
+        self._column.setContentsMargins(0, 0, 0, 0)
+        self._column.setSpacing(1)
+        self.editors = self.make()
+        self._column.addWidget(self.note)
+        self._explain()
+
+    def make(self) -> list[Any]:
+        """Add the widgets that are typed into or chosen from, and return them."""
+        raise NotImplementedError
+
+    def read(self) -> Any:
+        """Return the value that stands here, in the unit of the key; raises Refused."""
+        raise NotImplementedError
+
+    def write(self) -> None:
+        """Show the object's value."""
+        raise NotImplementedError
+
+    def refresh(self) -> None:
+        """Show the object's value, unless a person is just changing it here; let it rest where it is not his."""
+        reason = self._why_fixed()
+        for editor in self.editors:
+            editor.setEnabled(not reason)
+        self.widget.setToolTip(reason)
+        if not self.edited and (reason or not self.has_focus()):
+            self.write()
+
+    def mark(self, sentence: str) -> None:
+        """Say below the field what is wrong with it; "" takes it back."""
+        self.note.setText(sentence)
+        self.note.setVisible(bool(sentence))
+        for editor in self.editors:
+            editor.setStyleSheet(f"border: 1px solid {ERROR_COLOUR}; border-radius: 2px;" if sentence else "")
+
+    def has_focus(self) -> bool:
+        """Return whether the keyboard is here."""
+        return any(editor.hasFocus() for editor in self.editors)
+
+    def focus(self) -> None:
+        """Take the keyboard here."""
+        self.editors[0].setFocus(QtCore.Qt.FocusReason.OtherFocusReason)
+
+    def add(self, editor: Any, suffix: str = "", layout: Any = None) -> Any:
+        """Add one widget to the field under the name that tests know it by."""
+        editor.setObjectName(f"{NAME}_{self.entry.key}{suffix}")
+        editor.setAccessibleName(self.label.text())
+        (layout or self._column).addWidget(editor)
+        return editor
+
+    def touched(self) -> None:
+        """Note that a person has changed it."""
+        self.edited = True
+        self.changed.emit()
+
+    def left(self) -> None:
+        """Show the object's value as it is written, when the person leaves what he typed."""
+        if not self.edited:
+            self.write()
+
+    def line(self, suffix: str = "", layout: Any = None) -> Any:
+        """Add and return a line to type into."""
+        line = self.add(QtGui.QLineEdit(self.widget), suffix, layout)
+        line.setMinimumWidth(40)
+        line.textEdited.connect(lambda _: self.touched())
+        line.editingFinished.connect(self.left)
+        return line
+
+    def _explain(self) -> None:
+        self.label.setToolTip(tr(self.entry.text))
+        for editor in self.editors:
+            editor.setToolTip(tr(self.entry.text))
+
+    def _why_fixed(self) -> str:
+        if any(path.split(".")[0] == self.entry.name for path, *_ in self.obj.ExpressionEngine):
+            return tr("An expression gives this value; change it in the property editor")
+        return tr("The drawing gives this value") if "ReadOnly" in self.obj.getEditorMode(self.entry.name) else ""
+
+
+class NumberField(Field):
+    """A number, with a unit where it has one."""
+
+    def make(self) -> list[Any]:
+        """Add the line."""
+        return [self.line()]
+
+    def read(self) -> Any:
+        """Return the number; raises Refused."""
+        read = whole_of_text if self.entry.type == INTEGER else value_of_text
+        return read(self.editors[0].text(), self.entry, self.obj)
+
+    def write(self) -> None:
+        """Show the object's number."""
+        self.editors[0].setText(text_of(value_of(self.obj, self.entry), self.entry))
+
+
+class VectorField(Field):
+    """Lengths along X, Y and Z; of a place in the plane only two."""
+
+    def make(self) -> list[Any]:
+        """Add a line for each axis, side by side."""
+        row = QtGui.QHBoxLayout()
+        row.setSpacing(3)
+        self._column.addLayout(row)
+        axes = AXES[:2] if self.entry.key == "centre_mm" else AXES
+        lines = [self.line(f"_{axis.lower()}", row) for axis in axes]
+        for axis, line in zip(axes, lines, strict=True):
+            line.setAccessibleName(f"{self.label.text()} {axis}")
+        row.addWidget(QtGui.QLabel(measure_of(self.entry).unit, self.widget))
+        return lines
+
+    def read(self) -> tuple[float, ...]:
+        """Return the lengths; raises Refused."""
+        return tuple(value_of_text(line.text(), self.entry, self.obj) for line in self.editors)
+
+    def write(self) -> None:
+        """Show the object's lengths."""
+        for line, length in zip(self.editors, value_of(self.obj, self.entry), strict=False):
+            if not line.hasFocus():
+                line.setText(text_of(length, self.entry, with_unit=False))
+
+    def has_focus(self) -> bool:
+        """Let the lengths be shown at any time: `write` spares the one that has the keyboard."""
+        return False
+
+
+class TextField(Field):
+    """A text."""
+
+    def make(self) -> list[Any]:
+        """Add the line."""
+        return [self.line()]
+
+    def read(self) -> str:
+        """Return the text."""
+        return str(self.editors[0].text())
+
+    def write(self) -> None:
+        """Show the object's text."""
+        self.editors[0].setText(value_of(self.obj, self.entry))
+
+
+class CheckField(Field):
+    """Yes or no."""
+
+    def make(self) -> list[Any]:
+        """Add the box."""
+        box = self.add(QtGui.QCheckBox(self.widget))
+        box.clicked.connect(lambda _: self.touched())
+        return [box]
+
+    def read(self) -> bool:
+        """Return whether it is checked."""
+        return bool(self.editors[0].isChecked())
+
+    def write(self) -> None:
+        """Show the object's value."""
+        self.editors[0].setChecked(value_of(self.obj, self.entry))
+
+
+class ChoiceField(Field):
+    """One of several values, each with its words."""
+
+    def make(self) -> list[Any]:
+        """Add the box to choose from."""
+        box = self.add(QtGui.QComboBox(self.widget))
+        box.setSizeAdjustPolicy(QtGui.QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
+        box.setMinimumContentsLength(8)
+        box.setSizePolicy(QtGui.QSizePolicy.Policy.Expanding, QtGui.QSizePolicy.Policy.Fixed)
+        self.values: list[Any] = []
+        self.fill(box)
+        box.activated.connect(lambda _: self.touched())
+        return [box]
+
+    def choices(self) -> list[tuple[Any, str]]:
+        """Return the values and their words, in order."""
+        return [(choice, words_of(choice)) for choice in self.entry.choices]
+
+    def fill(self, box: Any) -> None:
+        """Put the choices into the box."""
+        pairs = self.choices()
+        self.values = [value for value, _ in pairs]
+        box.clear()
+        box.addItems([words for _, words in pairs])
+
+    def read(self) -> Any:
+        """Return the chosen value; raises Refused when nothing is chosen."""
+        index = self.editors[0].currentIndex()
+        if index < 0:
+            raise Refused(tr("Choose one here"))
+        return self.values[index]
+
+    def write(self) -> None:
+        """Show the object's value."""
+        value = value_of(self.obj, self.entry)
+        self.editors[0].setCurrentIndex(self.values.index(value) if value in self.values else -1)
+
+
+KINDS: dict[str, type[Field]] = {
+    POSITION: VectorField,
+    ENUMERATION: ChoiceField,
+    BOOL: CheckField,
+    TEXT: TextField,
+}
+
+
+def field_class(entry: Property) -> type[Field]:
+    """Return the class of field that shows a property."""
+    return KINDS.get(entry.type, NumberField)
+
+
+def note_label(name: str, colour: str, parent: Any) -> Any:
+    """Return a small label that wraps, for what has to be said below fields; it is hidden."""
+    note = QtGui.QLabel(parent)
+    note.setObjectName(name)
+    note.setWordWrap(True)
+    note.setTextFormat(QtCore.Qt.TextFormat.PlainText)
+    note.setStyleSheet(f"color: {colour}; font-size: 90%;")
+    note.setTextInteractionFlags(QtCore.Qt.TextInteractionFlag.TextSelectableByMouse)
+    note.hide()
+    return note

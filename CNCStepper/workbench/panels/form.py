@@ -1,0 +1,141 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A form made from an object's table of properties: one box a group, rarely used ones folded, results below."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from PySide import QtCore, QtGui
+
+from CNCStepper.workbench.features.base import INTEGER, NUMBERS, Property, value_of
+from CNCStepper.workbench.panels.fields import NAME, Field, field_class
+from CNCStepper.workbench.panels.measures import text_of
+from CNCStepper.workbench.words import tr
+
+MARGINS = (9, 6, 9, 6)
+
+
+class Box(QtGui.QWidget):
+    """A titled group whose body can be folded away."""
+
+    def __init__(self, title: str, name: str, folded: bool, parent: Any):
+        super().__init__(parent)
+        self.head = QtGui.QToolButton(self)
+        self.head.setObjectName(f"{NAME}_group_{name}")
+        self.head.setText(title)
+        self.head.setToolButtonStyle(QtCore.Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+        self.head.setAutoRaise(True)
+        self.head.setStyleSheet("QToolButton { font-weight: bold; border: none; padding: 2px; }")
+        self.head.clicked.connect(lambda _: self.fold(self.head.arrowType() == QtCore.Qt.ArrowType.DownArrow))
+        self.body = QtGui.QFrame(self)
+        self.body.setFrameShape(QtGui.QFrame.Shape.StyledPanel)
+        column = QtGui.QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(1)
+        column.addWidget(self.head)
+        column.addWidget(self.body)
+        self.fold(folded)
+
+    def fold(self, folded: bool) -> None:
+        """Hide or show the body."""
+        self.body.setVisible(not folded)
+        arrow = QtCore.Qt.ArrowType
+        self.head.setArrowType(arrow.RightArrow if folded else arrow.DownArrow)
+
+
+class Form(QtGui.QWidget):
+    """The fields of one object; `changed` tells that a person has changed one of them."""
+
+    changed = QtCore.Signal()
+
+    def __init__(
+        self, obj: Any, kinds: dict[str, type[Field]], folded: tuple[str, ...], hidden: tuple[str, ...], parent: Any
+    ):
+        """kinds: the class of field for single keys. folded: groups. hidden: keys that have no field here."""
+        super().__init__(parent)
+        self.obj = obj
+        self.fields: dict[str, Field] = {}
+        self.results: dict[str, Any] = {}
+        self.boxes: dict[str, Box] = {}
+        self._column = QtGui.QVBoxLayout(self)
+        self._column.setContentsMargins(0, 0, 0, 0)
+        for entry in obj.Proxy.PROPERTIES:
+            if entry.key in hidden:
+                continue
+            if not entry.output:
+                self._add_field(entry, kinds.get(entry.key, field_class(entry)), entry.group in folded)
+            elif entry.type in (*NUMBERS, INTEGER):
+                self._add_result(entry)
+        align_labels(list(map(_layout, self.boxes.values())))
+
+    def field_order(self) -> list[Field]:
+        """Return the fields from top to bottom."""
+        return list(self.fields.values())
+
+    def refresh(self) -> None:
+        """Show the object's values and results."""
+        for field in self.fields.values():
+            field.refresh()
+        for key, label in self.results.items():
+            entry = next(entry for entry in self.obj.Proxy.PROPERTIES if entry.key == key)
+            label.setText(text_of(value_of(self.obj, entry), entry))
+
+    def mark(self, key: str, sentence: str) -> None:
+        """Say below a field what is wrong; its group is opened."""
+        self.fields[key].mark(sentence)
+        box = self.boxes[self.fields[key].entry.group]
+        if box.body.isHidden():
+            box.fold(False)
+
+    def unmark(self) -> None:
+        """Take all marks back."""
+        for field in self.fields.values():
+            if field.note.text():
+                field.mark("")
+
+    def box(self, title: str, folded: bool = False) -> Box:
+        """Return the box of a group, made at the first asking."""
+        if title not in self.boxes:
+            box = Box(tr(title), title.split()[0].lower(), folded, self)
+            layout = QtGui.QFormLayout(box.body)
+            layout.setContentsMargins(*MARGINS)
+            layout.setVerticalSpacing(4)
+            layout.setFieldGrowthPolicy(QtGui.QFormLayout.FieldGrowthPolicy.ExpandingFieldsGrow)
+            layout.setLabelAlignment(QtCore.Qt.AlignmentFlag.AlignLeft | QtCore.Qt.AlignmentFlag.AlignVCenter)
+            self.boxes[title] = box
+            self._column.addWidget(box)
+        return self.boxes[title]
+
+    def add_widget(self, title: str, widget: Any) -> None:
+        """Add a widget as wide as the form to a group."""
+        _layout(self.box(title)).addRow(widget)
+
+    def _add_field(self, entry: Property, kind: type[Field], folded: bool) -> None:
+        field = kind(self.obj, entry, self)
+        field.changed.connect(self.changed)
+        self.fields[entry.key] = field
+        _layout(self.box(entry.group, folded)).addRow(field.label, field.widget)
+
+    def _add_result(self, entry: Property) -> None:
+        value = QtGui.QLabel(self)
+        value.setObjectName(f"{NAME}_{entry.key}")
+        value.setTextInteractionFlags(QtCore.Qt.TextInteractionFlag.TextSelectableByMouse)
+        label = QtGui.QLabel(tr(entry.label), self)
+        for widget in (label, value):
+            widget.setToolTip(tr(entry.text))
+        self.results[entry.key] = value
+        _layout(self.box(entry.group)).addRow(label, value)
+
+
+def align_labels(layouts: list[Any]) -> None:
+    """Make the label columns of several form layouts equally wide, so that their fields stand in one line."""
+    role = QtGui.QFormLayout.ItemRole.LabelRole
+    items = [layout.itemAt(row, role) for layout in layouts for row in range(layout.rowCount())]
+    labels = [item.widget() for item in items if item is not None]
+    width = max((label.sizeHint().width() for label in labels), default=0)
+    for label in labels:
+        label.setMinimumWidth(width)
+
+
+def _layout(box: Box) -> Any:
+    return box.body.layout()

@@ -1,0 +1,101 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The task panel of a job: its own values, its operations, and its tools with the marked one to edit below."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from PySide import QtGui
+
+from CNCStepper.workbench.commands.defaults import stock_of_drawing, stock_of_solid
+from CNCStepper.workbench.features.job import HEIGHTS, PROGRAM, STOCK
+from CNCStepper.workbench.panels.editor import Editor
+from CNCStepper.workbench.panels.fields import NAME
+from CNCStepper.workbench.panels.lists import OperationList, ToolList
+from CNCStepper.workbench.panels.machine import DialectField, MachineField
+from CNCStepper.workbench.panels.panel import Panel
+from CNCStepper.workbench.tell import guarded
+from CNCStepper.workbench.words import later, tr
+
+KINDS = {"machine": MachineField, "dialect": DialectField}
+FOLDED = (PROGRAM, HEIGHTS)
+HIDDEN = ("operations", "tools")
+OPERATIONS, TOOLS = later("Operations"), later("Tools")
+
+
+class JobPanel(Panel):
+    """The panel of a job; the marked tool has an editor of its own in it."""
+
+    def __init__(self, job: Any):
+        self.job = job
+        self.editor = Editor(job, KINDS, FOLDED, HIDDEN)
+        super().__init__(job, self.editor)
+        self._add_stock_button()
+        self.operations = OperationList(job, self.editor)
+        self.tools = ToolList(job, self.editor)
+        self.editor.form.add_widget(OPERATIONS, self.operations)
+        self.editor.form.add_widget(TOOLS, self.tools)
+        self.editor.form.box(OPERATIONS).setVisible(bool(job.Operations))
+        self.tools.list.currentRowChanged.connect(guarded(self.show_tool))
+        for part in (self.operations, self.tools):
+            part.changed.connect(guarded(self.remake))
+        self.editor.applied.connect(guarded(self.operations.refresh))
+        self.tools.choose(next(iter(job.Tools), None))
+
+    def remake(self) -> None:
+        """Recompute after a list was changed, and show all as it is now."""
+        self.editor.apply()
+        self.job.Document.recompute()
+        self.editor.apply()
+        for part in (self.operations, self.tools):
+            part.refresh()
+
+    def show_tool(self) -> None:
+        """Show the marked tool's editor below the list; the one before keeps its place while something is wrong."""
+        tool = self.tools.chosen()
+        shown = self.editors[1:]
+        if shown and shown[0].obj is tool:
+            return
+        if shown and shown[0].obj in self.job.Tools and not shown[0].flush():
+            self.tools.choose(shown[0].obj)
+            return
+        for editor in shown:
+            editor.timer.stop()
+            editor.setParent(None)
+            editor.deleteLater()
+        self.editors[1:] = [self._tool_editor(tool)] if tool is not None else []
+
+    def fit_stock(self) -> None:
+        """Put the stock around what is selected, or around all drawings of the operations."""
+        import FreeCADGui
+
+        drawn = [operation.Drawing for operation in self.job.Operations if operation.Drawing is not None]
+        shapes = [obj.Shape for obj in FreeCADGui.Selection.getSelection() or drawn if hasattr(obj, "Shape")]
+        boxes = [shape.BoundBox for shape in shapes if not shape.isNull() and shape.BoundBox.isValid()]
+        if not boxes:
+            self.editor.form.mark("stock_size_mm", tr("Select a drawing or a solid first"))
+            return
+        around = boxes[0]
+        for box in boxes[1:]:
+            around.add(box)
+        solid = any(shape.Solids for shape in shapes)
+        self.editor.take(stock_of_solid(around) if solid else stock_of_drawing(around))
+
+    def _add_stock_button(self) -> None:
+        button = QtGui.QPushButton(tr("Fit to drawing"), self.editor)
+        button.setObjectName(f"{NAME}_stock_fit")
+        button.setToolTip(tr("Put the stock around what is selected, or around the drawings of the operations"))
+        button.setAutoDefault(False)
+        button.clicked.connect(guarded(self.fit_stock))
+        self.editor.form.add_widget(STOCK, button)
+
+    def _tool_editor(self, tool: Any) -> Editor:
+        editor = Editor(tool, {}, parent=self.tools)
+        editor.applied.connect(guarded(self._tool_changed))
+        self.tools.layout().addWidget(editor)
+        return editor
+
+    def _tool_changed(self) -> None:
+        self.tools.refresh()
+        self.operations.refresh()
+        self.editor.refresh()

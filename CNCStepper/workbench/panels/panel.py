@@ -1,0 +1,74 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The task panel of one object: everything between opening it and OK or Cancel is one undo step."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from PySide import QtGui
+
+from CNCStepper.workbench.features.base import proxy_type
+from CNCStepper.workbench.panels.editor import Editor
+from CNCStepper.workbench.panels.fields import NAME
+from CNCStepper.workbench.tell import guarded
+
+
+class Panel:
+    """What FreeCAD's task view shows and asks; the transaction is open already."""
+
+    def __init__(self, obj: Any, editor: Editor):
+        self.document = obj.Document.Name
+        self.editors = [editor]
+        self.form = editor
+        editor.setWindowTitle(obj.Label)
+        editor.setWindowIcon(QtGui.QIcon(_icon(obj)))
+        editor.setObjectName(f"{NAME}_{proxy_type(obj)}")
+
+    @guarded
+    def accept(self) -> bool:
+        """Keep all as one undo step, or stay open where something is wrong; FreeCAD calls this for OK."""
+        if not all(editor.flush() for editor in self.editors):
+            return False
+        document = self._document()
+        if document is not None:
+            document.commitTransaction()
+        self._close()
+        return True
+
+    @guarded
+    def reject(self) -> bool:
+        """Leave the document as it was before; FreeCAD calls this for Cancel and Esc."""
+        for editor in self.editors:
+            editor.timer.stop()
+        document = self._document()
+        if document is not None:
+            document.abortTransaction()
+            document.recompute()
+        self._close()
+        return True
+
+    def modifyStandardButtons(self, buttons: Any) -> None:
+        """Name the buttons, for the tests."""
+        kinds = QtGui.QDialogButtonBox.StandardButton
+        for name, kind in (("ok", kinds.Ok), ("cancel", kinds.Cancel)):
+            if buttons.button(kind) is not None:
+                buttons.button(kind).setObjectName(f"{NAME}_{name}")
+
+    def _document(self) -> Any:
+        """Return the object's document, or None when it was closed meanwhile."""
+        import FreeCAD
+
+        return FreeCAD.listDocuments().get(self.document)
+
+    def _close(self) -> None:
+        import FreeCADGui
+
+        if self._document() is not None:
+            FreeCADGui.getDocument(self.document).resetEdit()
+        FreeCADGui.Control.closeDialog()
+
+
+def _icon(obj: Any) -> str:
+    from CNCStepper.workbench import packages
+
+    return str(packages.ROOT / "resources" / "icons" / f"{proxy_type(obj)}.svg")
