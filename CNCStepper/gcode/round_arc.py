@@ -14,6 +14,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import lru_cache
 from math import acos, ceil, cos, hypot, pi, sin
 
 from CNCStepper.gcode.dialects import ArcRule
@@ -24,6 +25,7 @@ NEIGHBOURS = sorted(((i, j) for i in range(-2, 3) for j in range(-2, 3)), key=la
 SAME_POINT = 1e-6  # counts; ends closer than this are one point: the arc is a full circle
 WORTHWHILE = 0.05  # counts by which a centre farther from the true one must be better
 MOST_SPLITS = 4
+MOST_KEPT = 8192  # arcs whose pieces are remembered
 
 
 @dataclass(frozen=True)
@@ -85,11 +87,12 @@ class Limits:
     largest_radius: float
 
 
-def rounded(begin: Count, arc: TrueArc, limits: Limits) -> list[Piece]:
+@lru_cache(MOST_KEPT)  # every level of a pocket has the same arcs, and so has its next edit
+def rounded(begin: Count, arc: TrueArc, limits: Limits) -> tuple[Piece, ...]:
     """Return the pieces that stand for `arc` from the rounded `begin`; empty where nothing is left of it."""
     if arc.radius > limits.largest_radius:
-        return list(_chords(begin, arc, limits.flat))
-    return _pieces(begin, arc, limits, MOST_SPLITS)
+        return tuple(_chords(begin, arc, limits.flat))
+    return tuple(_pieces(begin, arc, limits, MOST_SPLITS))
 
 
 def _pieces(begin: Count, arc: TrueArc, limits: Limits, splits: int) -> list[Piece]:

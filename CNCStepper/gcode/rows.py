@@ -13,7 +13,7 @@ from CNCStepper.gcode.dialects import Dialect
 from CNCStepper.gcode.moves import FULL_TURN
 from CNCStepper.gcode.options import WriteOptions
 from CNCStepper.gcode.page import Page
-from CNCStepper.gcode.round_arc import Limits, TrueArc, rounded
+from CNCStepper.gcode.round_arc import Limits, Piece, TrueArc, rounded
 from CNCStepper.toolpath import ARC_CW, LINE, PLANE_AXES, RAPID, Toolpath
 
 Counts = list[int | None]
@@ -126,10 +126,10 @@ class RowWriter:
             yield TrueArc(begin, begin, centre, clockwise), turn * share, (turn + 1) * share, 1
         yield last, FULL_TURN * (turns - 1) / whole, 1.0, 1
 
-    def _try(self, arc: TrueArc) -> list:
+    def _try(self, arc: TrueArc) -> tuple[Piece, ...]:
         """Return the pieces of an arc where one line holds it whole, else nothing."""
         pieces = rounded((round(arc.begin[0]), round(arc.begin[1])), arc, self._limits)
-        return pieces if len(pieces) == 1 else []
+        return pieces if len(pieces) == 1 else ()
 
     def _counts(self, point: list[float]) -> Counts:
         return [None if isnan(value) else self.grid.count(value) for value in point]

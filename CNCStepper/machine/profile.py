@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import tomllib
+from functools import cache
 from importlib import resources
 from pathlib import Path
 from typing import Any, Literal, TypeVar
@@ -86,8 +87,13 @@ class Machine(_Checked):
 
 def profile_names() -> list[str]:
     """Return the names of the profiles that ship with the product."""
+    return list(_profile_names())
+
+
+@cache
+def _profile_names() -> tuple[str, ...]:
     folder = resources.files("CNCStepper.machine") / "profiles"
-    return sorted(entry.name[:-5] for entry in folder.iterdir() if entry.name.endswith(".toml"))
+    return tuple(sorted(entry.name[:-5] for entry in folder.iterdir() if entry.name.endswith(".toml")))
 
 
 def load_machine(name_or_path: str | Path) -> Machine:
@@ -96,8 +102,7 @@ def load_machine(name_or_path: str | Path) -> Machine:
     Raises JobError when there is no such profile or a value in it is not allowed.
     """
     if str(name_or_path) in profile_names():
-        entry = resources.files("CNCStepper.machine") / "profiles" / f"{name_or_path}.toml"
-        return validated(Machine, tomllib.loads(entry.read_text("utf-8")), str(name_or_path))
+        return _shipped(str(name_or_path))
     path = Path(name_or_path)
     if not path.is_file():
         raise JobError(
@@ -106,6 +111,12 @@ def load_machine(name_or_path: str | Path) -> Machine:
             advice=f"give a TOML file or one of: {', '.join(profile_names())}",
         )
     return validated(Machine, read_toml(path), str(path))
+
+
+@cache
+def _shipped(name: str) -> Machine:
+    entry = resources.files("CNCStepper.machine") / "profiles" / f"{name}.toml"
+    return validated(Machine, tomllib.loads(entry.read_text("utf-8")), name)
 
 
 def read_toml(path: Path) -> dict[str, Any]:

@@ -16,6 +16,8 @@ from CNCStepper.errors import MissingPackage
 ROOT = Path(__file__).resolve().parents[2]
 NEEDED = ("numpy", "shapely", "pydantic", "platformdirs", "matplotlib")  # what making a program takes
 
+_found: set[str] = set()  # looking takes milliseconds, and every recompute asks
+
 
 def make_available() -> None:
     """Append the folders that may hold third-party packages to sys.path; loads none of them."""
@@ -52,8 +54,11 @@ def own_folder() -> Path:
 
 def missing(*names: str) -> list[str]:
     """Return those of the packages that cannot be found, in their order; loads none of them."""
-    make_available()
-    return [name for name in names if importlib.util.find_spec(name) is None]
+    unknown = [name for name in names if name not in _found]
+    if unknown:
+        make_available()
+        _found.update(name for name in unknown if importlib.util.find_spec(name) is not None)
+    return [name for name in unknown if name not in _found]
 
 
 def require(*names: str) -> None:
