@@ -4,7 +4,7 @@
 SHELL := /bin/bash
 .SHELLFLAGS := -euo pipefail -c
 .DEFAULT_GOAL := help
-.PHONY: help setup demo test quick bench lint clean
+.PHONY: help setup demo test quick bench lint translations clean
 
 help:
 	@echo "make demo    draw, cut and check the demonstration part in headless FreeCAD and on the virtual grbl"
@@ -12,6 +12,7 @@ help:
 	@echo "make quick   the tests that take under 60 s together and need no FreeCAD"
 	@echo "make bench   measure speed, beside the programs we compare ourselves with"
 	@echo "make lint    style and types only"
+	@echo "make translations   collect the texts that a person sees, and compile their Portuguese"
 	@echo "make setup   only what the others need: system packages and .venv"
 	@echo "make clean   remove what tests, demo and benchmarks have made (.venv stays)"
 
@@ -36,6 +37,10 @@ lint:
 	@.venv/bin/python -m ruff check .
 	@.venv/bin/python -m ruff format --check .
 	@.venv/bin/python -m mypy
+
+translations:
+	@tools/setup.sh translations
+	@.venv/bin/python tools/translations.py
 
 clean:
 	@rm -rf build .cache .pytest_cache .mypy_cache .ruff_cache .hypothesis

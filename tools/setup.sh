@@ -3,6 +3,7 @@
 # Set up what the Makefile's targets need; a second run costs a few milliseconds.
 #
 #   tools/setup.sh python   only .venv: the package, numba, and the tools for tests
+#   tools/setup.sh translations   .venv, and Qt's lrelease, which compiles the catalogues of translations
 #   tools/setup.sh all      .venv, and the programs of the system: FreeCAD, LinuxCNC's rs274, locale sources
 #
 # On Debian and its family as root, missing system packages are installed; otherwise they are named.
@@ -37,7 +38,8 @@ find_python() {
 missing_packages() {
     if [ -z "$(find_python)" ]; then echo python3; fi
     if ! [ -e "$stamp" ] && ! /usr/bin/python3 -c 'import ensurepip' 2>/dev/null; then echo python3-venv; fi
-    if [ "$1" = python ]; then return; fi
+    if [ "$1" = translations ] && ! has lrelease && ! [ -x /usr/lib/qt5/bin/lrelease ]; then echo qttools5-dev-tools; fi
+    if [ "$1" != all ]; then return; fi
     if ! has freecadcmd && ! has FreeCADCmd; then echo freecad; fi
     if ! has rs274; then echo linuxcnc-uspace; fi
     if ! [ -e "$locale_sources" ]; then echo locales; fi
@@ -62,6 +64,7 @@ name_missing() {
         case "$package" in
         python3 | python3-venv) fail "Python 3.11 or newer with venv is missing: get it from https://www.python.org/downloads/ or your system's packages" ;;
         freecad) say "FreeCAD is missing: get it from https://www.freecad.org/downloads.php (macOS: brew install --cask freecad) and put its freecadcmd on PATH" ;;
+        qttools5-dev-tools) fail "Qt's lrelease is missing: get it with your system's tools for Qt developers" ;;
         linuxcnc-uspace) say "LinuxCNC's rs274 is missing: get it from https://linuxcnc.org/downloads/ (there is none for macOS and Windows; run the comparison with it on Linux)" ;;
         locales) ;; # other systems bring pt_BR.UTF-8 with them or as glibc-locale-source
         esac

@@ -1,0 +1,233 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Brings the catalogues of translations up to date with the source: `make translations`.
+
+It reads the source without running it, finds every text that a person sees, and writes resources/translations: new
+texts come in as unfinished, those that nothing shows any more go. Qt's own lrelease then compiles what FreeCAD loads.
+
+Where a text belongs (its context) is where FreeCAD or we look it up:
+    CNCStepper       `tr("…")` and `later("…")`
+    App::Property    names, groups and texts of properties, for FreeCAD's property editor
+    a command's name and Workbench: `QT_TRANSLATE_NOOP("context", "…")`
+"""
+
+from __future__ import annotations
+
+import argparse
+import ast
+import os
+import re
+import shutil
+import subprocess
+import sys
+import xml.etree.ElementTree as ET
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[1]
+DEBIAN_QT = "/usr/lib/qt5/bin"
+FOLDER = ROOT / "resources" / "translations"
+LANGUAGES = {"": "en", "_pt-BR": "pt_BR"}
+OURS, PROPERTY = "CNCStepper", "App::Property"
+SHOWN_BY = {
+    "setText", "setToolTip", "setWindowTitle", "setTitle", "setPlaceholderText", "setStatusTip", "setWhatsThis",
+    "setSuffix", "setPrefix", "setInformativeText", "setDetailedText", "setLabelText", "setSpecialValueText",
+    "addItem", "addItems", "insertItem", "addTab", "addRow", "addAction", "addMenu", "showMessage", "setTabText",
+    "setHeaderLabels", "setHorizontalHeaderLabels", "addButton", "setFormat", "openTransaction", "QLabel",
+    "QPushButton", "QToolButton", "QCheckBox", "QRadioButton", "QGroupBox", "QAction", "QMenu", "QDockWidget",
+}  # fmt: skip
+WORD = re.compile(r"[^\W\d_]{3,}")
+SAME_EVERYWHERE = {"CNCStepper", "grbl", "rpm"}
+
+
+@dataclass(frozen=True, order=True)
+class Text:
+    """A text as it stands in the source."""
+
+    context: str
+    source: str
+
+
+def sources() -> list[Path]:
+    """Return the files that may show a text."""
+    return [*sorted((ROOT / "CNCStepper" / "workbench").rglob("*.py")), ROOT / "InitGui.py"]
+
+
+def texts() -> dict[Text, str]:
+    """Return every text that a person sees, with the place where it stands first."""
+    found: dict[Text, str] = {}
+    for path in sources():
+        for text, line in texts_of(path.read_text("utf-8"), in_features=path.parent.name == "features"):
+            found.setdefault(text, f"{path.relative_to(ROOT).as_posix()}:{line}")
+    return found
+
+
+def texts_of(source: str, in_features: bool = False) -> Iterator[tuple[Text, int]]:
+    """Yield the marked texts of a module with their lines; what `features` marks the property editor shows as well."""
+    for node in ast.walk(ast.parse(source)):
+        if not isinstance(node, ast.Call):
+            continue
+        name, literals = called(node), [literal(argument) for argument in node.args]
+        if name in ("tr", "later") and literals and literals[0] is not None:
+            yield Text(OURS, literals[0]), node.lineno
+            if in_features and name == "later":
+                yield Text(PROPERTY, literals[0]), node.lineno
+        elif name == "QT_TRANSLATE_NOOP" and len(literals) == 2 and None not in literals:
+            yield Text(str(literals[0]), str(literals[1])), node.lineno
+        elif name == "Property" and in_features and len(literals) > 1 and literals[1] is not None:
+            yield Text(PROPERTY, spaced(literals[1])), node.lineno
+
+
+def faults() -> list[str]:
+    """Return every place where a text would be shown that no catalogue can hold."""
+    return [
+        f"{path.relative_to(ROOT).as_posix()}:{line}: {fault}"
+        for path in sources()
+        for line, fault in faults_of(path.read_text("utf-8"))
+    ]
+
+
+def faults_of(source: str) -> Iterator[tuple[int, str]]:
+    """Yield lines at which a text is put together before it is translated, or shown without being translated."""
+    for node in ast.walk(ast.parse(source)):
+        if not isinstance(node, ast.Call):
+            continue
+        name = called(node)
+        if name == "tr" and not all(map(translatable, alternatives(node.args[:1]))):
+            yield node.lineno, f"tr() of {ast.unparse(node.args[0])}: give it the text itself, format afterwards"
+        elif name in ("later", "QT_TRANSLATE_NOOP"):
+            if any(literal(argument) is None for argument in node.args):
+                yield node.lineno, f"{name}() marks only texts that stand there"
+        elif name in SHOWN_BY:
+            for shown in filter(None, map(untranslated, shown_arguments(node))):
+                yield node.lineno, f"{name}() shows {shown!r} without tr()"
+
+
+def called(node: ast.Call) -> str:
+    """Return the last name of what is called."""
+    return ast.unparse(node.func).rpartition(".")[2]
+
+
+def literal(node: ast.expr) -> str | None:
+    """Return the string that stands there, None when it is anything else."""
+    return node.value if isinstance(node, ast.Constant) and isinstance(node.value, str) else None
+
+
+def translatable(node: ast.expr) -> bool:
+    """Return whether tr() can look a text up: it stands there, or comes as it is from a table that marks it."""
+    return literal(node) is not None or isinstance(node, ast.Name | ast.Attribute | ast.Subscript)
+
+
+def shown_arguments(node: ast.Call) -> Iterator[ast.expr]:
+    """Yield what a call that shows texts is given."""
+    named = [keyword.value for keyword in node.keywords if keyword.arg in ("text", "title")]
+    yield from alternatives([*node.args, *named])
+
+
+def alternatives(nodes: Iterable[ast.expr]) -> Iterator[ast.expr]:
+    """Yield expressions, for a list its members, for a choice all that may come out of it."""
+    for node in nodes:
+        if isinstance(node, ast.List | ast.Tuple):
+            yield from alternatives(node.elts)
+        elif isinstance(node, ast.IfExp):
+            yield from alternatives([node.body, node.orelse])
+        elif isinstance(node, ast.BoolOp):
+            yield from alternatives(node.values)
+        else:
+            yield node
+
+
+def untranslated(node: ast.expr) -> str:
+    """Return the words in a string that stands there, "" when there are none that differ between languages."""
+    parts = node.values if isinstance(node, ast.JoinedStr) else [node]
+    words = WORD.findall(re.sub(r"<[^>]*>|CNCStepper_\w+", "", " ".join(filter(None, map(literal, parts)))))
+    return " ".join(word for word in words if word not in SAME_EVERYWHERE)
+
+
+def spaced(name: str) -> str:
+    """Return a property's name as FreeCAD's property editor looks it up: "StockSize" as "Stock Size"."""
+    return re.sub(r"(?<=[^A-Z ])(?=[A-Z])", " ", name)
+
+
+def catalogue(suffix: str) -> Path:
+    """Return the file of a language: "" is English, "_pt-BR" Portuguese of Brazil."""
+    return FOLDER / f"CNCStepper{suffix}.ts"
+
+
+def read(path: Path) -> dict[Text, str]:
+    """Return a catalogue's translations; an unfinished one is "". An empty one where there is no file."""
+    if not path.exists():
+        return {}
+    return {
+        Text(str(context.findtext("name")), str(message.findtext("source"))): translation_of(message)
+        for context in ET.parse(path).getroot().iter("context")
+        for message in context.iter("message")
+    }
+
+
+def translation_of(message: ET.Element) -> str:
+    """Return a message's finished translation, or ""."""
+    translation = message.find("translation")
+    finished = translation is not None and translation.get("type") is None
+    return (translation.text or "") if finished and translation is not None else ""
+
+
+def merged(wanted: dict[Text, str], known: dict[Text, str]) -> dict[Text, str]:
+    """Return the translations of the wanted texts; a new one is taken from the same text in another context."""
+    by_source = {text.source: translation for text, translation in known.items() if translation}
+    return {text: known.get(text) or by_source.get(text.source, "") for text in sorted(wanted)}
+
+
+def write(path: Path, language: str, translations: dict[Text, str]) -> None:
+    """Write a catalogue as Qt Linguist writes it."""
+    root = ET.Element("TS", version="2.1", language=language, sourcelanguage="en")
+    for name in sorted({text.context for text in translations}):
+        context = ET.SubElement(root, "context")
+        ET.SubElement(context, "name").text = name
+        for text, translated in translations.items():
+            if text.context == name:
+                message = ET.SubElement(context, "message")
+                ET.SubElement(message, "source").text = text.source
+                translation = ET.SubElement(message, "translation")
+                translation.text = translated or None
+                if not translated:
+                    translation.set("type", "unfinished")
+    ET.indent(root, "    ")
+    body = ET.tostring(root, "unicode", short_empty_elements=False)
+    path.write_text(f'<?xml version="1.0" encoding="utf-8"?>\n<!DOCTYPE TS>\n{body}\n', "utf-8", newline="\n")
+
+
+def update() -> int:
+    """Bring all catalogues up to date, compile them, and return how many texts wait for a translation."""
+    wanted = texts()
+    waiting = 0
+    for suffix, language in LANGUAGES.items():
+        path = catalogue(suffix)
+        translations = merged(wanted, read(path)) if suffix else dict.fromkeys(sorted(wanted), "")
+        write(path, language, translations)
+        if suffix:
+            waiting += sum(not translation for translation in translations.values())
+            compile_(path)
+    return waiting
+
+
+def compile_(path: Path) -> None:
+    """Compile a catalogue for Qt, beside it."""
+    lrelease = shutil.which("lrelease", path=os.pathsep.join([DEBIAN_QT, os.environ["PATH"]]))
+    if lrelease is None:
+        sys.exit("Qt's lrelease is missing: run 'make translations', which gets it")
+    subprocess.run([lrelease, "-silent", str(path), "-qm", str(path.with_suffix(".qm"))], check=True)
+
+
+def main() -> int:
+    """Update the catalogues; the exit status tells whether nothing is left to translate."""
+    argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter).parse_args()
+    for fault in faults():
+        print(fault)
+    waiting = update()
+    print(f"{len(texts())} texts, {waiting} wait for a translation")
+    return bool(waiting or faults())
+
+
+if __name__ == "__main__":
+    sys.exit(main())
