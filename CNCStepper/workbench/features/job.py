@@ -17,6 +17,7 @@ from CNCStepper.workbench.features.base import (
     proxy_type,
     require_parts,
 )
+from CNCStepper.workbench.undo import follow
 from CNCStepper.workbench.words import later
 
 MACHINE, STOCK, HEIGHTS, PROGRAM = later("Machine"), later("Stock"), later("Heights"), later("Program")
@@ -28,6 +29,11 @@ SETUP = {"Clearance", "Retract", "WorkOrigin", "Operations"}  # what an operatio
 
 class Job(Feature):
     """The proxy of a job; `Operations` are cut in their order, heights are above the top of the stock."""
+
+    def add_properties(self, obj: Any) -> None:
+        """Add what `obj` lacks, and see that its program follows every undo."""
+        super().add_properties(obj)
+        follow()
 
     Type = "CNCStepper_Job"
     PROPERTIES = (
