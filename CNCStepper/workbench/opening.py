@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from CNCStepper.workbench import commands, missing, packages
+from CNCStepper.workbench import commands, dock, missing, packages
 from CNCStepper.workbench.tell import NAME, guarded
 from CNCStepper.workbench.viewproviders import tips
 
@@ -25,6 +25,7 @@ def first(workbench: Any) -> None:
 
 @guarded
 def every() -> None:
-    """Look what is missing, and say so the first time."""
+    """Look what is missing, and say so the first time; take up a machine that a window before this one left."""
     missing.look_again()
     missing.tell_once()
+    dock.greet()

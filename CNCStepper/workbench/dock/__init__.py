@@ -19,8 +19,13 @@ def send(job: Any) -> None:
 
 
 def greet() -> None:
-    """Open the dock when a machine is left connected that no window of this user holds; else do nothing."""
-    from CNCStepper.control.desk_client import running_desks
+    """Open the dock where a machine was left connected by a window before this one; else do nothing."""
+    import importlib.util
 
-    if running_desks():
-        show()
+    from CNCStepper.control.session_file import running_desks
+
+    # Where platformdirs is missing nothing was ever connected; what is missing is said elsewhere.
+    if importlib.util.find_spec("platformdirs") and running_desks():
+        from CNCStepper.workbench.dock.window import open_unless_connected
+
+        open_unless_connected()

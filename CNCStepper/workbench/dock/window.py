@@ -9,7 +9,7 @@ import FreeCADGui
 from PySide import QtCore, QtGui
 
 from CNCStepper.control.desk_client import running_desks
-from CNCStepper.workbench import tell
+from CNCStepper.workbench import packages, tell
 from CNCStepper.workbench.dock.closing import ClosingGuard
 from CNCStepper.workbench.dock.panel import Panel
 from CNCStepper.workbench.words import tr
@@ -30,12 +30,23 @@ def panel() -> Panel:
 
 
 def open_dock() -> Any:
-    """Show the dock in front, attached to a controller's process that runs already, and return it."""
+    """Show the dock in front, attached to a controller's process that runs already, and return it.
+
+    Raises MissingPackage when no place for such processes can be named.
+    """
+    packages.require("platformdirs")
     shown = dock()
     shown.show()
     shown.raise_()
     attach_running(shown.widget())
     return shown
+
+
+def open_unless_connected() -> None:
+    """Show the dock, unless this window has a controller already, whose dock may have been closed on purpose."""
+    found = FreeCADGui.getMainWindow().findChild(QtGui.QDockWidget, NAME)
+    if not (found and (found.widget().link.moment.connected or found.widget().link.moment.busy)):
+        open_dock()
 
 
 def attach_running(shown: Panel) -> None:
