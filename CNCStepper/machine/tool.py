@@ -1,28 +1,68 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The cutter: its shape and what it may do."""
+"""The cutter: its shape and what it may do.
+
+ flat      ball      bullnose       v, engraver       drill        jet, wire
+|    |    |    |    |       |       \\         /       |     |      |       |  diameter: the kerf, at the
+|    |    |    |    |       |        \\       /        |     |       \\     /   sheet's top; taper: of one
++----+     `--'     `._____.'         \\_____/          `. .'         \\   /    wall against the vertical
+                  corner_radius   tip_diameter, _angle  point_angle
+"""
 
 from __future__ import annotations
 
 from typing import Literal
 
-from pydantic import BaseModel, ConfigDict, Field
+from pydantic import BaseModel, ConfigDict, Field, model_validator
 
 from CNCStepper.errors import JobError
 
-Shape = Literal["flat", "ball", "bullnose", "v", "drill", "engraver"]
+Shape = Literal["flat", "ball", "bullnose", "v", "drill", "engraver", "jet", "wire"]
+
+OWN_KEYS = {  # the keys that say more of a shape than its diameter; no other shape may have them
+    "bullnose": {"corner_radius_mm"},
+    "v": {"tip_angle_deg", "tip_diameter_mm"},
+    "engraver": {"tip_angle_deg", "tip_diameter_mm"},
+    "drill": {"point_angle_deg"},
+    "jet": {"taper_deg"},
+    "wire": {"taper_deg"},
+}
 
 
 class Tool(BaseModel):
-    """A tool as a job file names it; 0 means "not given" for feeds and speed."""
+    """A tool as a job file names it; 0 means "not given" for feeds, speed and lengths.
+
+    The angles are those between the two sides of the tip. flute_length_mm: of the cutting edges;
+    length_mm: from the tip to the holder.
+    """
 
     model_config = ConfigDict(extra="forbid", frozen=True)
 
     number: int = Field(ge=0, le=255)
     shape: Shape
-    diameter_mm: float = Field(gt=0)
+    diameter_mm: float = Field(gt=0, allow_inf_nan=False)
+    corner_radius_mm: float | None = Field(default=None, gt=0)
+    tip_diameter_mm: float | None = Field(default=None, ge=0)
+    tip_angle_deg: float | None = Field(default=None, gt=0, lt=180)
+    point_angle_deg: float | None = Field(default=None, gt=0, lt=180)
+    taper_deg: float | None = Field(default=None, ge=0, lt=45)
+    flute_length_mm: float = Field(default=0.0, ge=0)
+    length_mm: float = Field(default=0.0, ge=0)
     feed_mm_min: float = Field(default=0.0, ge=0)
     plunge_mm_min: float = Field(default=0.0, ge=0)
     spindle_rpm: float = Field(default=0.0, ge=0)
+
+    @model_validator(mode="after")
+    def _keys_fit_the_shape(self) -> Tool:
+        for key in sorted(set.union(*OWN_KEYS.values()) - OWN_KEYS.get(self.shape, set())):
+            if getattr(self, key) is not None:
+                raise ValueError(f"a {self.shape} tool has no {key}")
+        if self.corner_radius_mm is not None and self.corner_radius_mm > self.radius_mm:
+            raise ValueError("corner_radius_mm must not exceed half of diameter_mm")
+        if self.tip_diameter_mm is not None and self.tip_diameter_mm >= self.diameter_mm:
+            raise ValueError("tip_diameter_mm must be below diameter_mm")
+        if self.length_mm and self.flute_length_mm > self.length_mm:
+            raise ValueError("flute_length_mm must not exceed length_mm")
+        return self
 
     @property
     def radius_mm(self) -> float:

@@ -56,8 +56,11 @@ def tips_mm(toolpath: Toolpath) -> tuple[np.ndarray, np.ndarray]:
     return toolpath.begins()[:, :3] - shift, table.end[:, :3] - shift
 
 
-def segments(toolpath: Toolpath, tolerance_mm: float) -> Segments:
-    """Return all moves as segments; chords leave their arcs by at most `tolerance_mm`."""
+def segments(toolpath: Toolpath, tolerance_mm: float, whole: np.ndarray | None = None) -> Segments:
+    """Return all moves as segments; chords leave their arcs by at most `tolerance_mm`.
+
+    whole: bool[n], rows that stay one segment from begin to end though they are arcs.
+    """
     table = toolpath.table()
     begin, end = tips_mm(toolpath)
     centre = table.centre + (end - table.end[:, :3])
@@ -65,6 +68,8 @@ def segments(toolpath: Toolpath, tolerance_mm: float) -> Segments:
     shapes = arcs_of(table, begin, end, centre)
     for shape in shapes:
         counts[shape.rows] = shape.counts(tolerance_mm)
+    if whole is not None:
+        counts[whole] = 1
     row = np.repeat(np.arange(len(table)), counts)
     step = np.arange(len(row)) - np.repeat(np.cumsum(counts) - counts, counts)
     share = (step + 1) / counts[row]

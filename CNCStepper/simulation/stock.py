@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The block that is cut, in work coordinates; its top face lies at z = 0.
+"""What is cut, in work coordinates: a block or sheet, a cylinder, or anything by its heights.
+
+The top face of block, sheet and cylinder lies at z = 0.
 
 top-centre                 top-left-front
 +-----------+              +-----------+
@@ -14,6 +16,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
+import numpy as np
 import shapely
 from shapely.geometry import Polygon
 
@@ -24,7 +27,7 @@ CORNER_OF_ORIGIN = {"top-centre": (-0.5, -0.5), "top-left-front": (0.0, 0.0)}
 
 @dataclass(frozen=True)
 class Stock:
-    """A box of `size_mm` (x, y, z) whose work zero is named by `origin`.
+    """A box or sheet of `size_mm` (x, y, z) whose work zero is named by `origin`.
 
     Raises JobError for a size that is not three positive numbers and for an unknown origin.
     """
@@ -48,6 +51,14 @@ class Stock:
                 advice=f"write one of: {', '.join(CORNER_OF_ORIGIN)}",
             )
         object.__setattr__(self, "size_mm", size_mm)
+
+    def tops_mm(self, x_mm: np.ndarray, y_mm: np.ndarray) -> np.ndarray:
+        """Return the height of the top at the centres of a grid of cells, float64[rows, columns], rows along y."""
+        return np.full((len(y_mm), len(x_mm)), self.top_mm)
+
+    def shares(self, x_mm: np.ndarray, y_mm: np.ndarray, cell_mm: tuple[float, float]) -> np.ndarray:
+        """Return how much of each cell's area holds stock, 0 to 1, float64[rows, columns]."""
+        return np.ones((len(y_mm), len(x_mm)))
 
     @property
     def low_mm(self) -> tuple[float, float, float]:
@@ -75,3 +86,79 @@ class Stock:
     def outline(self) -> Polygon:
         """The box seen from above."""
         return shapely.box(*self.low_mm[:2], *self.high_mm[:2])
+
+
+@dataclass(frozen=True)
+class Cylinder(Stock):
+    """A standing cylinder; `size_mm` is that of the box around it, x and y both its diameter."""
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        if self.size_mm[0] != self.size_mm[1]:
+            raise JobError(
+                "stock-size",
+                "a cylinder is as long in X as in Y",
+                value=str(self.size_mm),
+                advice="give its diameter for X and for Y",
+            )
+
+    @property
+    def outline(self) -> Polygon:
+        """The cylinder seen from above, a circle within 0.001 of its radius."""
+        return shapely.Point(*self._axis_mm).buffer(self.size_mm[0] / 2, quad_segs=64)
+
+    def tops_mm(self, x_mm: np.ndarray, y_mm: np.ndarray) -> np.ndarray:
+        """Return the height of the top at the cells' centres; beside the cylinder it is the bottom."""
+        steps = [float(c[1] - c[0]) if len(c) > 1 else self.size_mm[0] for c in (x_mm, y_mm)]
+        return np.where(self.shares(x_mm, y_mm, (steps[0], steps[1])) > 0.0, self.top_mm, self.bottom_mm)
+
+    def shares(self, x_mm: np.ndarray, y_mm: np.ndarray, cell_mm: tuple[float, float]) -> np.ndarray:
+        """Return how much of each cell's area holds stock, 0 to 1, float64[rows, columns]."""
+        x, y = np.meshgrid(x_mm - self._axis_mm[0], y_mm - self._axis_mm[1])
+        out = np.hypot(x, y)
+        width = (cell_mm[0] * np.abs(x) + cell_mm[1] * np.abs(y)) / np.maximum(out, 1e-12)
+        return np.clip(0.5 + (self.size_mm[0] / 2 - out) / np.maximum(width, 1e-12), 0.0, 1.0)
+
+    @property
+    def _axis_mm(self) -> tuple[float, float]:
+        low, high = self.low_mm, self.high_mm
+        return (low[0] + high[0]) / 2, (low[1] + high[1]) / 2
+
+
+@dataclass(frozen=True, eq=False)
+class HeightField(Stock):
+    """A stock by its heights over its bottom, float64[rows along y, columns along x], at points that reach its edges.
+
+    size_mm: of the box around it, z its largest height; between the points heights are bilinear.
+    Raises JobError for a field that is no such array, or that is not within its box.
+    """
+
+    heights_mm: np.ndarray | None = None
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        field = np.array(self.heights_mm, float)
+        if field.ndim != 2 or min(field.shape) < 2 or not np.isfinite(field).all():
+            raise JobError("stock-heights", "a height field needs two rows and two columns of finite heights at least")
+        if field.min() < 0 or not math.isclose(field.max(), self.size_mm[2], rel_tol=1e-9):
+            raise JobError(
+                "stock-heights",
+                "the heights do not fit their box",
+                value=f"{field.min():g} to {field.max():g} mm",
+                limit=f"0 to {self.size_mm[2]:g} mm",
+                advice="give heights over the bottom, and the largest as the stock's Z",
+            )
+        object.__setattr__(self, "heights_mm", field)
+
+    def tops_mm(self, x_mm: np.ndarray, y_mm: np.ndarray) -> np.ndarray:
+        """Return the height of the top at the cells' centres, float64[rows, columns]."""
+        assert self.heights_mm is not None
+        rows, columns = self.heights_mm.shape
+        along_x = (x_mm - self.low_mm[0]) / self.size_mm[0] * (columns - 1)
+        along_y = (y_mm - self.low_mm[1]) / self.size_mm[1] * (rows - 1)
+        column = np.clip(along_x.astype(int), 0, columns - 2)
+        row = np.clip(along_y.astype(int), 0, rows - 2)
+        east, north = along_x - column, (along_y - row)[:, None]
+        corner = [[self.heights_mm[np.ix_(row + i, column + j)] for j in (0, 1)] for i in (0, 1)]
+        south_edge, north_edge = (low * (1 - east) + high * east for low, high in corner)
+        return self.bottom_mm + south_edge * (1 - north) + north_edge * north
