@@ -6,7 +6,7 @@
 # what it starts can see: removing the folder can never reach the project through them.
 set -euo pipefail
 project=$(cd "$(dirname "$0")/.." && pwd)
-root=$project/.cache/freecad/$1
+root=${CNCSTEPPER_ROOT:-$project/.cache/freecad/$1}
 shift
 if ! [ -x "$root/usr/bin/freecad" ]; then
     echo "in_root: $root holds no FreeCAD: run 'make matrix', which sets it up" >&2
@@ -17,7 +17,7 @@ if [ "$(id -u)" != 0 ]; then
     exit 1
 fi
 packages=("$root"-python/lib/python3.*/site-packages)
-export CNCSTEPPER_PACKAGES=${CNCSTEPPER_PACKAGES-${packages[0]}} CNCSTEPPER_PYTHON=$root-python/bin/python
+export CNCSTEPPER_PACKAGES=${CNCSTEPPER_PACKAGES-${packages[0]}} CNCSTEPPER_PYTHON=${CNCSTEPPER_PYTHON-$root-python/bin/python}
 # shellcheck disable=SC2016  # the inner shell fills these in
 exec unshare --mount bash -c '
     set -euo pipefail
@@ -25,8 +25,9 @@ exec unshare --mount bash -c '
     shift 2
     mount -t proc proc "$root/proc"
     mount --rbind /dev "$root/dev"
-    mkdir -p "$root$project" "$root/tmp"
-    mount --bind /tmp "$root/tmp"
-    mount --bind "$project" "$root$project"
+    for folder in /tmp "${TMPDIR:-/tmp}" "$project"; do
+        mkdir -p "$root$folder"
+        mount --bind "$folder" "$root$folder"
+    done
     exec chroot "$root" /usr/bin/env -C "$PWD" "$@"
 ' in_root "$root" "$project" "$@"

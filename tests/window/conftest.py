@@ -13,8 +13,19 @@ if INSIDE:
     from typing import Any
 
     import FreeCAD
+    import kinds
     import pytest
     from hand import Hand
+
+    def pytest_configure(config: pytest.Config) -> None:
+        config.addinivalue_line("markers", "window(*kinds): the kinds of window (kinds.py) that a test runs in")
+
+    def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+        """Keep the tests of this kind of window."""
+        kind = os.environ.get(kinds.VARIABLE, "plain")
+        wanted = {item: (item.get_closest_marker("window") or pytest.mark.window("plain")).args for item in items}
+        config.hook.pytest_deselected(items=[item for item in items if kind not in wanted[item]])
+        items[:] = [item for item in items if kind in wanted[item]]
 
     @pytest.fixture(scope="session")
     def the_hand() -> Hand:
@@ -22,6 +33,8 @@ if INSIDE:
         hand = Hand(FreeCAD.__cncstepper_window__)
         hand.wait(hand.workbench_is_open, 60)
         hand.settle()
+        ours = [line.text for line in hand.report() if line.bad and "CNCStepper" in line.text]
+        assert not ours, f"FreeCAD's start has put into the report view: {ours}"
         return hand
 
     @pytest.fixture

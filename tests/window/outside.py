@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Starts FreeCAD's window on a screen of its own and runs tests in it: `python tests/window/outside.py 1.0.0 FILES`.
+"""Starts FreeCAD's window on a screen of its own and runs tests in it: `outside.py 1.0.0 [KIND] [FILES]`.
 
-The result is the tests' own; a FreeCAD that crashes, hangs, or leaves a process behind has failed. Pictures and
-FreeCAD's output come to build/window/VERSION.
+KIND is one of kinds.py, plain unless said. The result is the tests' own; a FreeCAD that crashes, hangs, or leaves a
+process behind has failed. Pictures come to build/window/VERSION.
 """
 
 from __future__ import annotations
@@ -18,6 +18,8 @@ import uuid
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
+
+import kinds
 
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
@@ -141,18 +143,20 @@ def end_all(mark: str) -> None:
             continue
 
 
-def run(version: str, arguments: Sequence[str], environment: Mapping[str, str], name: str = "") -> int:
-    """Run pytest with these arguments in FreeCAD's window; return 0 when all is well. `name`: the pictures' folder."""
-    pictures = ROOT / "build" / "window" / (name or version)
+def run(version: str, kind: str, arguments: Sequence[str], environment: Mapping[str, str]) -> int:
+    """Run pytest with these arguments in a FreeCAD's window of that kind; return 0 when all is well."""
+    pictures = ROOT / "build" / "window" / (version if kind == "plain" else f"{version}-{kind}")
     pictures.mkdir(parents=True, exist_ok=True)
-    mark, asked = uuid.uuid4().hex, {**os.environ, **environment}
+    mark = uuid.uuid4().hex
+    environment = {kinds.VARIABLE: kind, **kinds.KINDS[kind], **environment}
+    asked = {**os.environ, **environment}
     scale = float(asked.get("QT_SCALE_FACTOR", "1"))
     with (
         tempfile.TemporaryDirectory(prefix="cncstepper-window-", ignore_cleanup_errors=True) as folder,
         screen(scale) as display,
     ):
         status_file = Path(folder) / "status"
-        make_home(Path(folder) / "home", asked.get("CNCSTEPPER_WINDOW_LANGUAGE", "English"))
+        make_home(Path(folder) / "home", asked.get(kinds.LANGUAGE, "English"))
         variables = {
             "CNCSTEPPER_PYTEST": "\n".join(arguments),
             "CNCSTEPPER_WINDOW_STATUS": str(status_file),
@@ -189,7 +193,8 @@ def fault(sentence: str) -> int:
 
 
 if __name__ == "__main__":
-    files = sys.argv[2:]
-    if not any(Path(word.partition("::")[0]).exists() for word in files):
-        files.append(str(HERE))
-    sys.exit(run(sys.argv[1], files, {}))
+    version, *words = sys.argv[1:]
+    kind = words.pop(0) if words and words[0] in kinds.KINDS else "plain"
+    if not any(Path(word.partition("::")[0]).exists() for word in words):
+        words.append(str(HERE))
+    sys.exit(run(version, kind, words, {}))

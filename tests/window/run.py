@@ -13,7 +13,9 @@ import traceback
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
-sys.path.append(str(HERE))
+sys.path += [str(HERE), str(HERE.with_name("freecad"))]  # helpers of the tests, also those without a window
+for name in os.environ.get("CNCSTEPPER_WINDOW_WITHOUT", "").split():
+    sys.modules[name] = None  # Python then says that there is no such package
 
 
 class ByThread:

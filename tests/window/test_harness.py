@@ -13,6 +13,8 @@ import pytest
 from hand import Hand
 from PySide import QtCore, QtGui
 
+pytestmark = pytest.mark.window("plain", "scaled")
+
 
 class Dialog(QtGui.QDialog):
     """A field and two buttons in a modal dialog that runs its own event loop."""

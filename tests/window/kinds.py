@@ -1,0 +1,13 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The kinds of windows that tests run in; a test without `pytest.mark.window(KIND, ...)` runs in the plain one."""
+
+VARIABLE = "CNCSTEPPER_WINDOW_KIND"
+LANGUAGE = "CNCSTEPPER_WINDOW_LANGUAGE"  # as FreeCAD calls it
+WITHOUT = "CNCSTEPPER_WINDOW_WITHOUT"  # packages that FreeCAD's Python shall not find
+
+KINDS: dict[str, dict[str, str]] = {
+    "plain": {},
+    "scaled": {"QT_SCALE_FACTOR": "2"},
+    "portuguese": {LANGUAGE: "Portuguese, Brazilian"},
+    "bare": {WITHOUT: "numba serial shapely"},
+}
