@@ -6,28 +6,38 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
+from CNCStepper.workbench.tell import guarded, note
 from CNCStepper.workbench.words import tr
 
 
 def save_as(job: Any) -> None:
-    """Make the job's program, ask where to, and write it; raises JobError when it cannot be made or written."""
+    """Make the job's program and ask where to; raises JobError when it cannot be made. What follows is told."""
     import FreeCADGui
-    from PySide import QtGui
+    from PySide import QtCore, QtGui
 
-    from CNCStepper.workbench import api, tell
     from CNCStepper.workbench.commands import proving
 
     proving.make(job)
-    kinds = tr("Programs ({0})").format("*.nc *.ngc *.gcode *.tap") + ";;" + tr("All files ({0})").format("*")
-    path, _ = QtGui.QFileDialog.getSaveFileName(
-        FreeCADGui.getMainWindow(), tr("Save program as…"), str(proposed(job)), kinds
-    )
-    if path:
-        api.save_program(job, path)
-        tell.note(tr("Saved {0}").format(path))
+    dialog = QtGui.QFileDialog(FreeCADGui.getMainWindow(), tr("Save program as…"), str(proposed(job).parent))
+    dialog.setObjectName("CNCStepper_Save_file")
+    dialog.setAcceptMode(QtGui.QFileDialog.AcceptMode.AcceptSave)
+    dialog.setFileMode(QtGui.QFileDialog.FileMode.AnyFile)
+    dialog.setNameFilters([tr("Programs ({0})").format("*.nc *.ngc *.gcode *.tap"), tr("All files ({0})").format("*")])
+    dialog.setDefaultSuffix("nc")
+    dialog.selectFile(proposed(job).name)
+    dialog.setAttribute(QtCore.Qt.WidgetAttribute.WA_DeleteOnClose)
+    dialog.fileSelected.connect(guarded(lambda path: _write(job, path)))
+    dialog.open()
 
 
 def proposed(job: Any) -> Path:
     """Return the file that is proposed: beside the document, named as the job."""
     folder = Path(job.Document.FileName).parent if job.Document.FileName else Path.home()
     return folder / f"{job.Label.replace('/', '-')}.nc"
+
+
+def _write(job: Any, path: str) -> None:
+    from CNCStepper.workbench import api
+
+    api.save_program(job, path)
+    note(tr("Saved {0}").format(path))

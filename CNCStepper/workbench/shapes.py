@@ -34,7 +34,7 @@ def box_of(obj: Any) -> Any:
     import FreeCAD
 
     shape = _placed_shape(obj)
-    return FreeCAD.BoundBox() if shape.isNull() else shape.optimalBoundingBox(False, False)
+    return FreeCAD.BoundBox() if shape.isNull() else shape.optimalBoundingBox(False)
 
 
 def containers_of(drawing: Any) -> list[Any]:

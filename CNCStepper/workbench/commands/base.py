@@ -42,7 +42,7 @@ class Command:
         return FreeCAD.Qt.translate(self.name, self.menu_text)
 
     def GetResources(self) -> dict[str, str]:
-        """Return what FreeCAD shows of the command; with "ForEdit" it asks `IsActive` while a task panel is open, too."""
+        """Return what FreeCAD shows of the command; "ForEdit": also asked while a panel is open."""
         icon = packages.ROOT / "resources" / "icons" / f"{self.name}.svg"
         return {"MenuText": self.menu_text, "ToolTip": self.tooltip, "Pixmap": str(icon), "CmdType": "ForEdit"}
 

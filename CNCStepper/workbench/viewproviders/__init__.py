@@ -10,10 +10,16 @@ from typing import Any
 
 
 def attach(obj: Any) -> None:
-    """Give an object of ours the view provider of its kind, unless it has it; the window must be there."""
-    kind = _kind(obj)
-    if not isinstance(obj.ViewObject.Proxy, kind):
-        kind(obj.ViewObject)
+    """Give an object of ours the view provider of its kind, unless it has it; the window must be there.
+
+    FreeCAD opens what was made without a window hidden: that, which has no view provider at all, is shown.
+    """
+    view, kind = obj.ViewObject, _kind(obj)
+    made_without = view.Proxy is None
+    if not isinstance(view.Proxy, kind):
+        kind(view)
+    if made_without:
+        view.Visibility = True
 
 
 def _kind(obj: Any) -> type:

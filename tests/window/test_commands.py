@@ -1,0 +1,341 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Toolbar and menu: their order, what is enabled when, what the tooltips say, what a click leaves in the document."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterator
+from typing import Any
+
+import FreeCAD
+import FreeCADGui
+import Part
+import pytest
+from FreeCAD import Vector
+from hand import Hand
+from PySide import QtGui
+
+from CNCStepper.workbench import api, missing, packages
+
+LABELS = {
+    "CNCStepper_NewJob": "New job",
+    "CNCStepper_Freehand": "Freehand",
+    "CNCStepper_EllipticalPocket": "Elliptical pocket",
+    "CNCStepper_Engrave": "Engrave",
+    "CNCStepper_Simulate": "Check and simulate",
+    "CNCStepper_Send": "Send",
+    "CNCStepper_Controller": "Controller",
+}
+NEW_JOB, FREEHAND, POCKET, ENGRAVE, SIMULATE, SEND, CONTROLLER = LABELS
+
+
+def action(name: str) -> Any:
+    return FreeCADGui.Command.get(name).getAction()[0]
+
+
+def enabled() -> set[str]:
+    return {name for name in LABELS if action(name).isEnabled()}
+
+
+def expect_enabled(hand: Hand, *names: str) -> None:
+    """Wait until exactly these commands are enabled."""
+    hand.wait(lambda: enabled() == set(names), 5, f"{names} to be enabled")
+
+
+def reason(hand: Hand, name: str) -> str:
+    """Return why a command is disabled, as its tool button says, "" for none."""
+    before, bold, after = hand.main(lambda: action(name).toolTip()).rpartition("<p><b>")
+    assert LABELS[name] in (before or after)
+    return after.removesuffix("</b></p>") if bold else ""
+
+
+def sketch_of(document: Any, *lines: Any) -> Any:
+    sketch = document.addObject("Sketcher::SketchObject", "Sketch")
+    for line in lines:
+        sketch.addGeometry(line)
+    document.recompute()
+    return sketch
+
+
+def ellipse(rx: float = 40, ry: float = 25) -> Any:
+    return Part.Ellipse(Vector(rx, 0), Vector(0, ry), Vector())
+
+
+def new_document() -> Any:
+    return FreeCAD.newDocument("Part")
+
+
+def new_job(document: Any) -> Any:
+    """Return a job with a tool and a pocket."""
+    job = api.new_job(document)
+    api.add_tool(job)
+    api.add_elliptical_pocket(job, depth_mm=2)
+    document.recompute()
+    return job
+
+
+def select(*objects: Any) -> None:
+    FreeCADGui.Selection.clearSelection()
+    for obj in objects:
+        FreeCADGui.Selection.addSelection(obj)
+
+
+def shown_texts() -> list[list[str]]:
+    """Return the texts in our toolbars and menus."""
+    window = FreeCADGui.getMainWindow()
+    bars = [bar for bar in window.findChildren(QtGui.QToolBar) if bar.objectName() == "CNCStepper"]
+    menus = [menu for menu in window.findChildren(QtGui.QMenu) if menu.title() == "CNCStepper"]
+    return [[entry.text() for entry in place.actions()] for place in (*bars, *menus)]
+
+
+def test_toolbar_and_menu_stand_in_the_order_of_the_road(hand: Hand) -> None:
+    texts = hand.main(shown_texts)
+    assert texts == [list(LABELS.values())] * 2
+    assert hand.main(lambda: all(not action(name).icon().isNull() for name in LABELS))
+    hand.menu("CNCStepper")
+    hand.shot("menu")
+    hand.key("Escape")
+
+
+def test_without_a_document(hand: Hand) -> None:
+    expect_enabled(hand, NEW_JOB, CONTROLLER)
+    assert reason(hand, FREEHAND) == "Open or make a document first"
+    assert {reason(hand, name) for name in (POCKET, ENGRAVE, SIMULATE, SEND)} == {"Make a job first, with New job"}
+    assert not reason(hand, NEW_JOB)
+
+
+def button_middle(name: str) -> Any:
+    """Return where a command's tool button is on the screen, enabled or not."""
+    bars = FreeCADGui.getMainWindow().findChildren(QtGui.QToolBar, "CNCStepper")
+    button = bars[0].widgetForAction(action(name))
+    return button.mapToGlobal(button.rect().center())
+
+
+def test_the_tooltip_is_seen_on_the_disabled_button(hand: Hand) -> None:
+    expect_enabled(hand, NEW_JOB, CONTROLLER)
+    place = hand.main(lambda: button_middle(SEND))
+    hand.mouse.move(place.x() - 3, place.y())
+    hand.settle()
+    hand.mouse.move(place.x(), place.y())
+    hand.wait(QtGui.QToolTip.isVisible, 5, "the tooltip")
+    hand.shot("tooltip-why-not")
+    assert "Make a job first" in hand.main(QtGui.QToolTip.text)
+
+
+def test_an_empty_document_can_be_drawn_in(hand: Hand) -> None:
+    hand.main(new_document)
+    expect_enabled(hand, NEW_JOB, FREEHAND, CONTROLLER)
+
+
+def test_a_job_without_operations(hand: Hand) -> None:
+    hand.main(lambda: api.new_job(new_document()))
+    expect_enabled(hand, NEW_JOB, FREEHAND, POCKET, CONTROLLER)
+    assert reason(hand, SEND) == "Job has nothing to cut: add an operation"
+    assert reason(hand, ENGRAVE).startswith("Select what is to be engraved")
+
+
+def test_a_job_with_a_program(hand: Hand) -> None:
+    job = hand.main(lambda: new_job(new_document()))
+    expect_enabled(hand, NEW_JOB, FREEHAND, POCKET, SIMULATE, SEND, CONTROLLER)
+    hand.main(lambda: select(sketch_of(job.Document, ellipse())))
+    expect_enabled(hand, *LABELS)
+
+
+def test_of_several_jobs_one_must_be_meant(hand: Hand) -> None:
+    document = hand.main(new_document)
+    jobs = hand.main(lambda: [new_job(document), new_job(document)])
+    hand.main(select)
+    expect_enabled(hand, NEW_JOB, FREEHAND, CONTROLLER)
+    assert reason(hand, SEND) == "Select the job in the tree: this document has several"
+    hand.main(select, jobs[1].Operations[0])
+    expect_enabled(hand, NEW_JOB, FREEHAND, POCKET, SIMULATE, SEND, CONTROLLER)
+    hand.main(select, *jobs)
+    expect_enabled(hand, NEW_JOB, FREEHAND, CONTROLLER)
+
+
+def test_a_job_that_cannot_be_made_says_what_is_wrong(hand: Hand) -> None:
+    job = hand.main(lambda: new_job(new_document()))
+    hand.main(lambda: (api.edit(job.Tools[0], diameter_mm=100), job.Document.recompute()))
+    hand.wait(lambda: not action(SEND).isEnabled())
+    assert "wider than the pocket" in reason(hand, SEND)
+    hand.main(lambda: (api.edit(job.Tools[0], diameter_mm=6), job.Document.recompute()))
+    hand.wait(lambda: action(SEND).isEnabled())
+
+
+class Panel:
+    """A task panel of somebody else's."""
+
+    def __init__(self) -> None:
+        self.form = QtGui.QWidget()
+
+
+def test_one_task_panel_at_a_time(hand: Hand) -> None:
+    hand.main(lambda: new_job(new_document()))
+    expect_enabled(hand, NEW_JOB, FREEHAND, POCKET, SIMULATE, SEND, CONTROLLER)
+    hand.main(lambda: FreeCADGui.Control.showDialog(Panel()))
+    expect_enabled(hand, CONTROLLER)
+    assert reason(hand, POCKET) == "Close the open task panel first"
+
+
+@pytest.fixture
+def hidden(hand: Hand) -> Iterator[Any]:
+    """A function that hides packages and opens the workbench again."""
+    kept: dict[str, Any] = {}
+
+    def hide(*names: str) -> None:
+        for name in names:
+            kept[name] = sys.modules.get(name)
+            sys.modules[name] = None  # type: ignore[assignment]
+        reopen()
+
+    def show() -> None:
+        for name, module in kept.items():
+            del sys.modules[name]
+            if module is not None:
+                sys.modules[name] = module
+        reopen()
+
+    yield lambda *names: hand.main(hide, *names)
+    hand.main(show)
+
+
+def reopen() -> None:
+    """Open the workbench anew, as if FreeCAD had just been started."""
+    packages._found.clear()
+    missing.tell_once.cache_clear()
+    FreeCADGui.activateWorkbench("PartWorkbench")
+    FreeCADGui.activateWorkbench("CNCStepperWorkbench")
+
+
+def test_without_shapely_it_opens_and_says_how_to_get_it(hand: Hand, hidden: Any) -> None:
+    hidden("shapely", "serial")
+    expect_enabled(hand, CONTROLLER)
+    assert "lacks shapely" in reason(hand, NEW_JOB)
+    notice = hand.find("CNCStepper_Tell_notice")
+    assert hand.main(notice.text).count("\n") == 1
+    command = hand.main(notice.informativeText)
+    assert f"{sys.version_info[0]}.{sys.version_info[1]}" in command
+    assert command.endswith('" shapely pyserial')
+    assert not hand.main(notice.isModal)
+    hand.shot("missing-packages", notice)
+    hand.button("OK")
+    hand.wait(lambda: not any(box.isVisible() for box in boxes()))
+
+
+def boxes() -> list[Any]:
+    return FreeCADGui.getMainWindow().findChildren(QtGui.QMessageBox, "CNCStepper_Tell_notice")
+
+
+def test_without_numba_all_works_slowly(hand: Hand, hidden: Any) -> None:
+    hidden("numba")
+    expect_enabled(hand, NEW_JOB, CONTROLLER)
+    assert "slow" in hand.main(hand.find("CNCStepper_Tell_notice").text)
+    hand.button("OK")
+
+
+def test_with_all_packages_nothing_is_said(hand: Hand) -> None:
+    hand.main(reopen)
+    hand.settle()
+    assert not hand.exists("CNCStepper_Tell_notice")
+
+
+def test_new_job_makes_a_document_and_is_one_undo_step(hand: Hand) -> None:
+    hand.command(NEW_JOB)
+    hand.wait(FreeCADGui.Control.activeDialog, 5, "the job's panel")
+    document = hand.main(lambda: FreeCAD.ActiveDocument)
+    hand.shot("new-job")
+    hand.button("OK")
+    hand.wait(lambda: not FreeCADGui.Control.activeDialog())
+    assert hand.main(lambda: [obj.Label for obj in document.Objects]) == ["Job", "Preview", "Tool"]
+    assert hand.main(lambda: list(document.UndoNames)) == ["New job"]
+    hand.key("Ctrl+Z")
+    hand.wait(lambda: not document.Objects)
+
+
+def test_new_job_takes_the_selected_solid_as_its_stock(hand: Hand) -> None:
+    document = hand.main(new_document)
+    box = hand.main(document.addObject, "Part::Box", "Box")
+    hand.main(lambda: (setattr(box, "Length", 80), document.recompute(), select(box)))
+    hand.command(NEW_JOB)
+    hand.wait(FreeCADGui.Control.activeDialog, 5, "the job's panel")
+    hand.button("OK")
+    hand.wait(lambda: not FreeCADGui.Control.activeDialog())
+    job = hand.main(lambda: document.getObjectsByLabel("Job")[0])
+    assert tuple(hand.main(lambda: job.StockSize)) == pytest.approx((80, 10, 10), abs=1e-3)
+    assert tuple(hand.main(lambda: job.WorkOrigin)) == pytest.approx((40, 5, 10), abs=1e-3)
+
+
+def test_a_pocket_from_the_selected_ellipse_is_one_undo_step(hand: Hand) -> None:
+    document = hand.main(new_document)
+    job = hand.main(lambda: api.new_job(document))
+    sketch = hand.main(lambda: sketch_of(document, ellipse(30, 20)))
+    hand.main(select, sketch)
+    before = hand.main(lambda: len(document.Objects))
+    hand.wait(lambda: action(POCKET).isEnabled())
+    hand.command(POCKET)
+    hand.wait(FreeCADGui.Control.activeDialog, 5, "the pocket's panel")
+    hand.shot("new-pocket")
+    hand.button("OK")
+    hand.wait(lambda: not FreeCADGui.Control.activeDialog())
+    pocket = hand.main(lambda: job.Operations[0])
+    assert hand.main(lambda: (pocket.Label, pocket.Drawing.Name, float(pocket.RadiusX))) == (
+        "Elliptical pocket", sketch.Name, 30.0,
+    )  # fmt: skip
+    assert hand.main(lambda: api.program_text(job)).startswith("(")
+    assert hand.main(lambda: document.UndoNames[0]) == "Elliptical pocket"
+    hand.key("Ctrl+Z")
+    hand.wait(lambda: len(document.Objects) == before)
+
+
+def test_cancel_leaves_nothing(hand: Hand) -> None:
+    job = hand.main(lambda: new_job(new_document()))
+    document = hand.main(lambda: job.Document)
+    names = hand.main(lambda: [obj.Name for obj in document.Objects])
+    undo = hand.main(lambda: list(document.UndoNames))
+    hand.wait(lambda: action(POCKET).isEnabled())
+    hand.command(POCKET)
+    hand.wait(FreeCADGui.Control.activeDialog, 5, "the pocket's panel")
+    hand.button("Cancel")
+    hand.wait(lambda: not FreeCADGui.Control.activeDialog())
+    assert hand.main(lambda: [obj.Name for obj in document.Objects]) == names
+    assert hand.main(lambda: list(document.UndoNames)) == undo
+
+
+def test_a_drawing_that_is_no_ellipse_is_refused_in_words(hand: Hand) -> None:
+    document = hand.main(new_document)
+    hand.main(api.new_job, document)
+    line = Part.LineSegment(Vector(), Vector(10, 0))
+    sketch = hand.main(lambda: sketch_of(document, line))
+    hand.main(select, sketch)
+    names = hand.main(lambda: [obj.Name for obj in document.Objects])
+    hand.wait(lambda: action(POCKET).isEnabled())
+    hand.command(POCKET)
+    box = hand.find("CNCStepper_Tell_error")
+    assert "holds a line that is no ellipse" in hand.main(box.text)
+    hand.shot("refused", box)
+    hand.button("OK")
+    hand.wait(lambda: not hand_sees_box())
+    assert hand.main(lambda: [obj.Name for obj in document.Objects]) == names
+    assert not hand.main(FreeCADGui.Control.activeDialog)
+
+
+def hand_sees_box() -> bool:
+    boxes = FreeCADGui.getMainWindow().findChildren(QtGui.QMessageBox, "CNCStepper_Tell_error")
+    return any(box.isVisible() for box in boxes)
+
+
+def test_asking_whether_a_command_can_work_takes_no_time(hand: Hand) -> None:
+    """FreeCAD asks all commands several times a second, also in a large document."""
+
+    def asked_ms() -> float:
+        import time
+
+        begin_s = time.perf_counter()
+        for name in LABELS:
+            FreeCADGui.Command.get(name).isActive()
+        return (time.perf_counter() - begin_s) * 1e3
+
+    document = hand.main(new_document)
+    hand.main(lambda: [new_job(document) for _ in range(10)])
+    hand.main(lambda: [document.addObject("App::FeaturePython", "Other") for _ in range(300)])
+    assert min(hand.main(asked_ms) for _ in range(5)) < 10

@@ -1,0 +1,301 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""FreeCAD's tree: what stands below a job, badges and tooltips, double click, context menu, deleting, reopening."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import FreeCAD
+import FreeCADGui
+import Part
+import pytest
+import screen_places as places
+from FreeCAD import Vector
+from hand import Hand
+from PySide import QtCore, QtGui
+
+from CNCStepper.workbench import api
+from CNCStepper.workbench.features.base import problem_of, proxy_type
+from CNCStepper.workbench.viewproviders import tips
+from CNCStepper.workbench.viewproviders.icons import icon
+
+RIGHT = 3
+
+
+@pytest.fixture
+def job(hand: Hand) -> Any:
+    """A job with a tool, a pocket from a sketch and one from numbers; each was one undo step."""
+    return hand.main(make_job)
+
+
+def make_job() -> Any:
+    document = FreeCAD.newDocument("Part")
+    document.openTransaction("Drawing")
+    sketch = document.addObject("Sketcher::SketchObject", "Sketch")
+    sketch.addGeometry(Part.Ellipse(Vector(30, 0), Vector(0, 20), Vector()))
+    document.commitTransaction()
+    document.openTransaction("Job")
+    made = api.new_job(document)
+    api.add_tool(made)
+    api.add_elliptical_pocket(made, sketch, depth_mm=4)
+    api.add_elliptical_pocket(made, depth_mm=2)
+    document.recompute()
+    document.commitTransaction()
+    return made
+
+
+def tree() -> Any:
+    """Return FreeCAD's tree, all rows open."""
+    shown = [view for view in FreeCADGui.getMainWindow().findChildren(QtGui.QTreeWidget) if view.isVisible()]
+    found = next(view for view in shown if view.metaObject().className() == "Gui::TreeWidget")
+    found.expandAll()
+    return found
+
+
+def row(label: str) -> Any:
+    exactly = QtCore.Qt.MatchFlag.MatchRecursive | QtCore.Qt.MatchFlag.MatchExactly
+    rows = tree().findItems(label, exactly)
+    return rows[0] if rows else None
+
+
+def children(label: str) -> list[str]:
+    parent = row(label)
+    return [parent.child(index).text(0) for index in range(parent.childCount())] if parent is not None else []
+
+
+def names(document: Any) -> set[str]:
+    return {obj.Name for obj in document.Objects}
+
+
+def badge(obj: Any) -> str:
+    return obj.ViewObject.Proxy.badge()
+
+
+def test_a_job_holds_what_is_its_own(hand: Hand, job: Any) -> None:
+    wanted = ["Tool", "EllipticalPocket", "EllipticalPocket001", "Preview"]
+    hand.wait(lambda: children("Job") == wanted, 5, "the job's rows")
+    assert hand.main(children, "Part")[:2] == ["Sketch", "Job"]
+    assert hand.main(lambda: all(obj.ViewObject.isVisible() for obj in job.Document.Objects))
+    hand.shot("tree", hand.main(tree))
+
+
+def test_a_problem_has_a_badge_and_a_tooltip(hand: Hand, job: Any) -> None:
+    pocket = hand.main(lambda: job.Operations[1])
+    hand.wait(lambda: children("Job"))
+    assert hand.main(badge, pocket) == ""
+    hand.main(lambda: (api.edit(pocket, radius_x_mm=2), job.Document.recompute()))
+    assert (hand.main(badge, pocket), hand.main(badge, job), hand.main(badge, job.Operations[0])) == (
+        "Problem", "Problem", "",
+    )  # fmt: skip
+    assert hand.main(lambda: tips.problem_at(row(pocket.Label))) == hand.main(problem_of, pocket) != ""
+    place = hand.main(places.of_tree_item, pocket.Label)
+    hand.mouse.move(place[0] - 3, place[1])
+    hand.settle()
+    hand.mouse.move(*place)
+    hand.wait(lambda: QtGui.QToolTip.isVisible() and "wider than the pocket" in QtGui.QToolTip.text(), 5, "the tooltip")
+    hand.shot("tree-problem")
+    hand.main(lambda: (api.edit(pocket, radius_x_mm=40), job.Document.recompute()))
+    assert hand.main(badge, pocket) == ""
+    assert hand.main(lambda: tips.problem_at(row(pocket.Label))) == ""
+
+
+def test_a_badge_changes_the_picture(hand: Hand) -> None:
+    def picture(badge: str) -> Any:
+        return icon("CNCStepper_Engrave", badge).pixmap(16, 16).toImage()
+
+    plain, problem, inactive = (hand.main(picture, badge) for badge in ("", "Problem", "Inactive"))
+    assert plain != problem != inactive != plain
+
+
+def test_a_double_click_opens_the_panel(hand: Hand, job: Any) -> None:
+    hand.wait(lambda: children("Job"))
+    for label in ("EllipticalPocket", "Job", "Preview"):
+        hand.tree(label, double=True)
+        hand.wait(FreeCADGui.Control.activeDialog, 5, f"the panel of {label}")
+        assert not hand.main(lambda: QtGui.QApplication.activeModalWidget())
+        hand.button("Cancel")
+        hand.wait(lambda: not FreeCADGui.Control.activeDialog())
+        hand.main(lambda: FreeCADGui.Selection.clearSelection())
+    assert hand.main(lambda: list(job.Document.UndoNames)) == ["Job", "Drawing"]
+
+
+def test_a_second_double_click_keeps_the_open_panel(hand: Hand, job: Any) -> None:
+    hand.wait(lambda: children("Job"))
+    hand.main(lambda: job.Operations[0].ViewObject.Proxy.edit())
+    hand.wait(FreeCADGui.Control.activeDialog)
+    hand.main(lambda: job.Operations[1].ViewObject.Proxy.edit())
+    assert hand.main(lambda: FreeCADGui.getMainWindow().statusBar().currentMessage()) == (
+        "Close the open task panel first"
+    )
+    assert hand.main(lambda: bool(FreeCADGui.Control.activeDialog()))
+
+
+def context_menu(hand: Hand, label: str) -> dict[str, bool]:
+    """Open the context menu of a row and return its texts and what is enabled."""
+    hand.wait(lambda: row(label) is not None)
+    hand.tree(label)
+    hand._click_place(hand.main(places.of_tree_item, label), RIGHT)
+    hand.wait(QtGui.QApplication.activePopupWidget, 5, "the context menu")
+    return hand.main(
+        lambda: {entry.text(): entry.isEnabled() for entry in QtGui.QApplication.activePopupWidget().actions()}
+    )
+
+
+def test_the_context_menu_of_a_job(hand: Hand, job: Any) -> None:
+    entries = context_menu(hand, "Job")
+    assert list(entries)[:4] == ["Edit", "Check and simulate", "Send", "Save program as…"]
+    assert all(list(entries.values())[:4])
+    hand.shot("context-menu-job")
+    hand.key("Escape")
+
+
+def test_an_operation_is_left_out_by_its_context_menu(hand: Hand, job: Any) -> None:
+    pocket = hand.main(lambda: job.Operations[0])
+    before = hand.main(api.program_text, job)
+    assert "Leave out of the program" in context_menu(hand, pocket.Label)
+    hand._click_place(hand.main(places.popup_entry, "Leave out of the program"))
+    hand.wait(lambda: not pocket.Active)
+    assert hand.main(badge, pocket) == "Inactive"
+    assert len(hand.main(api.program_text, job)) < len(before)
+    hand.shot("tree-inactive", hand.main(tree))
+    hand.main(lambda: (job.Document.undo(), job.Document.recompute()))
+    assert hand.main(lambda: pocket.Active)
+    assert hand.main(badge, pocket) == ""
+
+
+def test_a_program_is_saved_where_the_person_says(hand: Hand, job: Any, tmp_path: Path) -> None:
+    context_menu(hand, "Job")
+    hand._click_place(hand.main(places.popup_entry, "Save program as…"))
+    hand.wait(lambda: places.visible("CNCStepper_Save_file"), 5, "the file dialog")
+    hand.key("Ctrl+A")
+    hand.type(str(tmp_path / "peça 1.nc"))
+    hand.key("Return")
+    hand.wait((tmp_path / "peça 1.nc").exists)
+    assert (tmp_path / "peça 1.nc").read_text("ascii") == hand.main(api.program_text, job)
+
+
+def delete(hand: Hand, label: str, question: bool = False) -> None:
+    """Delete a row as a person does, with the key; answer FreeCAD's question with Yes."""
+    hand.wait(lambda: row(label) is not None)
+    hand.tree(label)
+    hand.wait(lambda: FreeCADGui.Command.get("Std_Delete").getAction()[0].isEnabled())
+    hand.key("Delete")
+    if question:
+        hand.wait(
+            lambda: isinstance(QtGui.QApplication.activeModalWidget(), QtGui.QMessageBox), 5, "FreeCAD's question"
+        )
+        hand.shot("tree-question")
+        box = hand.main(QtGui.QApplication.activeModalWidget)
+        hand.click(hand.main(box.button, QtGui.QMessageBox.StandardButton.Yes))
+    hand.settle()
+    assert not hand.main(QtGui.QApplication.activeModalWidget)
+
+
+def test_a_deleted_job_takes_along_what_is_its_own(hand: Hand, job: Any) -> None:
+    document = hand.main(lambda: job.Document)
+    before = hand.main(names, document)
+    delete(hand, "Job")
+    hand.wait(lambda: names(document) == {"Sketch"}, 5, "only the drawing to be left")
+    hand.key("Ctrl+Z")
+    hand.wait(lambda: names(document) == before)
+    hand.wait(lambda: len(children("Job")) == 4)
+    restored = hand.main(lambda: document.getObject("CNCStepper_Job"))
+    hand.main(document.recompute)
+    assert hand.main(api.program_text, restored)
+
+
+def test_a_tool_that_another_job_uses_stays(hand: Hand, job: Any) -> None:
+    document = hand.main(lambda: job.Document)
+    tool = hand.main(lambda: job.Tools[0])
+    other = hand.main(lambda: api.new_job(document))
+    hand.main(lambda: setattr(other, "Tools", [tool]))
+    delete(hand, "Job")
+    hand.wait(lambda: "CNCStepper_Job" not in names(document))
+    assert tool.Name in hand.main(names, document)
+    assert hand.main(lambda: [each.Name for each in other.Tools]) == [tool.Name]
+
+
+def test_a_deleted_operation_leaves_the_program(hand: Hand, job: Any) -> None:
+    before = hand.main(api.program_text, job)
+    delete(hand, "EllipticalPocket001")
+    hand.wait(lambda: len(job.Operations) == 1)
+    hand.main(job.Document.recompute)
+    assert len(hand.main(api.program_text, job)) < len(before)
+
+
+def test_a_deleted_tool_leaves_a_problem_that_undo_mends(hand: Hand, job: Any) -> None:
+    delete(hand, "Tool", question=True)
+    hand.wait(lambda: not job.Tools)
+    hand.main(job.Document.recompute)
+    assert "has no tool" in hand.main(problem_of, job)
+    assert hand.main(lambda: all(badge(obj) == "Problem" for obj in [job, *job.Operations]))
+    hand.key("Ctrl+Z")
+    hand.wait(lambda: job.Tools)
+    hand.main(job.Document.recompute)
+    assert hand.main(problem_of, job) == ""
+
+
+def test_hiding_the_job_hides_its_preview(hand: Hand, job: Any) -> None:
+    preview = hand.main(lambda: job.Document.getObject("CNCStepper_Preview"))
+    hand.wait(lambda: row("Job") is not None)
+    hand.tree("Job")
+    hand.wait(lambda: FreeCADGui.Command.get("Std_ToggleVisibility").getAction()[0].isEnabled())
+    hand.key("space")
+    hand.wait(lambda: not preview.ViewObject.Visibility)
+    hand.key("space")
+    hand.wait(lambda: preview.ViewObject.Visibility)
+
+
+@pytest.mark.parametrize("old", [False, True], ids=["as saved", "as older versions saved it"])
+def test_a_reopened_document_has_its_views(hand: Hand, job: Any, tmp_path: Path, old: bool) -> None:
+    def reopened() -> Any:
+        document = job.Document
+        for obj in document.Objects if old else ():
+            if proxy_type(obj):
+                obj.ViewObject.Proxy = 0
+        path = str(tmp_path / "peça nº 1.FCStd")
+        document.saveAs(path)
+        FreeCAD.closeDocument(document.Name)
+        return FreeCAD.openDocument(path)
+
+    document = hand.main(reopened)
+    ours = hand.main(lambda: [obj for obj in document.Objects if proxy_type(obj)])
+    assert len(ours) == 5
+    assert hand.main(lambda: [type(obj.ViewObject.Proxy).__name__ for obj in ours]) == [
+        "Job", "Preview", "ViewProvider", "Operation", "Operation",
+    ]  # fmt: skip
+    hand.wait(lambda: len(children("Job")) == 4)
+    assert hand.main(lambda: all(not obj.ViewObject.Icon.isNull() for obj in ours))
+    assert not hand.main(lambda: "Touched" in document.getObject("CNCStepper_Job").State)
+
+
+def test_a_document_made_without_a_window_gets_its_views(hand: Hand, job: Any, tmp_path: Path) -> None:
+    """Such a document has no GuiDocument.xml: it is taken out of one that has."""
+    import zipfile
+
+    def saved() -> str:
+        job.Document.saveAs(str(tmp_path / "whole.FCStd"))
+        FreeCAD.closeDocument(job.Document.Name)
+        return str(tmp_path / "whole.FCStd")
+
+    bare = tmp_path / "bare.FCStd"
+    with zipfile.ZipFile(hand.main(saved)) as whole, zipfile.ZipFile(bare, "w") as archive:
+        for name in whole.namelist():
+            if name != "GuiDocument.xml" and "ShapeAppearance" not in name:
+                archive.writestr(name, whole.read(name))
+    document = hand.main(FreeCAD.openDocument, str(bare))
+    hand.wait(lambda: len(children("Job")) == 4)
+    ours = hand.main(lambda: [obj for obj in document.Objects if proxy_type(obj)])
+    assert hand.main(lambda: all(obj.ViewObject.Proxy.obj is obj for obj in ours))
+    assert hand.main(lambda: document.getObject("CNCStepper_Preview").ViewObject.isVisible())
+
+
+def test_a_duplicated_job_stands_on_its_own(hand: Hand, job: Any) -> None:
+    document = hand.main(lambda: job.Document)
+    copies = hand.main(lambda: document.copyObject([job], True))
+    hand.main(document.recompute)
+    copy = hand.main(lambda: next(obj for obj in copies if proxy_type(obj) == "CNCStepper_Job"))
+    assert copy.Name != job.Name
+    assert hand.main(lambda: type(copy.ViewObject.Proxy).__name__) == "Job"
+    assert hand.main(api.program_text, copy)
