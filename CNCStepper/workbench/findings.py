@@ -15,6 +15,7 @@ if TYPE_CHECKING:
 
 SEVERITIES = {"error": later("Error"), "warning": later("Warning"), "info": later("Note")}
 ICONS = {"error": "SP_MessageBoxCritical", "warning": "SP_MessageBoxWarning", "info": "SP_MessageBoxInformation"}
+ROW_MARGIN = 8  # pixels
 FINDING = QtCore.Qt.ItemDataRole.UserRole
 
 
@@ -66,8 +67,12 @@ class FindingsList(QtGui.QWidget):
             self.chosen.emit(finding)
 
     def _wrap_again(self, *_: Any) -> None:
-        """Let the rows be as high as their text is at this width."""
-        self._rows.scheduleDelayedItemsLayout()
+        """Let the rows be as high as their text is at this width: a tree asks them without one."""
+        width = self._rows.columnWidth(1) - ROW_MARGIN
+        metrics, flags = self._rows.fontMetrics(), int(QtCore.Qt.TextFlag.TextWordWrap)
+        for row in map(self._rows.topLevelItem, range(self._rows.topLevelItemCount())):
+            height = metrics.boundingRect(QtCore.QRect(0, 0, width, 0), flags, row.text(1)).height()
+            row.setSizeHint(1, QtCore.QSize(width, height + ROW_MARGIN))
 
 
 def sentence(finding: Finding) -> str:

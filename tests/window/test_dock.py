@@ -15,8 +15,10 @@ import pytest
 from hand import Hand
 from PySide import QtCore, QtGui
 
+from CNCStepper.control import desk_launch, port_list
 from CNCStepper.control.python_finder import command, environment, find_python
 from CNCStepper.control.send_job import SendJob
+from CNCStepper.errors import MissingPackage
 from CNCStepper.workbench import api
 from CNCStepper.workbench.dock.ports import VIRTUAL
 
@@ -57,12 +59,12 @@ def connected(hand: Hand, speed: str = "10× speed") -> None:
     says(hand, "Idle", 60)
 
 
-def pocket(hand: Hand, depth_mm: float = 2.0, **values: Any) -> Any:
+def pocket(hand: Hand, machine: str = "table-a", **values: Any) -> Any:
     def make() -> Any:
         document = FreeCAD.newDocument("Pocket")
-        job = api.new_job(document, machine="table-a", stock_size_mm=(100, 70, 20))
+        job = api.new_job(document, machine=machine, stock_size_mm=(100, 70, 20))
         cutter = api.add_tool(job, number=1, diameter_mm=6, feed_mm_min=800, plunge_mm_min=200)
-        api.add_elliptical_pocket(job, tool=cutter, radius_x_mm=20, radius_y_mm=12, depth_mm=depth_mm, **values)
+        api.add_elliptical_pocket(job, tool=cutter, radius_x_mm=20, radius_y_mm=12, depth_mm=2.0, **values)
         job.Label = "Pocket job"
         document.recompute()
         FreeCADGui.Selection.clearSelection()
@@ -192,6 +194,49 @@ def test_a_refusal_stops_before_the_machine(hand: Hand, dock: Any) -> None:
     assert hand.exists("CNCStepper_Findings_list") and not hand.exists(f"{D}Start")
     assert hand.text(f"{D}State") == "Not connected"
     hand.shot("dock-refused")
+
+
+def test_warnings_are_shown_and_a_person_goes_on(hand: Hand, dock: Any) -> None:
+    pocket(hand, centre_mm=(40.0, 0.0, 0.0))  # over the edge of the stock
+    hand.command("CNCStepper_Send")
+    hand.wait(lambda: hand.exists(f"{D}Flow") and "Warnings" in hand.text(f"{D}FlowTitle"), 60, "the proof")
+    assert hand.exists("CNCStepper_Findings_list")
+    hand.shot("dock-warnings")
+    hand.click(f"{D}Start")
+    hand.wait(lambda: "Connect" in hand.text(f"{D}FlowTitle"))
+    hand.click(f"{D}Cancel")
+    assert not hand.exists(f"{D}Flow")
+
+
+def test_a_controller_set_up_differently_cuts_only_when_somebody_says_so(hand: Hand, dock: Any) -> None:
+    pocket(hand, machine="table-b")
+    connected(hand)
+    hand.command("CNCStepper_Send")
+    hand.wait(lambda: hand.exists(f"{D}Start") and "Work zero" in hand.text(f"{D}FlowTitle"), 60)
+    hand.click(f"{D}Start")
+    hand.wait(lambda: "Another machine" in hand.text(f"{D}FlowTitle"))
+    assert "$100" in hand.text(f"{D}FlowDetail") and hand.text(f"{D}State") == "Idle"
+    hand.shot("dock-differs")
+    hand.click(f"{D}Start")
+    says(hand, "Running")
+
+
+def test_without_pyserial_the_dock_opens_and_says_so(hand: Hand, dock: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+    def lacks(*_: Any) -> Any:
+        raise MissingPackage("package-missing", "pyserial is missing", advice="install it")
+
+    monkeypatch.setattr(port_list, "port_names", lacks)
+    monkeypatch.setattr(desk_launch, "find_python", lacks)
+    hand.main(dock.connection.look)
+    assert "Pyserial is missing. Install it." in hand.text(f"{D}Messages")
+    hand.fill(f"{D}Port", "COM99")
+    hand.click(f"{D}Connect")
+    says(hand, "No connection")
+    assert hand.text(f"{D}StateSentence") == "Pyserial is missing. Install it."
+    hand.click(f"{D}Port")
+    hand.key("Ctrl+A")
+    hand.key("Delete")
+    assert not hand.main(hand.find(f"{D}Connect").isEnabled)
 
 
 @pytest.fixture

@@ -12,7 +12,9 @@ from CNCStepper.workbench.dock import parts, settings
 from CNCStepper.workbench.dock.ports import BAUDS, SPEEDS, VIRTUAL, VIRTUAL_TEXT, choices, needs_baud, port_of
 from CNCStepper.workbench.dock.state import Moment, why_not_connect, why_not_disconnect
 from CNCStepper.workbench.tell import guarded
-from CNCStepper.workbench.words import tr
+from CNCStepper.workbench.words import later, tr
+
+DISCONNECT_FIRST = later("Disconnect first: this is what the dock is connected to.")
 
 
 class PortBox(QtGui.QComboBox):
@@ -39,17 +41,19 @@ class ConnectionView(QtGui.QWidget):
         super().__init__()
         self._connect, self._disconnect, self._found = connect, disconnect, found
         self._choices: list[Any] = []
-        self._connected = False
+        self._moment = Moment()
         self.box = parts.named(PortBox(self.look), "Port")
-        self.box.setToolTip(tr("A serial port, or an address as socket://192.168.0.7:23"))
         self.box.setAccessibleName(tr("Port"))
         self.baud = parts.named(QtGui.QComboBox(), "Baud")
         self.baud.addItems([str(rate) for rate in BAUDS])
         self.baud.setCurrentText(str(settings.last_baud()))
-        self.baud.setToolTip(tr("The baud rate of the serial port"))
         self.speed = parts.named(QtGui.QComboBox(), "Speed")
         self.speed.addItems([tr("{0}× speed").format(speed) for speed in SPEEDS])
-        self.speed.setToolTip(tr("How many times faster than a real one the virtual machine moves"))
+        self._tips = {
+            self.box: later("A serial port, or an address as socket://192.168.0.7:23"),
+            self.baud: later("The baud rate of the serial port"),
+            self.speed: later("How many times faster than a real one the virtual machine moves"),
+        }
         self.button = parts.named(QtGui.QPushButton(), "Connect")
         self.button.clicked.connect(guarded(self._clicked))
         layout = parts.column(self)
@@ -86,19 +90,26 @@ class ConnectionView(QtGui.QWidget):
 
     def lock(self, moment: Moment) -> None:
         """Let the button connect or disconnect, whichever can be done."""
-        self._connected = moment.connected or moment.busy
+        self._moment = moment
         self.button.setText(tr("Disconnect") if self._connected else tr("Connect"))
         if self._connected:
-            parts.lock(self.button, why_not_disconnect(moment), tr("Let go of the controller"))
+            parts.lock(self.button, why_not_disconnect(moment), later("Let go of the controller."))
         else:
-            parts.lock(self.button, why_not_connect(moment), tr("Connect to the controller at this port"))
-        for choice in (self.box, self.baud, self.speed):
-            choice.setEnabled(not self._connected)
+            parts.lock(
+                self.button, why_not_connect(moment, self.port), later("Connect to the controller at this port.")
+            )
+        for choice, does in self._tips.items():
+            parts.lock(choice, DISCONNECT_FIRST if self._connected else "", does)
+
+    @property
+    def _connected(self) -> bool:
+        return self._moment.connected or self._moment.busy
 
     def _clicked(self) -> None:
         (self._disconnect if self._connected else self._connect)()
 
     def _choose(self) -> None:
-        """Show the baud rate where there is one, the speed for the virtual grbl."""
+        """Show the baud rate where there is one, the speed for the virtual grbl; no text is no port."""
         self.baud.setVisible(needs_baud(self.port))
         self.speed.setVisible(self.port == VIRTUAL)
+        self.lock(self._moment)

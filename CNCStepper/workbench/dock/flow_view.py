@@ -10,7 +10,6 @@ from PySide import QtGui
 
 from CNCStepper.workbench.dock import parts
 from CNCStepper.workbench.dock.flow import LAST_NUMBER, Flow
-from CNCStepper.workbench.dock.state import sentence_case
 from CNCStepper.workbench.tell import guarded
 from CNCStepper.workbench.words import tr
 
@@ -53,7 +52,7 @@ class FlowView(QtGui.QFrame):
         self.title.setText(tr("{0}: {1}").format(flow.label, tr(step.title)))
         self.number.setText(tr("Step {0} of {1}").format(step.number, LAST_NUMBER) if step.number else "")
         self._say(self.text, tr(step.text))
-        self._say(self.detail, sentence_case(flow.detail))
+        self._say(self.detail, flow.detail)
         self.findings.setVisible(flow.step in ("refused", "warned"))
         for button, text in ((self.onward, step.onward), (self.away, step.away)):
             button.setVisible(bool(text))

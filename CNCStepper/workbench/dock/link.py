@@ -12,7 +12,7 @@ from typing import Any
 from CNCStepper.control.desk_client import DeskClient
 from CNCStepper.errors import CNCStepperError
 from CNCStepper.workbench.dock.ports import VIRTUAL
-from CNCStepper.workbench.dock.state import Moment
+from CNCStepper.workbench.dock.state import Moment, sentences
 from CNCStepper.workbench.dock.virtual_machine import VirtualMachine
 
 
@@ -121,4 +121,4 @@ class Link:
 
 def told(trouble: CNCStepperError) -> str:
     """Return what an error says to people, without its code."""
-    return f"{trouble.what}; {trouble.advice}" if trouble.advice else trouble.what
+    return sentences(trouble.what, trouble.advice)

@@ -9,8 +9,9 @@ from typing import Any
 from CNCStepper.errors import CNCStepperError
 from CNCStepper.workbench import tell
 from CNCStepper.workbench.dock.flow import Flow
-from CNCStepper.workbench.dock.link import Link
+from CNCStepper.workbench.dock.link import Link, told
 from CNCStepper.workbench.dock.remaining import Remaining
+from CNCStepper.workbench.dock.state import sentences
 from CNCStepper.workbench.words import tr
 
 
@@ -75,7 +76,7 @@ class Sending:
         if event["event"] == "outcome" and self._link.client:
             self._ended(self._link.client.outcome)
         elif event["event"] == "refused" and event.get("command") == "run":
-            self.flow.happen("refusal", event["text"])
+            self.flow.happen("refusal", sentences(event["text"]))
 
     def advance(self) -> None:
         """Follow the controller's state; called after every poll."""
@@ -104,7 +105,8 @@ class Sending:
         self._changed()
 
     def _proved(self, result: Any) -> None:
-        self._run, self._result = None, result
+        self._end_run()
+        self._result = result
         self.program_lines = result.program_lines
         worth_seeing = [finding for finding in result.findings if finding.severity != "info"]
         self._show_findings(worth_seeing)
@@ -113,8 +115,8 @@ class Sending:
         self._changed()
 
     def _failed(self, error: CNCStepperError) -> None:
-        self._run = None
-        self.flow.happen("failure", f"{tell.sentence(error)}\n{error.advice}".strip())
+        self._end_run()
+        self.flow.happen("failure", sentences(tell.sentence(error), error.advice))
         self._changed()
 
     def _advance(self) -> None:
@@ -129,12 +131,18 @@ class Sending:
 
     def _ended(self, outcome: Any) -> None:
         if outcome.error is not None and outcome.error.code == "settings-differ" and not self.flow.anyway:
-            self.flow.happen("differences", f"{outcome.error.what}\n{outcome.error.advice}")
+            self.flow.happen("differences", told(outcome.error))
         else:
-            self.flow.end(outcome.kind, outcome.text)
+            self.flow.end(outcome.kind, sentences(outcome.text))
         self._changed()
 
     def _give_up_run(self) -> None:
         if self._run is not None:
             self._run.cancel()
-            self._run = None
+            self._end_run()
+
+    def _end_run(self) -> None:
+        """Let the present proof go; it is no more than a question that has its answer."""
+        run, self._run = self._run, None
+        if run is not None:
+            run.deleteLater()

@@ -23,14 +23,13 @@ class Moment:
 
     phase: "off" (no controller), "starting", "connecting", "unreached" (no connection came about), "gone" (it ended by
     itself), or the desk's phase. machine_state: as grbl writes it. message: the program's words at a pause, the
-    sentence of an alarm or of what ended the connection. missing: why no port can be opened here at all. job: whether
-    a job is on its way; a machine may be held without one. homing, position_known: None while it is not known.
+    sentence of an alarm or of what ended the connection. job: whether a job is on its way; a machine may be
+    held without one. homing, position_known: None while it is not known.
     """
 
     phase: str = "off"
     machine_state: str = ""
     message: str = ""
-    missing: str = ""
     job: bool = False
     homing: bool | None = None
     position_known: bool | None = None
@@ -79,26 +78,23 @@ FACES = {
     "homing": Face(later("Homing"), GOING, later("The machine looks for its switches.")),
     "busy": Face(later("Busy"), WAITING, later("The controller does something that was not asked for here.")),
 }
-MISSING = Face(later("Not connected"), OFF, later("No port can be opened here."))
 LOST = later("Where the table stands is not known: home the machine, or set the work zero anew.")
 WITH_OWN_WORDS = ("paused", "alarm", "gone", "unreached", "held", "door")  # where a message says more than our sentence
 
 
 def face(moment: Moment) -> Face:
     """Return what to show large; its sentence is still to be translated unless it is the moment's own message."""
-    if moment.missing and moment.phase == "off":
-        return Face(MISSING.headline, MISSING.tone, moment.missing)
     found = FACES.get(moment.phase, FACES["busy"])
     if moment.message and moment.phase in WITH_OWN_WORDS:
-        return Face(found.headline, found.tone, sentence_case(moment.message))
+        return Face(found.headline, found.tone, sentences(moment.message))
     if moment.phase == "idle" and moment.position_known is False:
         return Face(found.headline, found.tone, LOST)
     return found
 
 
-def sentence_case(text: str) -> str:
-    """Return a text that begins with a capital."""
-    return text[:1].upper() + text[1:]
+def sentences(*texts: str) -> str:
+    """Return the texts that are not empty as sentences: with a capital and a full stop."""
+    return " ".join(f"{text[0].upper()}{text[1:].rstrip('.')}." for text in texts if text)
 
 
 @dataclass(frozen=True)
@@ -169,10 +165,10 @@ def why_not(control: str, moment: Moment) -> str:
     return "" if moment.phase in rule.phases else rule.why_not
 
 
-def why_not_connect(moment: Moment) -> str:
-    """Return why no connection can be made now, "" when one can."""
-    if moment.missing:
-        return moment.missing
+def why_not_connect(moment: Moment, port: str) -> str:
+    """Return why no connection to this port can be made now, "" when one can."""
+    if not port:
+        return later("Choose a port, or type an address.")
     if moment.connected:
         return later("A controller is connected already.")
     return later("The connection is being made.") if moment.busy else ""

@@ -14,7 +14,7 @@ from CNCStepper.control.python_finder import command, environment, seek_python
 from CNCStepper.control.session_file import LOG, session_folder
 from CNCStepper.errors import LinkError
 
-NEEDS = ("numpy", "pydantic", "click")
+NEEDS = ("numpy", "pydantic", "click", "serial")  # the last one is the desk's, which comes after it
 ADDRESS = re.compile(r"^virtual grbl at (\S+)\s*$", re.MULTILINE)
 
 

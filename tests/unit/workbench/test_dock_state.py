@@ -90,20 +90,21 @@ def test_a_lost_position_is_said_while_the_machine_is_idle() -> None:
 
 
 def test_connecting_is_offered_once() -> None:
-    assert why_not_connect(Moment()) == "" and why_not_connect(Moment("gone")) == ""
-    assert why_not_connect(Moment("starting")) and why_not_connect(Moment("idle"))
+    assert why_not_connect(Moment(), "COM3") == "" and why_not_connect(Moment("gone"), "COM3") == ""
+    assert why_not_connect(Moment("starting"), "COM3") and why_not_connect(Moment("idle"), "COM3")
+    assert "port" in why_not_connect(Moment(), "")
     assert why_not_disconnect(Moment("starting")) == "" and why_not_disconnect(Moment())
 
 
-def test_what_is_missing_stands_in_the_sentence_and_locks_connect() -> None:
-    moment = Moment(missing="pyserial is missing")
-    assert face(moment).sentence == "pyserial is missing" == why_not_connect(moment)
+def test_why_no_connection_came_about_stands_in_the_sentence() -> None:
+    moment = Moment("unreached", message="no Python has pyserial; install it")
+    assert face(moment).sentence == "No Python has pyserial; install it." and why_not_connect(moment, "COM3") == ""
 
 
 def test_the_words_of_program_and_alarm_are_shown() -> None:
-    assert face(Moment("paused", message="change the tool")).sentence == "Change the tool"
+    assert face(Moment("paused", message="change the tool")).sentence == "Change the tool."
     alarm = face(Moment("alarm", message="a limit switch was hit; home it"))
-    assert (alarm.tone, alarm.sentence) == (DANGER, "A limit switch was hit; home it")
+    assert (alarm.tone, alarm.sentence) == (DANGER, "A limit switch was hit; home it.")
     assert face(Moment("running", message="old words")).sentence == FACES["running"].sentence
 
 
