@@ -62,6 +62,15 @@ def test_from_an_empty_window_to_a_cut_part(hand: Hand) -> None:
     send(hand)
 
 
+def look_from_above(height_mm: float) -> None:
+    import pivy.coin  # noqa: F401  the camera's type comes from it
+
+    view = FreeCADGui.ActiveDocument.ActiveView
+    view.setAnimationEnabled(False)
+    view.viewTop()
+    view.getCameraNode().height.setValue(height_mm)
+
+
 def new_job(hand: Hand) -> None:
     hand.command("CNCStepper_NewJob")
     hand.wait(lambda: hand.exists(f"{PANEL}ok"), 20, "the job's panel")
@@ -72,9 +81,7 @@ def new_job(hand: Hand) -> None:
 
 
 def draw_a_line(hand: Hand) -> None:
-    hand.main(lambda: FreeCADGui.ActiveDocument.ActiveView.setAnimationEnabled(False))
-    hand.main(lambda: FreeCADGui.ActiveDocument.ActiveView.viewTop())
-    hand.main(lambda: FreeCADGui.ActiveDocument.ActiveView.getCameraNode().height.setValue(90))
+    hand.main(look_from_above, 130.0)  # newer FreeCADs lay the task panel over the right of the view
     hand.command("CNCStepper_Freehand")
     places = [hand.view_point(x, y) for x, y in LEAF_MM]
     hand.press_at(places[0])
