@@ -9,12 +9,13 @@ SHELL := /bin/bash
 help:
 	@echo "make demo    draw, cut and check the demonstration part in headless FreeCAD and on the virtual grbl"
 	@echo "make test    everything: lint, types, all tests, those inside FreeCAD too"
+	@echo "make matrix  the tests inside FreeCAD 0.20.2, 1.0.0 and 1.1.3, with and without a window (sets them up; as root)"
 	@echo "make quick   the tests that take under 60 s together and need no FreeCAD"
 	@echo "make bench   measure speed, beside the programs we compare ourselves with"
 	@echo "make lint    style and types only"
 	@echo "make translations   collect the texts that a person sees, and compile their Portuguese"
 	@echo "make setup   only what the others need: system packages and .venv"
-	@echo "make clean   remove what tests, demo and benchmarks have made (.venv stays)"
+	@echo "make clean   remove what tests, demo and benchmarks have made (.venv stays, the FreeCADs of make matrix go)"
 
 setup:
 	@tools/setup.sh all
@@ -24,6 +25,10 @@ demo: setup
 
 test: setup lint
 	@.venv/bin/python -m pytest
+
+matrix:
+	@tools/setup.sh matrix
+	@.venv/bin/python tools/matrix.py
 
 quick:
 	@tools/setup.sh python

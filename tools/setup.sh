@@ -4,7 +4,9 @@
 #
 #   tools/setup.sh python   only .venv: the package, numba, and the tools for tests
 #   tools/setup.sh translations   .venv, and Qt's lrelease, which compiles the catalogues of translations
-#   tools/setup.sh all      .venv, and the programs of the system: FreeCAD, LinuxCNC's rs274, locale sources
+#   tools/setup.sh all      .venv, and the programs of the system: FreeCAD, LinuxCNC's rs274, locale sources, and for the
+#                           tests in FreeCAD's window a screen that nobody sees (Xvfb), a window manager, software OpenGL
+#   tools/setup.sh matrix   all that, and debootstrap for the other FreeCADs
 #
 # On Debian and its family as root, missing system packages are installed; otherwise they are named.
 # .venv uses the system's Python, which is FreeCAD's own on Linux: its compiled packages load in FreeCAD too.
@@ -43,6 +45,10 @@ missing_packages() {
     if ! has freecadcmd && ! has FreeCADCmd; then echo freecad; fi
     if ! has rs274; then echo linuxcnc-uspace; fi
     if ! [ -e "$locale_sources" ]; then echo locales; fi
+    if ! has Xvfb; then echo xvfb; fi
+    if ! has openbox; then echo openbox; fi
+    if ! compgen -G '/usr/lib/*/dri/swrast_dri.so' >/dev/null; then echo libgl1-mesa-dri; fi
+    if [ "$1" = matrix ] && ! has debootstrap && ! [ -x /usr/sbin/debootstrap ]; then echo debootstrap; fi
 }
 
 install_packages() {
@@ -66,6 +72,9 @@ name_missing() {
         freecad) say "FreeCAD is missing: get it from https://www.freecad.org/downloads.php (macOS: brew install --cask freecad) and put its freecadcmd on PATH" ;;
         qttools5-dev-tools) fail "Qt's lrelease is missing: get it with your system's tools for Qt developers" ;;
         linuxcnc-uspace) say "LinuxCNC's rs274 is missing: get it from https://linuxcnc.org/downloads/ (there is none for macOS and Windows; run the comparison with it on Linux)" ;;
+        xvfb | openbox) say "$package is missing: get it from your system's packages (the tests in FreeCAD's window run under X only)" ;;
+        libgl1-mesa-dri) ;; # other systems name it differently, or need none
+        debootstrap) say "debootstrap is missing: get it from your system's packages ('make matrix' runs on Linux only)" ;;
         locales) ;; # other systems bring pt_BR.UTF-8 with them or as glibc-locale-source
         esac
     done

@@ -48,6 +48,7 @@ def test_a_user_without_rights_is_told_the_command(machine: Path) -> None:
     assert result.returncode == 1
     assert "sudo apt-get install -y --no-install-recommends" in result.stderr
     assert "freecad linuxcnc-uspace" in result.stderr
+    assert "xvfb openbox" in result.stderr
     assert "was called" not in result.stdout
 
 

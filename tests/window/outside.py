@@ -25,7 +25,9 @@ HERE = Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
 MARK = "CNCSTEPPER_WINDOW_RUN"
 LIMIT_S = float(os.environ.get("CNCSTEPPER_WINDOW_LIMIT_S", "900"))
-LEAVE_S = 15.0  # so long may our own processes take to end after FreeCAD did
+LEAVE_S = float(
+    os.environ.get("CNCSTEPPER_WINDOW_LEAVE_S", "15")
+)  # so long may our own processes take to end after FreeCAD did
 SCREEN = (1600, 1000)  # in Qt's pixels: with QT_SCALE_FACTOR=2 the screen has twice as many
 XDG_FOLDERS = ("CONFIG_HOME", "DATA_HOME", "STATE_HOME", "RUNTIME_DIR")  # not the cache: compiled kernels stay there
 USER_CFG = """<?xml version="1.0" encoding="UTF-8" standalone="no" ?>

@@ -1,0 +1,49 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What goes wrong inside FreeCAD's window is seen outside: planted tests that must fail, each in its own window."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[1]
+PLANTED = {
+    "passes": ("def test_planted(hand):\n    assert hand.main(int, '7') == 7", 0, "1 passed"),
+    "fails": ("def test_planted(hand):\n    assert hand.main(int, '7') == 8", 1, "1 failed"),
+    "report": (
+        "import FreeCAD\ndef test_planted(hand):\n    hand.main(FreeCAD.Console.PrintWarning, 'planted warning\\n')",
+        1,
+        "the report view holds:",
+    ),
+    "crashes": ("import os\ndef test_planted(hand):\n    hand.main(os.abort)", 1, "ended before the tests did"),
+    "hangs": ("import time\ndef test_planted(hand):\n    hand.main(time.sleep, 600)", 1, "FreeCAD still runs after"),
+    "leaves": (
+        "import subprocess\ndef test_planted(hand):\n    subprocess.Popen(['sleep', '600'], start_new_session=True)",
+        1,
+        "processes were left behind:",
+    ),
+}
+
+
+@pytest.mark.freecad
+@pytest.mark.slow
+@pytest.mark.parametrize("name", PLANTED)
+def test_what_happens_in_a_window_is_seen_outside(name: str, tmp_path: Path) -> None:
+    source, status, words = PLANTED[name]
+    planted = tmp_path / "test_planted.py"
+    planted.write_text(source + "\n", "utf-8")
+    limits = {"CNCSTEPPER_WINDOW_LIMIT_S": "40", "CNCSTEPPER_WINDOW_LEAVE_S": "2"}
+    result = subprocess.run(
+        [sys.executable, str(ROOT / "tests" / "window" / "outside.py"), "host", str(planted), "-p", "conftest"],
+        env={**os.environ, **limits},
+        capture_output=True,
+        text=True,
+        errors="replace",
+        timeout=120,
+    )
+    assert result.returncode == status, result.stdout + result.stderr
+    assert words in result.stdout + result.stderr
