@@ -17,8 +17,8 @@ from PySide import QtCore, QtGui
 
 from CNCStepper.workbench import api
 from CNCStepper.workbench.features.base import problem_of, proxy_type
+from CNCStepper.workbench.icons import icon
 from CNCStepper.workbench.viewproviders import tips
-from CNCStepper.workbench.viewproviders.icons import icon
 
 RIGHT = 3
 

@@ -28,16 +28,17 @@ class ViewProvider:
     BADGED_BY: tuple[str, ...] = ("Problem",)  # the properties whose change may change the icon
 
     def __init__(self, view: Any):
+        self.obj = view.Object
         view.Proxy = self
 
     def attach(self, view: Any) -> None:
-        """Remember whose proxy this is; FreeCAD calls this when an object is made or opened."""
+        """Remember whose proxy this is; FreeCAD calls this when an object is opened again."""
         self.obj = view.Object
 
     @polled
     def getIcon(self) -> Any:
         """Return the icon of the tree."""
-        from CNCStepper.workbench.viewproviders.icons import icon
+        from CNCStepper.workbench.icons import icon
 
         return icon(proxy_type(self.obj), self.badge())
 
@@ -45,6 +46,7 @@ class ViewProvider:
         """Return what the icon says of the object's state: "Problem", "Inactive" or nothing."""
         return "Problem" if problem_of(self.obj) else ""
 
+    @polled
     def isShow(self) -> bool:
         """Return whether the tree shows it as visible; FreeCAD asks, as most of our objects draw nothing."""
         return bool(self.obj.ViewObject.Visibility)
@@ -96,7 +98,7 @@ class ViewProvider:
 def _action(entry: Entry, menu: Any) -> Any:
     from PySide import QtGui
 
-    from CNCStepper.workbench.viewproviders.icons import icon
+    from CNCStepper.workbench.icons import icon
 
     action = QtGui.QAction(icon(entry.icon), entry.text, menu)
     action.setEnabled(not entry.why_not)

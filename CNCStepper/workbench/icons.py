@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The icons of the tree: one a kind of object, with a badge when it has a problem or is switched off."""
+"""Our icons, and those of the tree with a badge when an object has a problem or is switched off."""
 
 from __future__ import annotations
 
@@ -14,14 +14,18 @@ BADGE = 0.56  # of the icon's width
 
 
 @functools.cache
-def icon(kind: str, badge: str = "") -> Any:
-    """Return the QIcon of a kind of object ("CNCStepper_Job"), with the badge "Problem" or "Inactive" on it."""
+def icon(name: str, badge: str = "") -> Any:
+    """Return the QIcon of a file of ours ("CNCStepper_Job"), with the badge "Problem" or "Inactive" on it.
+
+    FreeCAD reads the file: Qt itself cannot read SVG where its plugin for that is not installed.
+    """
+    import FreeCADGui
     from PySide import QtGui
 
-    plain = QtGui.QIcon(str(FOLDER / f"{kind}.svg"))
+    plain = FreeCADGui.getIcon(str(FOLDER / f"{name}.svg"))
     if not badge:
         return plain
-    mark = QtGui.QIcon(str(FOLDER / f"CNCStepper_Overlay_{badge}.svg"))
+    mark = icon(f"CNCStepper_Overlay_{badge}")
     result = QtGui.QIcon()
     for size_px in SIZES_PX:
         result.addPixmap(_composed(plain, mark, size_px, grey=badge == "Inactive"))
