@@ -148,7 +148,8 @@ def of_item(target: Any, label: str) -> Point:
 
 def _find_index(model: Any, parent: Any, label: str) -> Any:
     for row in range(model.rowCount(parent)):
-        for column in range(model.columnCount(parent)):
+        # PySide2 hides the columns of a plain list's model: there is one
+        for column in range(1 if isinstance(model, QtCore.QAbstractListModel) else model.columnCount(parent)):
             index = model.index(row, column, parent)
             if str(index.data()) == label:
                 return index

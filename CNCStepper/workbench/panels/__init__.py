@@ -24,4 +24,6 @@ def open_panel(obj: Any) -> None:
 
     if FreeCAD.getActiveTransaction() is None:
         obj.Document.openTransaction(tr("Edit {0}").format(obj.Label))
-    FreeCADGui.Control.showDialog(panel_of(obj))
+    panel = panel_of(obj)
+    FreeCADGui.Control.showDialog(panel)
+    panel.focus_first()

@@ -67,6 +67,13 @@ class Editor(QtGui.QWidget):
             marked[0].focus()
         return not marked and not self.refused
 
+    def stop(self) -> None:
+        """Let nothing reach the object any more: it may be gone before the form is."""
+        self.timer.stop()
+        for field in self.form.fields.values():
+            for editor in field.editors:
+                editor.blockSignals(True)
+
     def apply(self) -> None:
         """Write what is good of what a person has changed, recompute, and say what is not."""
         self.timer.stop()

@@ -24,6 +24,7 @@ from CNCStepper.workbench.words import tr
 NAME = "CNCStepper_Panel"
 ERROR_COLOUR = "#d32f2f"  # reads on light and on dark
 WARNING_COLOUR = "#b26a00"
+NOTE_SIZE = 0.9  # of the usual letters
 AXES = "XYZ"
 
 
@@ -207,7 +208,7 @@ class ChoiceField(Field):
         """Add the box to choose from."""
         box = self.add(QtGui.QComboBox(self.widget))
         box.setSizeAdjustPolicy(QtGui.QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
-        box.setMinimumContentsLength(8)
+        box.setMinimumContentsLength(5)
         box.setSizePolicy(QtGui.QSizePolicy.Policy.Expanding, QtGui.QSizePolicy.Policy.Fixed)
         self.values: list[Any] = []
         self.fill(box)
@@ -257,7 +258,10 @@ def note_label(name: str, colour: str, parent: Any) -> Any:
     note.setObjectName(name)
     note.setWordWrap(True)
     note.setTextFormat(QtCore.Qt.TextFormat.PlainText)
-    note.setStyleSheet(f"color: {colour}; font-size: 90%;")
+    note.setStyleSheet(f"color: {colour};")
+    font = note.font()
+    font.setPointSizeF(font.pointSizeF() * NOTE_SIZE)
+    note.setFont(font)
     note.setTextInteractionFlags(QtCore.Qt.TextInteractionFlag.TextSelectableByMouse)
     note.hide()
     return note

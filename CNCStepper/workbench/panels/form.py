@@ -12,7 +12,7 @@ from CNCStepper.workbench.panels.fields import NAME, Field, field_class
 from CNCStepper.workbench.panels.measures import text_of
 from CNCStepper.workbench.words import tr
 
-MARGINS = (9, 6, 9, 6)
+MARGINS = (6, 5, 6, 5)
 
 
 class Box(QtGui.QWidget):
@@ -67,6 +67,15 @@ class Form(QtGui.QWidget):
             elif entry.type in (*NUMBERS, INTEGER):
                 self._add_result(entry)
         align_labels(list(map(_layout, self.boxes.values())))
+
+    def focus_first(self) -> None:
+        """Take the keyboard to the first line that can be typed into, so that typing replaces what stands there."""
+        for field in self.fields.values():
+            line = field.editors[0]
+            if isinstance(line, QtGui.QLineEdit) and line.isEnabled() and line.isVisible():
+                field.focus()
+                line.selectAll()
+                return
 
     def field_order(self) -> list[Field]:
         """Return the fields from top to bottom."""

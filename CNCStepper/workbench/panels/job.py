@@ -60,7 +60,7 @@ class JobPanel(Panel):
             self.tools.choose(shown[0].obj)
             return
         for editor in shown:
-            editor.timer.stop()
+            editor.stop()
             editor.setParent(None)
             editor.deleteLater()
         self.editors[1:] = [self._tool_editor(tool)] if tool is not None else []

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from PySide import QtGui
+from PySide import QtCore, QtGui
 
 from CNCStepper.workbench.features.base import proxy_type
 from CNCStepper.workbench.panels.editor import Editor
@@ -32,6 +32,8 @@ class Panel:
         document = self._document()
         if document is not None:
             document.commitTransaction()
+        for editor in self.editors:
+            editor.stop()
         self._close()
         return True
 
@@ -39,13 +41,17 @@ class Panel:
     def reject(self) -> bool:
         """Leave the document as it was before; FreeCAD calls this for Cancel and Esc."""
         for editor in self.editors:
-            editor.timer.stop()
+            editor.stop()
         document = self._document()
         if document is not None:
             document.abortTransaction()
             document.recompute()
         self._close()
         return True
+
+    def focus_first(self) -> None:
+        """Take the keyboard into the panel when FreeCAD has shown it, so that Esc and typing go there."""
+        QtCore.QTimer.singleShot(0, self.editors[0].form.focus_first)
 
     def modifyStandardButtons(self, buttons: Any) -> None:
         """Name the buttons, for the tests."""

@@ -1,0 +1,337 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The task panels with real keys and clicks: live values, errors beside the field, OK, Cancel, one undo step."""
+
+from __future__ import annotations
+
+import statistics
+import time
+from collections.abc import Iterator
+from functools import partial
+from typing import Any
+
+import FreeCAD
+import FreeCADGui
+import Part
+import pytest
+from FreeCAD import Vector
+from hand import Hand
+from PySide import QtCore, QtGui
+
+from CNCStepper.workbench import api, editing, program_file
+from CNCStepper.workbench.commands.creation import create
+from CNCStepper.workbench.features.base import problem_of, proxy_type, value_of
+
+DEPTH, STEPOVER, OK, CANCEL = (f"CNCStepper_Panel_{name}" for name in ("depth_mm", "stepover_mm", "ok", "cancel"))
+NEVER_A_NUMBER = ["", "abc", "nan", "inf", "mm", "-", "("]  # nor is any of their beginnings
+NO_NUMBERS = [*NEVER_A_NUMBER, "1.234,5", "1,2,3", "5 kg", "1e400", "1/0"]
+NOT_POSITIVE = ["0", "-1", "-0,5 mm"]
+QUICK_MS = 100.0
+RIGHT = QtCore.Qt.ArrowType.RightArrow  # of a group that is folded
+
+
+class Bench:
+    """A document with the demo's pocket, an engraving and their job, and what a person may do with its panels."""
+
+    def __init__(self, hand: Hand) -> None:
+        self.hand = hand
+        hand.main(self._draw)
+
+    def _draw(self) -> None:
+        self.document = FreeCAD.newDocument("Panels")
+        self.document.UndoMode = 1
+        sketch = self.document.addObject("Sketcher::SketchObject", "Sketch")
+        sketch.exposeInternalGeometry(sketch.addGeometry(Part.Ellipse(Vector(30, 0), Vector(0, 20), Vector())))
+        self.sketch = sketch
+        self.job = api.new_job(self.document)
+        self.tool = api.add_tool(self.job, diameter_mm=6)
+        self.pocket = api.add_elliptical_pocket(self.job)
+        self.line = api.add_freehand(self.document, [(x, (x % 7) - 3) for x in range(-20, 20)], 0.01)
+        self.engraving = api.add_engrave(self.job, self.line, depth_mm=1)
+        self.document.recompute()
+        self.document.clearUndos()
+        FreeCADGui.SendMsgToActiveView("ViewFit")
+
+    def open(self, obj: Any) -> None:
+        self.hand.main(editing.edit, obj)
+        self.hand.wait(lambda: self.panel() is not None, what="the panel")
+        self.hand.settle()
+
+    def panel(self) -> Any:
+        names = [w for w in FreeCADGui.getMainWindow().findChildren(QtGui.QWidget) if w.objectName().startswith("CNC")]
+        return next((w for w in names if w.objectName().startswith("CNCStepper_Panel_CNC") and w.isVisible()), None)
+
+    def closed(self) -> bool:
+        return FreeCADGui.Control.activeDialog() is False or not FreeCADGui.Control.activeDialog()
+
+    def values(self) -> dict[str, Any]:
+        """Return what all our objects hold, and the program."""
+        ours = [obj for obj in self.document.Objects if proxy_type(obj) and hasattr(obj.Proxy, "PROPERTIES")]
+        held = {
+            f"{obj.Name}.{entry.key}": value_of(obj, entry)
+            for obj in ours
+            for entry in obj.Proxy.PROPERTIES
+            if entry.key != "program"
+        }
+        problems = {f"{obj.Name}.problem": problem_of(obj) for obj in ours}
+        return {**held, **problems, "text": program_file.load(self.job)}
+
+    def sound(self, text: str, before: dict[str, Any]) -> bool:
+        """Tell whether the last good values and their program stand, while `text` is refused.
+
+        The beginning of a bad text may be good ("5" of "5 kg"), and is then the last good value.
+        """
+        held = self.values()
+        if text in NEVER_A_NUMBER:
+            return held == before
+        return held["text"] != "" and not any(value for key, value in held.items() if key.endswith(".problem"))
+
+    def note(self, key: str) -> str:
+        label = FreeCADGui.getMainWindow().findChild(QtGui.QLabel, f"CNCStepper_Panel_{key}_error")
+        return label.text() if label is not None and label.isVisible() else ""
+
+    def panel_problem(self) -> str:
+        return str(self.panel().problem.text())
+
+    def fields(self) -> list[str]:
+        """Return the names of the lines of the open panel that can be typed into, its groups unfolded."""
+        for box in self.panel().findChildren(QtGui.QToolButton):
+            if box.objectName().startswith("CNCStepper_Panel_group_") and box.arrowType() == RIGHT:
+                box.click()
+        return [line.objectName() for line in self.panel().findChildren(QtGui.QLineEdit) if line.isEnabled()]
+
+
+@pytest.fixture
+def bench(hand: Hand) -> Iterator[Bench]:
+    yield Bench(hand)
+    hand.main(FreeCADGui.Control.closeDialog)
+    hand.main(FreeCAD.closeDocument, "Panels")
+
+
+def key_of(field: str) -> str:
+    return field.removeprefix("CNCStepper_Panel_").removesuffix("_x").removesuffix("_y").removesuffix("_z")
+
+
+def test_ok_is_one_undo_step(hand: Hand, bench: Bench) -> None:
+    before = hand.main(bench.values)
+    hand.tree(bench.pocket.Label, double=True)
+    hand.wait(lambda: bench.panel() is not None)
+    hand.fill(DEPTH, "12,5")
+    hand.wait(lambda: bench.pocket.Depth.Value == 12.5)
+    hand.fill(STEPOVER, "1 mm + 1 mm")
+    hand.wait(lambda: bench.pocket.Stepover.Value == 2)
+    assert hand.text(DEPTH) == "12.50 mm"
+    assert hand.text("CNCStepper_Panel_levels") == str(hand.main(lambda: bench.pocket.Levels))
+    assert hand.main(bench.values)["text"] not in ("", before["text"])
+    hand.shot("panel-pocket")
+    hand.click(OK)
+    hand.wait(bench.closed)
+    changed = hand.main(bench.values)
+    assert hand.main(lambda: bench.document.UndoCount) == 1
+    hand.key("Ctrl+Z")
+    hand.wait(lambda: bench.pocket.Depth.Value == 10)
+    assert hand.main(bench.values) == before
+    assert hand.main(api.program_text, bench.job) == before["text"]
+    hand.key("Ctrl+Shift+Z")
+    hand.wait(lambda: bench.pocket.Depth.Value == 12.5)
+    assert hand.main(bench.values) == changed
+
+
+@pytest.mark.parametrize("leave", ["Esc", "button"])
+def test_cancel_leaves_all_as_it_was(hand: Hand, bench: Bench, leave: str) -> None:
+    before = hand.main(bench.values)
+    bench.open(bench.pocket)
+    hand.fill(DEPTH, "7")
+    hand.wait(lambda: bench.pocket.Depth.Value == 7)
+    hand.fill(STEPOVER, "abc")
+    hand.key("Esc") if leave == "Esc" else hand.click(CANCEL)
+    hand.wait(bench.closed)
+    assert hand.main(bench.values) == before
+    assert hand.main(api.program_text, bench.job) == before["text"]
+    assert hand.main(lambda: bench.document.UndoCount) == 0
+
+
+def test_a_cancelled_new_operation_is_gone_and_a_kept_one_is_undone_at_once(hand: Hand, bench: Bench) -> None:
+    def new() -> None:
+        create(bench.document, "New pocket", lambda: api.add_elliptical_pocket(bench.job, radius_x_mm=20))
+
+    count, before = hand.main(lambda: len(bench.document.Objects)), hand.main(bench.values)
+    hand.main(new)
+    assert hand.main(lambda: len(bench.document.Objects)) == count + 1
+    hand.key("Esc")
+    hand.wait(bench.closed)
+    assert hand.main(lambda: len(bench.document.Objects)) == count
+    assert hand.main(bench.values) == before
+    hand.main(new)
+    hand.fill(DEPTH, "3")
+    hand.click(OK)
+    hand.wait(bench.closed)
+    assert hand.main(lambda: bench.document.UndoNames) == ["New pocket"]
+    hand.key("Ctrl+Z")
+    hand.wait(lambda: len(bench.document.Objects) == count)
+    assert hand.main(bench.values) == before
+
+
+@pytest.mark.parametrize("text", [*NO_NUMBERS, *NOT_POSITIVE])
+def test_a_bad_depth_is_said_beside_it_and_goes_nowhere(hand: Hand, bench: Bench, text: str) -> None:
+    before = hand.main(bench.values)
+    bench.open(bench.pocket)
+    hand.click(DEPTH)
+    hand.key("Ctrl+A")
+    hand.key("BackSpace")
+    hand.type(text)
+    hand.wait(lambda: bench.note("depth_mm"), 5, "the note")
+    assert hand.main(bench.sound, text, before)
+    hand.click(STEPOVER)
+    hand.click(OK)
+    hand.settle()
+    assert not hand.main(bench.closed)
+    assert hand.main(lambda: QtGui.QApplication.focusWidget().objectName()) == DEPTH
+    hand.fill(DEPTH, "8")
+    hand.wait(lambda: not bench.note("depth_mm"))
+    hand.click(OK)
+    hand.wait(bench.closed)
+    assert hand.main(lambda: bench.pocket.Depth.Value) == 8
+
+
+@pytest.mark.parametrize("kind", ["job", "tool", "pocket", "engraving", "line"])
+def test_every_field_of_every_panel_takes_bad_values(hand: Hand, bench: Bench, kind: str) -> None:
+    before = hand.main(bench.values)
+    bench.open(getattr(bench, kind))
+    fields = hand.main(bench.fields)
+    assert fields
+    for number, field in enumerate(fields):
+        for text in (NO_NUMBERS[number % len(NO_NUMBERS)], NO_NUMBERS[(number + 5) % len(NO_NUMBERS)]):
+            hand.main(lambda name=field: hand_into(bench, name))
+            hand.click(field)
+            hand.key("Ctrl+A")
+            hand.key("BackSpace")
+            hand.type(text)
+            hand.wait(partial(bench.note, key_of(field)), 5, f"the note at {field} for {text!r}")
+            assert hand.main(bench.sound, text, before)
+    hand.shot(f"panel-{kind}-bad")
+    hand.main(lambda: hand_into(bench, OK))
+    hand.click(OK)
+    hand.settle()
+    assert not hand.main(bench.closed)
+    hand.key("Esc")
+    hand.wait(bench.closed)
+    assert hand.main(bench.values) == before
+
+
+def hand_into(bench: Bench, name: str) -> None:
+    """Scroll the task panel until a widget can be seen."""
+    widget = FreeCADGui.getMainWindow().findChild(QtGui.QWidget, name)
+    area = widget.parent()
+    while area is not None and not isinstance(area, QtGui.QScrollArea):
+        area = area.parent()
+    if area is not None:
+        area.ensureWidgetVisible(widget)
+
+
+def test_what_the_cut_refuses_is_said_and_the_last_good_program_stays(hand: Hand, bench: Bench) -> None:
+    before = hand.main(bench.values)
+    bench.open(bench.pocket)
+    hand.fill(STEPOVER, "7")
+    hand.wait(lambda: "larger than the tool" in bench.note("stepover_mm"))
+    assert hand.main(bench.values) == before
+    hand.fill(DEPTH, "9")
+    hand.wait(lambda: bench.note("stepover_mm") and not bench.note("depth_mm"))
+    hand.shot("panel-pocket-refused")
+    hand.fill(STEPOVER, "3")
+    hand.wait(lambda: not bench.note("stepover_mm"))
+    assert hand.main(lambda: (bench.pocket.Stepover.Value, bench.pocket.Depth.Value)) == (3, 9)
+
+
+@pytest.fixture
+def inches(hand: Hand) -> Iterator[None]:
+    before = hand.main(FreeCAD.Units.getSchema)
+    hand.main(FreeCAD.Units.setSchema, 3)
+    yield
+    hand.main(FreeCAD.Units.setSchema, before)
+
+
+@pytest.mark.parametrize(("typed", "depth_mm"), [("0.25", 6.35), ('1/4"', 6.35), ("0,25 in", 6.35), ("5 mm", 5)])
+def test_imperial_units(hand: Hand, bench: Bench, inches: None, typed: str, depth_mm: float) -> None:
+    bench.open(bench.pocket)
+    assert hand.text(DEPTH) == "0.3937 in"
+    hand.fill(DEPTH, typed)
+    hand.wait(lambda: bench.pocket.Depth.Value == pytest.approx(depth_mm))
+    if depth_mm == 6.35:
+        assert hand.text(DEPTH) == "0.25 in"
+
+
+def test_a_drawing_is_chosen_taken_and_let_go(hand: Hand, bench: Bench) -> None:
+    bench.open(bench.pocket)
+    box = "CNCStepper_Panel_drawing"
+    offered = hand.main(lambda: [hand_box(box).itemText(i) for i in range(hand_box(box).count())])
+    assert offered == ["none, the numbers count", "Sketch"]
+    hand.choose(box, "Sketch")
+    hand.wait(lambda: bench.pocket.RadiusX.Value == pytest.approx(30))
+    assert hand.text("CNCStepper_Panel_radius_x_mm") == "30.00 mm"
+    assert not hand.main(lambda: hand_box("CNCStepper_Panel_radius_x_mm").isEnabled())
+    hand.shot("panel-pocket-drawing")
+    hand.choose(box, "none, the numbers count")
+    hand.wait(lambda: bench.pocket.Drawing is None)
+    assert hand.main(lambda: hand_box("CNCStepper_Panel_radius_x_mm").isEnabled())
+    hand.main(FreeCADGui.Selection.clearSelection)
+    hand.main(FreeCADGui.Selection.addSelection, bench.line)
+    hand.click("CNCStepper_Panel_drawing_take")
+    hand.wait(lambda: "no ellipse" in bench.note("drawing") or bench.panel_problem(), 5, "why it cannot be taken")
+    assert hand.main(lambda: bench.pocket.Drawing) is None
+
+
+def hand_box(name: str) -> Any:
+    return FreeCADGui.getMainWindow().findChild(QtGui.QWidget, name)
+
+
+def test_the_job_s_operations_and_tools(hand: Hand, bench: Bench) -> None:
+    bench.open(bench.job)
+    hand.shot("panel-job")
+    first, second = hand.main(lambda: [operation.Label for operation in bench.job.Operations])
+    hand.main(lambda: hand_into(bench, "CNCStepper_Panel_operations_up"))
+    hand.item("CNCStepper_Panel_operations", second)
+    hand.click("CNCStepper_Panel_operations_up")
+    hand.wait(lambda: [operation.Label for operation in bench.job.Operations] == [second, first])
+    assert hand.main(api.program_text, bench.job).index("engrave") < hand.main(api.program_text, bench.job).index("ell")
+    hand.main(lambda: hand_into(bench, "CNCStepper_Panel_tools_add"))
+    hand.click("CNCStepper_Panel_tools_remove")
+    assert "is cut with it" in hand.text("CNCStepper_Panel_tools_error")
+    hand.click("CNCStepper_Panel_tools_add")
+    hand.wait(lambda: len(bench.job.Tools) == 2)
+    hand.main(lambda: hand_into(bench, "CNCStepper_Panel_diameter_mm"))
+    hand.fill("CNCStepper_Panel_diameter_mm", "3,175")
+    hand.wait(lambda: bench.job.Tools[1].Diameter.Value == 3.175)
+    hand.main(lambda: hand_into(bench, "CNCStepper_Panel_tools_remove"))
+    hand.shot("panel-job-tools")
+    hand.click("CNCStepper_Panel_tools_remove")
+    hand.wait(lambda: len(bench.job.Tools) == 1)
+    hand.main(lambda: hand_into(bench, OK))
+    hand.click(OK)
+    hand.wait(bench.closed)
+    assert hand.main(lambda: bench.document.UndoCount) == 1
+    hand.key("Ctrl+Z")
+    hand.wait(lambda: [operation.Label for operation in bench.job.Operations] == [first, second])
+    assert hand.main(lambda: problem_of(bench.job)) == ""
+
+
+def test_each_edit_is_quick_and_memory_stays_flat_over_200(hand: Hand, bench: Bench) -> None:
+    bench.open(bench.pocket)
+    times_ms: list[float] = []
+
+    def edit(number: int) -> None:
+        line = hand_box(DEPTH)
+        line.setText(f"{10 + number % 5 / 10}")
+        line.textEdited.emit(line.text())
+        begun_s = time.thread_time()
+        bench.panel().apply()
+        times_ms.append((time.thread_time() - begun_s) * 1000)
+
+    for number in range(60):
+        hand.main(edit, number)
+    before_mb = hand.memory_mb()
+    times_ms.clear()
+    for number in range(200):
+        hand.main(edit, number)
+    print(f"an edit takes {statistics.median(times_ms):.0f} ms, at most {max(times_ms):.0f} ms")
+    assert statistics.median(times_ms) < QUICK_MS
+    assert hand.memory_mb() - before_mb < 8
