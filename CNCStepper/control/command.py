@@ -5,8 +5,8 @@ from __future__ import annotations
 
 import math
 import time
-from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, field, replace
 from queue import SimpleQueue
 from typing import Any
 
@@ -34,11 +34,11 @@ VALUES: dict[str, dict[str, Any]] = {  # of each command: its values and their t
 
 @dataclass(frozen=True)
 class Command:
-    """A wish; asked_s: when it came, by `time.monotonic`."""
+    """A wish; asked_s: when it came, by the clock of its `Inbox`."""
 
     name: str
     values: Mapping[str, Any] = field(default_factory=dict)
-    asked_s: float = field(default_factory=time.monotonic)
+    asked_s: float = 0.0
 
 
 def read_command(request: Mapping[str, Any], known: tuple[str, ...]) -> Command:
@@ -59,13 +59,14 @@ def _value(value: Any, kind: Any, key: str) -> Any:
 class Inbox:
     """Takes commands from any thread or signal handler and wakes up the thread that waits on `link`."""
 
-    def __init__(self) -> None:
+    def __init__(self, clock: Callable[[], float] = time.monotonic) -> None:
         self.link: Link | None = None
+        self._clock = clock
         self._commands: SimpleQueue[Command] = SimpleQueue()
 
     def put(self, command: Command) -> None:
         """Leave a command; it is taken within the link's next turn."""
-        self._commands.put(command)
+        self._commands.put(replace(command, asked_s=self._clock()))
         if self.link:
             self.link.wake()
 

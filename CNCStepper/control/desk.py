@@ -45,6 +45,7 @@ class Desk:
         *,
         opener: Callable[[str, int], Link] = open_link,
         timing: Timing | None = None,
+        clock: Callable[[], float] = time.monotonic,
         tell: Tell = lambda kind, text: None,
         refuse: Refuse = lambda command, error: None,
         ended: Callable[[Outcome], None] = lambda outcome: None,
@@ -58,7 +59,8 @@ class Desk:
         self._refuse = refuse
         self._ended = ended
         self._alone_s = alone_s
-        self._inbox = Inbox()
+        self._clock = clock
+        self._inbox = Inbox(clock)
         self._driver: Grbl | None = None
         self._idle: Idle | None = None
         self._run: JobRun | None = None
@@ -89,7 +91,7 @@ class Desk:
         """Connect and serve until told to end, or left alone; raises LinkError when the link breaks."""
         self._inbox.link = link = self._opener(self.port, self._baud)
         try:
-            self._driver = driver = Grbl(link, listen=self._listen)
+            self._driver = driver = Grbl(link, self._clock, self._listen)
             self._idle = Idle(driver, self._timing, self._tell, self._refuse)
             self._connect(driver, self._idle)
             while not self._over(self._idle):
@@ -158,7 +160,9 @@ class Desk:
         except JobError as error:
             self._ended(Outcome(REFUSED, str(error), known is not False, replace(self.status(), phase=REFUSED), error))
             return
-        self._run = JobRun(job, self._inbox, timing=self._timing, tell=self._tell, refuse=self._refuse)
+        self._run = JobRun(
+            job, self._inbox, timing=self._timing, clock=self._clock, tell=self._tell, refuse=self._refuse
+        )
         try:
             outcome = self._run.run(self._ready)
         finally:
@@ -194,6 +198,6 @@ class Desk:
         """Stop a jog or a homing that is still under way; a job has ended already."""
         if idle.phase in ("jogging", "homing"):
             idle.stop()
-        end_s = time.monotonic() + self._timing.hold_s
-        while idle.busy and time.monotonic() < end_s:
+        end_s = self._clock() + self._timing.hold_s
+        while idle.busy and self._clock() < end_s:
             idle.turn()

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import subprocess
 import threading
+import time
 from concurrent.futures import Future
 from pathlib import Path
 
@@ -25,6 +26,7 @@ def launch(port: str, baud: int, folder: Path | None) -> Future[Launched]:
     answer: Future[Launched] = Future()
 
     def work() -> None:
+        time.sleep(0)  # the window's thread goes on first
         try:
             path, process = _launched(port, baud, folder or session_folder())
         except Exception as error:

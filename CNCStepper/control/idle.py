@@ -10,7 +10,7 @@ from CNCStepper.control import acts, connect, halt
 from CNCStepper.control.codes import alarm_code, error_code
 from CNCStepper.control.command import Command
 from CNCStepper.control.grbl import HOLD, RESUME, Answered, Grbl, Received
-from CNCStepper.control.grbl_report import Alarm, Feedback, Greeting
+from CNCStepper.control.grbl_report import Alarm, Feedback, Greeting, Status
 from CNCStepper.control.jogger import LAPSE_S, Jogger, Way
 from CNCStepper.control.moment import moment
 from CNCStepper.control.outcome import SenderStatus
@@ -115,8 +115,10 @@ class Idle:
                 self._take_alarm(report)
             elif isinstance(report, Greeting):
                 self._give_up()
-                self._wants_reset, self._alarm = False, self._alarm if self._wants_reset else ""
+                self._wants_reset = False
                 self.lose_position()
+            elif isinstance(report, Status) and report.state == "Idle":
+                self._alarm = ""
             elif isinstance(report, Feedback) and report.text == CRITICAL:
                 self._wants_reset = True
 
@@ -176,7 +178,7 @@ class Idle:
         self.check_at_rest()
         known, asleep = self.position_known, self.status().machine_state == "Sleep"
         acts.unlock(self._driver, self._timing, self._wants_reset or asleep)
-        self.position_known, self._alarm = known, ""  # a reset at rest does not cost it
+        self.position_known = known  # a reset at rest does not cost it
 
     def _home(self) -> None:
         self.check_at_rest()
@@ -198,7 +200,7 @@ class Idle:
             words = f"the machine does not home: {code.meaning} (error:{answer.error})"
             self._refuse(Command("home"), MachineRefusal(f"grbl-error-{answer.error}", words, advice=code.advice))
         else:
-            self.position_known, self._alarm = True, ""
+            self.position_known = True
             self._tell("message", "the machine is homed")
 
     def _take_alarm(self, alarm: Alarm) -> None:

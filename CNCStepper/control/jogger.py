@@ -24,7 +24,8 @@ from CNCStepper.errors import MachineRefusal
 LAPSE_S = 0.3  # a held jog that nobody renews for so long is cancelled
 AHEAD_S = 0.2  # how much longer than its braking the planned way lasts
 PIECES = 8  # of the planned way; grbl plans 15
-SHORTEST_MM = 0.02  # of a piece
+SHORTEST_MM = 0.1  # of a piece: a few steps
+SLOWEST_MM_MIN = 30.0  # of a held jog; grbl makes 30 steps/s at least, and runs away from slower pacing
 STEPS_LIMIT = 5  # steps that wait for the controller
 MAY_JOG = ("Idle", "Jog")
 
@@ -85,12 +86,13 @@ class Jogger:
         self._steps: deque[Way] = deque()
         self._held: Held | None = None
         self._over = ""  # the press that came to its end before its button was let go
+        self._under_way = False  # a line without its answer
         self._cancelled_s = inf  # when 0x85 was written last, while its effect is awaited
 
     @property
     def active(self) -> bool:
         """Whether anything is to be sent, answered or cancelled still."""
-        return bool(self._steps or self._held or self._driver.unanswered) or self._cancelling
+        return bool(self._steps or self._held or self._under_way) or self._cancelling
 
     @property
     def wait_s(self) -> float:
@@ -118,7 +120,7 @@ class Jogger:
             self._held.renewed_s = self._driver.clock()
         elif self._held:
             self.cancel()
-        elif not self._cancelling and not self._driver.unanswered:
+        elif not self._cancelling and not self._under_way:
             self._held = self._begun(press, unit, self._driver.clock())
 
     def cancel(self) -> None:
@@ -135,11 +137,12 @@ class Jogger:
             self._tell("warning", f"the jog was stopped: its button was not heard of for {LAPSE_S:g} s")
         if self._cancelling:
             self._look_after_cancel(now_s)
-        elif not self._driver.unanswered:
+        elif not self._under_way:
             self._send_next(now_s)
 
     def answered(self, answer: Answered) -> None:
         """Take the answer to a jog line; a refused one ends all jogs that were asked for."""
+        self._under_way = False
         if answer.error:
             self._give_up()
             code = error_code(answer.error)
@@ -149,6 +152,7 @@ class Jogger:
     def forget(self) -> None:
         """The controller was reset or raised an alarm: nothing is under way any more."""
         self._give_up()
+        self._under_way = False
         self._cancelled_s = inf
 
     # --- inside --------------------------------------------------------------------------------
@@ -177,7 +181,7 @@ class Jogger:
     def _limited(self, way: Way) -> Way:
         """Return the direction, 1 mm long, with the feed that the machine's axes can follow."""
         unit = way.scaled(1.0, way.feed_mm_min)
-        return unit.scaled(1.0, min(way.feed_mm_min, self._along(unit, MAX_RATE)))
+        return unit.scaled(1.0, max(SLOWEST_MM_MIN, min(way.feed_mm_min, self._along(unit, MAX_RATE))))
 
     def _along(self, unit: Way, first_setting: int) -> float:
         """Return the limit along a direction that the axes' settings leave."""
@@ -200,10 +204,11 @@ class Jogger:
     def _send(self, way: Way) -> None:
         self._driver.send(way.line())
         self._driver.flush()
+        self._under_way = True
 
     def _look_after_cancel(self, now_s: float) -> None:
         """Cancel again what the controller took up after it was cancelled."""
-        if self._driver.unanswered or self._driver.status_asked_s <= self._cancelled_s or not self._driver.status:
+        if self._under_way or self._driver.status_asked_s <= self._cancelled_s or not self._driver.status:
             return
         if self._driver.status.state == "Jog":
             self._driver.realtime(JOG_CANCEL)

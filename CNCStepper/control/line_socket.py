@@ -7,6 +7,7 @@ import json
 import select
 import socket
 from collections.abc import Mapping
+from contextlib import suppress
 from typing import Any
 
 READ_BYTES = 262_144  # in one look, so that a flood does not keep the window
@@ -53,8 +54,12 @@ class LineSocket:
         return [json.loads(line) for line in lines]
 
     def close(self) -> None:
-        """Close it; what was sent before still arrives."""
+        """Close it; what was written before still arrives."""
         self.closed = True
+        with suppress(OSError):  # nothing left to read, or no connection
+            self._socket.shutdown(socket.SHUT_WR)
+            while self._socket.recv(READ_BYTES):  # unread bytes would make a reset of it, which discards the rest
+                pass
         self._socket.close()
 
     def _write(self) -> None:

@@ -40,7 +40,7 @@ class Sender:
         self._timing = timing or Timing()
         self._clock = clock
         self._tell = tell
-        self._inbox = Inbox()
+        self._inbox = Inbox(clock)
         self._early: list[Command] = []  # asked while connecting
         self._connecting = True
         self._run = JobRun(job, self._inbox, timing=self._timing, clock=clock, tell=tell)

@@ -26,6 +26,7 @@ import time
 from collections import deque
 from collections.abc import Callable
 from dataclasses import replace
+from math import inf
 from queue import SimpleQueue
 from typing import Any, Protocol
 
@@ -85,6 +86,7 @@ class SessionServer:
         self._history: deque[dict[str, Any]] = deque(maxlen=HISTORY)
         self._peers: dict[socket.socket, Peer] = {}
         self._alone_since_s = time.monotonic()  # of no use while a client is attached
+        self._left = False  # by the client that was attached last, for good
         self._selector = selectors.DefaultSelector()
         self._ended = threading.Event()
         self._last_status: Any = None
@@ -123,8 +125,9 @@ class SessionServer:
 
     def alone_s(self) -> float:
         """Return how long no client has been attached; infinite when the last one has left for good."""
-        attached = any(peer.attached for peer in list(self._peers.values()))
-        return 0.0 if attached else time.monotonic() - self._alone_since_s
+        if any(peer.attached for peer in list(self._peers.values())):
+            return 0.0
+        return inf if self._left else time.monotonic() - self._alone_since_s
 
     def finish(self) -> None:
         """Tell all attached clients what is still to be told, then close."""
@@ -207,9 +210,9 @@ class SessionServer:
         command = request.get("command")
         if command == "leave":
             self._drop(peer)
-            self._alone_since_s = float("-inf")
+            self._left = True
         elif command == "attach":
-            peer.attached = True
+            peer.attached, self._left = True, False
             for event in self._history:
                 self._post(peer, event)
         if command in ("attach", "status"):
@@ -241,7 +244,7 @@ class SessionServer:
             self._last_status = mark
             self._spread({"event": "status", "status": status.to_json()}, STATUS_BACKLOG_BYTES)
 
-    def _spread(self, event: dict[str, Any], backlog_bytes: float = float("inf")) -> None:
+    def _spread(self, event: dict[str, Any], backlog_bytes: float = inf) -> None:
         for peer in list(self._peers.values()):
             if peer.attached and len(peer.outbox) < backlog_bytes:
                 self._post(peer, event)

@@ -24,6 +24,7 @@ import serial
 
 from CNCStepper.errors import LinkError
 from CNCStepper.machine.profile import Machine, load_machine
+from CNCStepper.virtual.grbl import server as server_module
 from CNCStepper.virtual.grbl.link import Link
 from CNCStepper.virtual.grbl.machine import Grbl
 from CNCStepper.virtual.grbl.ports import Port, PtyPort, TcpPort
@@ -57,10 +58,14 @@ def process(machine: str = "table-a", **options: object) -> Iterator[tuple[str, 
         assert (running.returncode, errors) == (0, "")
 
 
+def board_link(baud: int = 115200) -> Link:
+    return Link(Grbl(load_machine("table-a")), baud)
+
+
 @contextlib.contextmanager
 def serving(port: Port, speed: float = 1.0, baud: int = 115200) -> Iterator[str]:
     """Yield the address of a virtual grbl that runs in a thread."""
-    server = Server(Link(Grbl(load_machine("table-a")), baud), port, speed)
+    server = Server(board_link(baud), port, speed)
     thread = threading.Thread(target=server.run)
     thread.start()
     try:
@@ -252,3 +257,27 @@ def test_only_this_machine_may_connect(address: str, machine: Machine) -> None:
     with pytest.raises(LinkError) as caught:
         serve(machine, tcp=address)
     assert caught.value.code == "tcp-address"
+
+
+def test_server_that_serves_until_it_is_left_ends_when_its_client_goes(port):
+    server = Server(board_link(), port, until_left=True)
+    thread = threading.Thread(target=server.run)
+    thread.start()
+    try:
+        with opened(port.address) as link:
+            read_until(link, "Grbl")
+            assert thread.is_alive()
+        thread.join(LIMIT_S)
+        assert not thread.is_alive()
+    finally:
+        server.stop()
+        thread.join(LIMIT_S)
+        port.close()
+
+
+def test_server_that_serves_until_it_is_left_ends_when_nobody_comes(port, monkeypatch):
+    monkeypatch.setattr(server_module, "NOBODY_CAME_S", 0.2)
+    begin_s = time.monotonic()
+    Server(board_link(), port, until_left=True).run()
+    port.close()
+    assert 0.2 <= time.monotonic() - begin_s < LIMIT_S

@@ -1,0 +1,149 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A desk at a virtual grbl, both in one thread and in simulated time, and a person who waits and asks."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+from fake_controller import FakeClock
+
+from CNCStepper.control.command import Command
+from CNCStepper.control.desk import Desk
+from CNCStepper.control.outcome import Outcome
+from CNCStepper.control.send_job import SendJob
+from CNCStepper.control.timing import Timing
+from CNCStepper.errors import CNCStepperError, LinkError
+from CNCStepper.machine.profile import load_machine
+from CNCStepper.virtual.grbl.link import Link
+from CNCStepper.virtual.grbl.machine import Grbl
+
+STEP_S, LONG_STEP_S = 0.002, 0.01
+LIMIT_S = 60.0
+
+Person = Iterator[Callable[[], bool] | float]
+
+
+class Table:
+    """A virtual board behind its serial line, as a link for the desk; reading lets time pass and the person act.
+
+    written: (time, bytes) that reached the port. cut: the cable is out.
+    """
+
+    name = "table"
+
+    def __init__(self, homing: bool = False, settings: dict[int, float] | None = None):
+        self.clock = FakeClock()
+        self.board = Grbl(load_machine("table-a"), homing=homing)
+        self.board.memory.settings.values.update(settings or {})
+        self.written: list[tuple[float, bytes]] = []
+        self.cut = False
+        self.person: Person = iter(())
+        self.closed = False
+        self._wire = Link(self.board)
+        self._next: Callable[[], bool] = lambda: True
+        self._woken = False
+        self._end_s = self.clock() + LIMIT_S
+
+    def read(self, wait_s: float) -> bytes:
+        end_s = self.clock.now_s + wait_s
+        while True:
+            data = self.pass_time(min(wait_s, LONG_STEP_S) if self._wire.quiet else STEP_S)
+            if data or self._woken or self.clock.now_s >= end_s:
+                self._woken = False
+                return data
+
+    def write(self, data: bytes) -> None:
+        if self.cut:
+            raise LinkError("link-lost", "the cable is out")
+        self.written.append((self.clock.now_s, data))
+        self._wire.send(data)
+
+    def wake(self) -> None:
+        self._woken = True
+
+    def close(self) -> None:
+        self.closed = True
+
+    def pass_time(self, seconds: float) -> bytes:
+        if self.cut:
+            raise LinkError("link-lost", "the cable is out")
+        self.clock.now_s += seconds
+        self._wire.advance(seconds)
+        assert self.clock.now_s < self._end_s, "the test takes too long"
+        while self._next():
+            awaited = next(self.person, lambda: False)
+            self._next = awaited if callable(awaited) else self._after(awaited)
+        return self._wire.receive()
+
+    def x_mm(self) -> float:
+        """Where the table's X axis really is."""
+        return self.board.axes.position_mm[0]
+
+    def sent(self, byte: bytes) -> list[float]:
+        """Return when a real-time byte was written."""
+        return [time_s for time_s, data in self.written if data == byte]
+
+    def _after(self, seconds: float) -> Callable[[], bool]:
+        end_s = self.clock.now_s + seconds
+        return lambda: self.clock.now_s >= end_s
+
+
+class Visit:
+    """One desk from its first to its last moment, with all that it told."""
+
+    def __init__(self, tmp_path: Path, *, timing: Timing | None = None, **table):
+        self.table = Table(**table)
+        self.told: list[tuple[str, str]] = []
+        self.refused: list[tuple[str, CNCStepperError]] = []
+        self.outcomes: list[Outcome] = []
+        self.alone_s = 0.0
+        self._file = tmp_path / "a job ç.json"
+        self.desk = Desk(
+            "table",
+            opener=lambda name, baud: self.table,
+            timing=timing,
+            clock=self.table.clock,
+            tell=lambda kind, text: self.told.append((kind, text)),
+            refuse=lambda command, error: self.refused.append((command.name, error)),
+            ended=self.outcomes.append,
+            alone_s=lambda: self.alone_s,
+        )
+
+    def receive(self, person: Callable[[], Person]) -> None:
+        """Let a person come who, at the end, tells the desk to end."""
+
+        def visit() -> Person:
+            yield lambda: self.phase != "connecting"
+            yield from person()
+            self.desk.stop()
+
+        self.table.person = visit()
+        self.desk.run()
+
+    def ask(self, name: str, **values) -> None:
+        if name == "jog":
+            values = dict.fromkeys(("x_mm", "y_mm", "z_mm"), 0.0) | {"feed_mm_min": 3000.0} | values
+        self.desk.ask(Command(name, values))
+
+    def job(self, *lines: str, **job) -> None:
+        """Ask for a job of these lines, as the window leaves it in a file: without a port."""
+        content = json.loads(SendJob("nowhere", lines, file="part.nc", **job).to_json())
+        del content["port"]
+        self._file.write_text(json.dumps(content), "utf-8")
+        self.ask("run", file=str(self._file), zero_confirmed=True, allow_differences=False)
+
+    def at(self, *phases: str) -> Callable[[], bool]:
+        """Return what to wait for: the desk is in one of these phases."""
+        return lambda: self.phase in phases
+
+    def ended(self, jobs: int = 1) -> Callable[[], bool]:
+        return lambda: len(self.outcomes) == jobs and self.phase in ("idle", "alarm")
+
+    @property
+    def phase(self) -> str:
+        return self.desk.status().phase
+
+    def refusals(self) -> list[str]:
+        return [error.code for _, error in self.refused]
