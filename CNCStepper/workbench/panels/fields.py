@@ -115,7 +115,7 @@ class Field(QtCore.QObject):
             editor.setToolTip(tr(self.entry.text))
 
     def _why_fixed(self) -> str:
-        if any(path.split(".")[0] == self.entry.name for path, *_ in self.obj.ExpressionEngine):
+        if any(path.lstrip(".").split(".")[0] == self.entry.name for path, *_ in self.obj.ExpressionEngine):
             return tr("An expression gives this value; change it in the property editor")
         return tr("The drawing gives this value") if "ReadOnly" in self.obj.getEditorMode(self.entry.name) else ""
 
