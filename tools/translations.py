@@ -8,6 +8,7 @@ Where a text belongs (its context) is where FreeCAD or we look it up:
     CNCStepper       `tr("…")` and `later("…")`
     App::Property    names, groups and texts of properties, for FreeCAD's property editor
     a command's name and Workbench: `QT_TRANSLATE_NOOP("context", "…")`
+    CNCStepper core  sentences of errors and findings, which workbench/sentences.py recognises; {0} is a value
 """
 
 from __future__ import annotations
@@ -28,7 +29,11 @@ ROOT = Path(__file__).resolve().parents[1]
 DEBIAN_QT = "/usr/lib/qt5/bin"
 FOLDER = ROOT / "resources" / "translations"
 LANGUAGES = {"": "en", "_pt-BR": "pt_BR"}
-OURS, PROPERTY = "CNCStepper", "App::Property"
+OURS, PROPERTY, CORE = "CNCStepper", "App::Property", "CNCStepper core"
+CORE_ROOMS = ("geometry", "cycles", "machine", "job", "simulation", "control", "workbench")
+NO_SENTENCES = {"picture.py", "sentences.py"}  # a picture's own labels; what puts these together
+MARKED = {"tr", "later", "QT_TRANSLATE_NOOP"}
+NO_SENTENCE = re.compile(r"[\n|\\^]|\{ |px|: \{0\};|^User parameter|^\*\.|^\s|\s$")  # code, styles, names, pieces
 SHOWN_BY = {
     "setText", "setToolTip", "setWindowTitle", "setTitle", "setPlaceholderText", "setStatusTip", "setWhatsThis",
     "setSuffix", "setPrefix", "setInformativeText", "setDetailedText", "setLabelText", "setSpecialValueText",
@@ -36,6 +41,7 @@ SHOWN_BY = {
     "setHeaderLabels", "setHorizontalHeaderLabels", "addButton", "setFormat", "openTransaction", "QLabel",
     "QPushButton", "QToolButton", "QCheckBox", "QRadioButton", "QGroupBox", "QAction", "QMenu", "QDockWidget",
 }  # fmt: skip
+LETTERS = re.compile(r"[^\W\d_]{2,}")
 WORD = re.compile(r"[^\W\d_]{3,}")
 SAME_EVERYWHERE = {"CNCStepper", "grbl", "rpm"}
 
@@ -59,7 +65,39 @@ def texts() -> dict[Text, str]:
     for path in sources():
         for text, line in texts_of(path.read_text("utf-8"), in_features=path.parent.name == "features"):
             found.setdefault(text, f"{path.relative_to(ROOT).as_posix()}:{line}")
+    for path in (path for room in CORE_ROOMS for path in sorted((ROOT / "CNCStepper" / room).rglob("*.py"))):
+        for sentence, line in [] if path.name in NO_SENTENCES else sentences_of(path.read_text("utf-8")):
+            found.setdefault(Text(CORE, sentence), f"{path.relative_to(ROOT).as_posix()}:{line}")
     return found
+
+
+def sentences_of(source: str) -> Iterator[tuple[str, int]]:
+    """Yield the strings of a module that read as a sentence, and their lines."""
+    passed: set[int] = set()
+    for node in ast.walk(ast.parse(source)):  # what holds a string comes before it
+        passed.update(map(id, no_sentences_in(node)))
+        sentence = template(node) if isinstance(node, ast.expr) and id(node) not in passed else ""
+        if len(LETTERS.findall(re.sub(r"\{\d+\}", "", sentence))) > 1 and not NO_SENTENCE.search(sentence):
+            yield sentence, node.lineno
+
+
+def no_sentences_in(node: ast.AST) -> list[ast.AST]:
+    """Return the parts of a node that are no sentence by themselves: docstrings, pieces of strings, marked texts."""
+    if isinstance(node, ast.Expr):
+        return [node.value]
+    if isinstance(node, ast.JoinedStr) or (isinstance(node, ast.Call) and called(node) in MARKED):
+        return list(ast.walk(node))[1:]
+    return []
+
+
+def template(node: ast.expr) -> str:
+    """Return a string of the source, {0} and so on for its values; "" for anything else and for a single word."""
+    if isinstance(node, ast.JoinedStr):
+        numbers = iter(range(len(node.values)))
+        text = "".join(literal(part) or f"{{{next(numbers)}}}" for part in node.values)
+    else:
+        text = literal(node) or ""
+    return text if " " in text.strip() else ""
 
 
 def texts_of(source: str, in_features: bool = False) -> Iterator[tuple[Text, int]]:

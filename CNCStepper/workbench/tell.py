@@ -14,6 +14,7 @@ from collections.abc import Callable
 from typing import Any
 
 from CNCStepper.errors import CNCStepperError
+from CNCStepper.workbench.sentences import translated
 from CNCStepper.workbench.words import tr
 
 NAME = "CNCStepper"
@@ -60,7 +61,7 @@ def _arguments_taken(function: Callable[..., Any]) -> int | None:
 def error(problem: BaseException) -> None:
     """Show an error and return at once; without a window it is printed."""
     if isinstance(problem, CNCStepperError):
-        _show("error", "Warning", sentence(problem), problem.advice)
+        _show("error", "Warning", sentence(problem), translated(problem.advice))
         return
     import FreeCAD
 
@@ -108,7 +109,7 @@ def sentence(problem: CNCStepperError) -> str:
     """Return what an error says, with its place, value and limit, without its advice and code."""
     numbers = [part for part in (problem.value, problem.limit and tr("limit {0}").format(problem.limit)) if part]
     place = f"{problem.place}: " if problem.place else ""
-    return f"{place}{problem.what}" + (f" ({', '.join(numbers)})" if numbers else "")
+    return f"{place}{translated(problem.what)}" + (f" ({', '.join(numbers)})" if numbers else "")
 
 
 def _show(kind: str, icon: str, text: str, more: str = "", details: str = "") -> None:

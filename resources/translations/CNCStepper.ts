@@ -96,10 +96,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Feed at the wall</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>Finish</source>
             <translation type="unfinished"></translation>
         </message>
@@ -113,10 +109,6 @@
         </message>
         <message>
             <source>Finish Stepover</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>First half axis</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -288,6 +280,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Radius x</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Radius y</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Recalculated to whole passes</source>
             <translation type="unfinished"></translation>
         </message>
@@ -301,10 +301,6 @@
         </message>
         <message>
             <source>Rotation</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>Second half axis</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -493,6 +489,10 @@
         </message>
         <message>
             <source>Unreachable</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Wall feed</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -707,6 +707,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Choose a port, or type an address.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Choose a port, then connect.</source>
             <translation type="unfinished"></translation>
         </message>
@@ -751,7 +755,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Connect to the controller at this port</source>
+            <source>Connect to the controller at this port.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -831,6 +835,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Disconnect first: this is what the dock is connected to.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Done</source>
             <translation type="unfinished"></translation>
         </message>
@@ -907,19 +915,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Feed at the wall</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>Feeding in air</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Find the cause, then home the machine or unlock it.</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>Finding</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -936,10 +936,6 @@
         </message>
         <message>
             <source>Finishing</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>First half axis</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1127,7 +1123,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Let go of the controller</source>
+            <source>Let go of the controller.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1216,10 +1212,6 @@
         </message>
         <message>
             <source>No messages yet</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>No port can be opened here.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1351,6 +1343,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Radius x</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Radius y</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Rapid</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1424,10 +1424,6 @@
         </message>
         <message>
             <source>Saved {0}</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>Second half axis</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1823,6 +1819,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Wall feed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Warning</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1840,10 +1840,6 @@
         </message>
         <message>
             <source>What the round tool must leave at the ends of the long axis</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>Where</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1971,10 +1967,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>line {0}</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>make room in the folder for temporary files</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2087,6 +2079,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{0}, line {1}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{0}:</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2100,6 +2096,1661 @@
         </message>
         <message>
             <source>{0}× speed</source>
+            <translation type="unfinished"></translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper core</name>
+        <message>
+            <source>${0} is {1}, wanted {2}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>'{0}' cannot be {1}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>'{0}' is no origin of a stock</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>'{0}' is not a tool</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>'{0}' names no axes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>'{0}' names no port number</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>0 to {0} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>FreeCAD's Python lacks {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>G43.1 may move only the tool-length axis</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>G53 works only with G0 and G1</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Reset to continue</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a P or L value is missing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a bulge is not that of an arc in mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a coordinate is not a length in mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a curve needs at least two points and a bulge for each segment</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a cut goes into stock while the spindle stands</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a cutting move begins at an unknown position, so it is not checked against the stock</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a cutting move has no feed rate</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a cylinder is as long in X as in Y</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a height field needs two rows and two columns of finite heights at least</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a job runs</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a jog needs a way and a feed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a limit switch stayed pressed after homing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a limit switch was hit</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a move would end outside the travel (soft limit)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a number is missing or cannot be read</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a rapid goes sideways while the height is not known</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a rapid goes through stock</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a request without the session's token</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a scale must be positive</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a setting asks for more steps a second than the controller can give</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a tolerance must be above 0</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a value is negative where only positive ones are allowed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a word does not begin with a letter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a word stands twice in one line</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a {0} tool has no {1}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a {0} tool is simulated as a flat one of its diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a {0} tool leaves no flat floor</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>above 0 mm/min</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>add the missing pass, or lower the stepover or the stepdown</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>add the tool or correct the T word</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>add yourself to its group (sudo usermod -aG dialout $USER) and log in again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>all {0} lines are cut, the machine is idle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>an offset came damaged: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>another task is open in the task panel</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>ask for the right to use it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>at least {0} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>attach to it again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>attach to that one</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>attach to the session again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>axis words stand where no command uses them</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>axis.{0} is missing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>begin the program with a rapid to a safe Z</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>begin with rapids that name X, Y and Z</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>below {0} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>both radii must be positive</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>bring it to Idle first</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>check both switches</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>check cable and baud rate</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>check cable and power; home the machine or set its zero again before the next cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>check cable, power and other programs on this port</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>check its supply and cable</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>check its supply and cable, then send again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>check its supply and the reset button; home the machine or set its zero before the next cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>check power, cable, port and baud rate of the controller</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>check that it is a grbl 1.1 controller and that the baud rate is right</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>check the baud rate and what is connected</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>check the cable</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>check the depth, or lay a spoil board under the stock</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>check the probe's wiring and plate, then unlock with $X</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>check the switches, and travel $130 to $132</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>choose S from {0} to {1}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>choose a folder that exists and that you may write to</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>choose a sketch, wire, B-spline or freehand line for it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>choose a smaller tool</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>choose another</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>choose one of the job's tools for it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>choose one of: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>choose the right machine profile, or correct the settings</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>clearance_mm must not be below retract_mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>close it and home again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>close it first</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>close it or set closed = false</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>close it: draw a whole ellipse instead of an arc</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>close other programs on this port and check the cable; then set the zero again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>close the door, then resume</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>close the other program that holds it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>close the safety door and resume, or reset it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>close the safety door, then resume</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>corner_radius_mm must not exceed half of diameter_mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>correct its spelling or take it out; known are: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>correct that</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>correct that key</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>correct that line of the program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>correct that value</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>correct the jog command</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>correct the path, the tool's diameter or the depth</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>correct work zero or program, then unlock with $X; the position is kept</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>curves do not meet</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>draw at least two points</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>draw it on the XY plane or on one parallel to it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>draw something in it, or choose another drawing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>enable homing ($22=1) or switch soft limits off ($20=0)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>exclusively lock</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>find the cause, then home the machine: its position is lost</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>finish_stepover_mm (ae_acab) is larger than the tool's radius allows</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>finish_{0} leaves nothing to rough</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>flute_length_mm must not exceed length_mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>give 2 or 3 numbers</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>give F before it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>give X,Y,Z in mm, for example 100,70,20</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>give a TOML file or one of: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>give a device name or socket://host:port</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>give a finite number</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>give a way of 0.0001 mm or more and a feed above 0</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>give all points one Z and tilt the line by its Placement</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>give an F word before the first feed move</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>give heights over the bottom, and the largest as the stock's Z</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>give its diameter for X and for Y</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>give the path of a TOML job file</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>give the stock and the tools</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>give the tool a {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>give the work zero to have the travel checked</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>heights differ by {0} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>home the machine ($H), or unlock it ($X) if its position is surely right</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>home the machine again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>home the machine, or unlock it with $X</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>homing can be stopped</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>homing found no limit switch</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>homing is not enabled</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>homing was interrupted by a reset</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>install it for the Python that proves (python -m pip install NAME)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>install it: python -m pip install pyserial</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>install them in one (python -m pip install {0}), or set {1} to a Python that has them</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>it ended with an error</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>it has: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>jog less far</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>judge its depth by hand</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>laser mode needs a variable spindle output</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>leave less for the finishing pass, or islands remain</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>leave one ellipse in it and draw the rest elsewhere or as construction lines</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>leave one ellipse in it, drawn as an ellipse and not as a B-spline</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>leave the N words out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>leave the check mode with $C</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>lift the tool before it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>look at its switches</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>look the code up in the controller's documentation</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>lower F; the machine will take longer than the feed says</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>lower steps/mm or maximum rate</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>make finish_{0} smaller</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>make it again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>make it smaller, or islands remain</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>make resolution_mm larger</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>make the passes, the levels, the resolution or the entry angle larger</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>make the program smaller, split it, or use a larger machine</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>make {0} larger</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>material is left where it should be removed{0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>mend that object first</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>move the shape or the work zero, or take larger stock</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>move the work zero {0} the {1} axis or make the program smaller</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>name X and Y in a rapid above the stock first</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>no feed rate was set</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>no parallel curve that far inside</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>nobody has confirmed the work zero</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>not a JSON file: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>not a TOML file: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>not a curve with xy and bulge: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>not a job to send: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>not a job: the file holds no object</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>not finite: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>not the numbers of a curve: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>nothing answers</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>nothing answers at {0}: {1}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>nothing moves</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>nothing moves that could be held</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>only a closed curve can start elsewhere</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>only {0} of {1} bytes were taken</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>operation '{0}' uses tool {1}, which the job does not have</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>part of the drawn shape lies beside the stock</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>please report it, with the program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>plug the controller in, or give one of the ports that are there: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>points are not pairs of x and y</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>prepare the program again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>pyserial is not installed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>radii and resolution must be positive</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>raise the pull-off $27 or check the switch</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>remove it; only plain ASCII without ? ! ~ may be sent</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>resolution_mm is too coarse for the tool</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>resume what it was doing, or reset it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>run 'make setup' beside the workbench, or let Tools &gt; Addon Manager install them, or install them for Python {0}.{1} into a folder of their own (pip install --target FOLDER) and name it in the environment variable CNCSTEPPER_PACKAGES</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>see its log, report it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>see whether it is whole</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>set $0 to 3 or more</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>set $22=1 if the machine has limit switches</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>set $32=0 or use a build with PWM</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>set it again, and do not start before it is right</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>set the machine's settings again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>set the zero on the stock, then confirm it (--zero-confirmed)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>shorten or split that line</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>shorten that line</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>shorten the start-up line</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>soft limits need homing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>something else than grbl answers</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>split that line</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>split that line in two</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>start it with cncstepper send</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>start it, or correct the URL</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>start nearer to the part, then unlock with $X</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>start the spindle with M3 and S before it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>stepover_mm (ae) is larger than the tool</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>stop with M5 and M0 before the new tool</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>stopped as asked after {0} lines</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>stopped before the first line was sent</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>take out {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the $ command is not known</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the arc has no axis word of its plane</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the arc lacks its centre offset in the plane</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the arc's end does not lie on its circle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the arc's radius does not fit its end point</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the character {0} would act as a command of its own or is not ASCII</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the command is allowed only while the machine is idle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the command lacks its axis words</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the controller does not answer any more</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the controller does not come back from its reset</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the controller does not know this command</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the controller does not report ${0}: it was not compared</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the controller does not report its {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the controller does not say its work system: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the controller does not tell its state</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the controller is idle but has not answered '{0}'</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the controller is locked by an alarm or a jog</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the controller is locked: home the machine, or unlock it if its position is surely right</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the controller raised an alarm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the controller refused '{0}': {1} (error:{2})</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the controller refused the line</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the controller refused {0}: {1} (error:{2})</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the controller restarted in the middle of the job</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the controller restarted when its port was opened; it counts from where it stands</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the controller said: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the controller sleeps and its motors are off: unlock it, then home it or set its zero again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the controller was reset while moving</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the curve is not smooth here</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the cut begins without waiting for the spindle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the desk failed by a fault of its own</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the desk of {0} is not there, or was killed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the desk's process does not come up</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the drawing '{0}' does not lie flat</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the drawing '{0}' holds a line that is no ellipse</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the drawing '{0}' holds more than one ellipse</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the drawing '{0}' holds no lines</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the drawing '{0}' that it followed was deleted</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the ellipse in '{0}' is open</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the ellipse's ends are tighter than the tool, where similar ellipses would cut into the wall</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the feed asks more of {0} than its highest rate</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the heights do not fit their box</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the job cannot be read: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the job has no operations</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the jog came too late to be safe</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the jog command lacks its `=` or holds a forbidden word</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the jog ends outside the machine's travel</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the jog was stopped: its button was not heard of for {0} s</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the jogs before this one are not done yet</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the line does not end where it began</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the line does not fit into the controller's buffer</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the line has no length</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the line is longer than grbl can read</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the line is too long</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the line map does not fit the lines</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the line number is not between 0 and 9999999</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the link to {0} broke: {1}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the machine does not end its homing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the machine does not home: {0} (error:{1})</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the machine has no {0} coolant</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the machine is homed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the machine is not at rest</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the machine is not held</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the machine is not idle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the machine is not in alarm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the machine jogs only while it is idle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the machine stands, spindle and outputs are off, its position is kept (the reset cleared G92 and tool length)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the machine's position is unknown: look that spindle and outputs are off, then home it or set its zero again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the move leaves the travel of {0} by {1} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the operation is too long for one program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the pocket is too narrow for a {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the points of a freehand line lie at different heights</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the probe touched nothing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the probe was not in its start state</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the process that proves cannot be started</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the process that proves the program ended without an answer</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the program cannot be written: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the program has no line to send</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the program is larger than the travel of {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the program moves nothing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the program pauses while the spindle turns</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the proof failed by a fault of its own: {0}: {1}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the resolution is too fine for the ellipse</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the safety door is open or the machine is parking ({0}): resume later</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the safety door was opened</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the safety door was opened while homing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the second limit switch of a double axis was not found</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the sender failed by a fault of its own</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the sender's process does not answer</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the sender's process does not come up</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the sender's process ended at once</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the session refused {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the session still runs</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the session {0} is not there, or was killed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the session's log</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the spindle cannot turn at this speed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the step pulse is shorter than 3 microseconds</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the stock needs three lengths above zero</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the stored line is too long</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the stored settings could not be read and were reset</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the tolerance is negative</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the tolerance is too small for this curve</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the tolerance must be above 0</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the tolerance must not be negative</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the tool cuts into the wanted part</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the tool goes below the stock and cuts what lies under it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the tool is below the stock's top while its place in X or Y is not known</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the tool is wider than the pocket</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the tool number is too large</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the value must be a whole number</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the virtual grbl ended at once</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the wall may be up to {0} mm off: an ellipse is no offset of an ellipse, and the resolution adds to it; method "tolerance" keeps to tolerance_mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the work systems G59.1 to G59.3 do not exist here</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the work zero is not known, so the program's place on the table is unknown</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the zero of {0} in {1} was not taken over</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>there is no command '{0}'</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>there is no cycle '{0}'</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>there is no job file '{0}'</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>there is no key {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>there is no machine profile '{0}'</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>there is no override {0} {1}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>there is no part to draw</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>there is no port {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>there is nothing to resume</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>there is nothing to resume: the machine is not held</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>there is nothing to stop</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>there is nothing to unlock</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>this client is detached</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>tip_diameter_mm must be below diameter_mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>tool {0} cuts on without a stop to change tool {1}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>tool {0} has no {1}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>tool {0} is not known, so what it cuts is not checked</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>travel_min_mm must be below travel_max_mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>try again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>try again; if it stays so, the program may need more memory than there is</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>two commands of one line both want axis words</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>two tools have the same number</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>two words of one modal group stand in one line</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>undo that, choose another drawing, or choose none</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>unknown keys {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>update its firmware</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>use G54 to G59</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>use I and J instead of R</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>use a flat tool</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>use a tool number up to 255</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>use entry "plunge"</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>use entry "ramp" or "plunge"</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>use method "tolerance" or a smaller tool</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>use one of: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>use one that `$` lists</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>wait a moment</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>wait longer, hold or stop it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>wait until it has ended, or stop it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>wait until it has finished, or stop it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>wait until it is homed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>wait until it is idle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>wait until it is idle; after an alarm home it or unlock it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>wait until the jog has ended</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>wake it up with a reset, then home it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>words were left over that no command uses</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>work_offset must be one of {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write G4 P{0} after the spindle starts</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write M5 before M0</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write for example XYZ, or Z alone</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write one of: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write shape:diameter_mm, for example flat:6 or ball:2</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write socket://host:port</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write the arc with more decimals</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write the program for the dialect grbl</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>zero of {0} set in {1}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} answered '{1}' to no line</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} asks for more than {1} passes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} cannot be '{1}'</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} cannot be started: {1}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} cannot be used as a serial port: {1}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} cannot be {1}: {2}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} characters, {1} with spaces</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} does not answer {1}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} has changed since the program was made</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} has no '{1}'</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} has no drawing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} has no program: {1}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} has no tool</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} is in use</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} is in use by another window's connection</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} is no port: {1}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} may not be opened by this user</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} mm high</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} mm of material stays at each end of the long axis, where the ellipse is tighter than the tool; a tool of at most {1} mm diameter reaches it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} mm radius</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} mm, {1} mm/min</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} mm/min</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} must be a list of tables</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} must be a number</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} needs X, Y or X, Y, Z</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} points, {1} bulges</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} restarted while it was asked</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} runs grbl {1}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} sends no line ends</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} to {1} mm</source>
             <translation type="unfinished"></translation>
         </message>
     </context>

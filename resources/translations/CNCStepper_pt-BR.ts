@@ -96,10 +96,6 @@
             <translation>Avanço</translation>
         </message>
         <message>
-            <source>Feed at the wall</source>
-            <translation>Avanço na parede</translation>
-        </message>
-        <message>
             <source>Finish</source>
             <translation>Acabamento</translation>
         </message>
@@ -114,10 +110,6 @@
         <message>
             <source>Finish Stepover</source>
             <translation>Última penetração de trabalho</translation>
-        </message>
-        <message>
-            <source>First half axis</source>
-            <translation>Primeiro semieixo</translation>
         </message>
         <message>
             <source>From X to the ellipse's first axis</source>
@@ -288,6 +280,14 @@
             <translation>Semieixo Y</translation>
         </message>
         <message>
+            <source>Radius x</source>
+            <translation>Semieixo x</translation>
+        </message>
+        <message>
+            <source>Radius y</source>
+            <translation>Semieixo y</translation>
+        </message>
+        <message>
             <source>Recalculated to whole passes</source>
             <translation>Recalculado para passes inteiros</translation>
         </message>
@@ -302,10 +302,6 @@
         <message>
             <source>Rotation</source>
             <translation>Rotação</translation>
-        </message>
-        <message>
-            <source>Second half axis</source>
-            <translation>Segundo semieixo</translation>
         </message>
         <message>
             <source>Shape</source>
@@ -494,6 +490,10 @@
         <message>
             <source>Unreachable</source>
             <translation>Inalcançável</translation>
+        </message>
+        <message>
+            <source>Wall feed</source>
+            <translation>Avanço na parede</translation>
         </message>
         <message>
             <source>What is cut, in this order</source>
@@ -707,6 +707,10 @@
             <translation>Verificando o programa</translation>
         </message>
         <message>
+            <source>Choose a port, or type an address.</source>
+            <translation>Escolha uma porta ou digite um endereço.</translation>
+        </message>
+        <message>
             <source>Choose a port, then connect.</source>
             <translation>Escolha uma porta e conecte.</translation>
         </message>
@@ -751,8 +755,8 @@
             <translation>Conecte-se antes a um controlador.</translation>
         </message>
         <message>
-            <source>Connect to the controller at this port</source>
-            <translation>Conecta ao controlador nesta porta</translation>
+            <source>Connect to the controller at this port.</source>
+            <translation>Conecta ao controlador nesta porta.</translation>
         </message>
         <message>
             <source>Connecting…</source>
@@ -831,6 +835,10 @@
             <translation>Desconectar</translation>
         </message>
         <message>
+            <source>Disconnect first: this is what the dock is connected to.</source>
+            <translation>Desconecte antes: é a isto que o painel está conectado.</translation>
+        </message>
+        <message>
             <source>Done</source>
             <translation>Concluído</translation>
         </message>
@@ -907,20 +915,12 @@
             <translation>Avanço</translation>
         </message>
         <message>
-            <source>Feed at the wall</source>
-            <translation>Avanço na parede</translation>
-        </message>
-        <message>
             <source>Feeding in air</source>
             <translation>Avanço no ar</translation>
         </message>
         <message>
             <source>Find the cause, then home the machine or unlock it.</source>
             <translation>Encontre a causa, depois referencie a máquina ou destrave-a.</translation>
-        </message>
-        <message>
-            <source>Finding</source>
-            <translation>Ocorrência</translation>
         </message>
         <message>
             <source>Findings ({0})</source>
@@ -937,10 +937,6 @@
         <message>
             <source>Finishing</source>
             <translation>Terminando</translation>
-        </message>
-        <message>
-            <source>First half axis</source>
-            <translation>Primeiro semieixo</translation>
         </message>
         <message>
             <source>Fit to drawing</source>
@@ -1127,8 +1123,8 @@
             <translation>Comprimento, largura e altura</translation>
         </message>
         <message>
-            <source>Let go of the controller</source>
-            <translation>Libera o controlador</translation>
+            <source>Let go of the controller.</source>
+            <translation>Libera o controlador.</translation>
         </message>
         <message>
             <source>Let the machine find its own zero with its switches.</source>
@@ -1217,10 +1213,6 @@
         <message>
             <source>No messages yet</source>
             <translation>Nenhuma mensagem ainda</translation>
-        </message>
-        <message>
-            <source>No port can be opened here.</source>
-            <translation>Nenhuma porta pode ser aberta aqui.</translation>
         </message>
         <message>
             <source>Not connected</source>
@@ -1351,6 +1343,14 @@
             <translation>Põe o bloco em torno do que está selecionado, ou dos desenhos das operações</translation>
         </message>
         <message>
+            <source>Radius x</source>
+            <translation>Semieixo x</translation>
+        </message>
+        <message>
+            <source>Radius y</source>
+            <translation>Semieixo y</translation>
+        </message>
+        <message>
             <source>Rapid</source>
             <translation>Rápido</translation>
         </message>
@@ -1425,10 +1425,6 @@
         <message>
             <source>Saved {0}</source>
             <translation>{0} salvo</translation>
-        </message>
-        <message>
-            <source>Second half axis</source>
-            <translation>Segundo semieixo</translation>
         </message>
         <message>
             <source>Select a drawing in the tree or in the 3D view first</source>
@@ -1823,6 +1819,10 @@
             <translation>Esperando a resposta do controlador.</translation>
         </message>
         <message>
+            <source>Wall feed</source>
+            <translation>Avanço na parede</translation>
+        </message>
+        <message>
             <source>Warning</source>
             <translation>Aviso</translation>
         </message>
@@ -1841,10 +1841,6 @@
         <message>
             <source>What the round tool must leave at the ends of the long axis</source>
             <translation>O que a ferramenta redonda deixa nas pontas do eixo maior</translation>
-        </message>
-        <message>
-            <source>Where</source>
-            <translation>Onde</translation>
         </message>
         <message>
             <source>Where on the stock the work zero lies</source>
@@ -1971,10 +1967,6 @@
             <translation>limite {0}</translation>
         </message>
         <message>
-            <source>line {0}</source>
-            <translation>linha {0}</translation>
-        </message>
-        <message>
             <source>make room in the folder for temporary files</source>
             <translation>libere espaço na pasta de arquivos temporários</translation>
         </message>
@@ -2087,6 +2079,10 @@
             <translation>{0} ×</translation>
         </message>
         <message>
+            <source>{0}, line {1}</source>
+            <translation>{0}, linha {1}</translation>
+        </message>
+        <message>
             <source>{0}:</source>
             <translation>{0}:</translation>
         </message>
@@ -2101,6 +2097,1661 @@
         <message>
             <source>{0}× speed</source>
             <translation>velocidade {0}×</translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper core</name>
+        <message>
+            <source>${0} is {1}, wanted {2}</source>
+            <translation>${0} é {1}, esperado {2}</translation>
+        </message>
+        <message>
+            <source>'{0}' cannot be {1}</source>
+            <translation>'{0}' não pode ser {1}</translation>
+        </message>
+        <message>
+            <source>'{0}' is no origin of a stock</source>
+            <translation>'{0}' não é uma origem de bloco</translation>
+        </message>
+        <message>
+            <source>'{0}' is not a tool</source>
+            <translation>'{0}' não é uma ferramenta</translation>
+        </message>
+        <message>
+            <source>'{0}' names no axes</source>
+            <translation>'{0}' não indica eixos</translation>
+        </message>
+        <message>
+            <source>'{0}' names no port number</source>
+            <translation>'{0}' não indica um número de porta</translation>
+        </message>
+        <message>
+            <source>0 to {0} mm</source>
+            <translation>0 a {0} mm</translation>
+        </message>
+        <message>
+            <source>FreeCAD's Python lacks {0}</source>
+            <translation>Falta no Python do FreeCAD: {0}</translation>
+        </message>
+        <message>
+            <source>G43.1 may move only the tool-length axis</source>
+            <translation>G43.1 só pode mover o eixo do comprimento da ferramenta</translation>
+        </message>
+        <message>
+            <source>G53 works only with G0 and G1</source>
+            <translation>G53 só funciona com G0 e G1</translation>
+        </message>
+        <message>
+            <source>Reset to continue</source>
+            <translation>Reset to continue</translation>
+        </message>
+        <message>
+            <source>a P or L value is missing</source>
+            <translation>falta um valor P ou L</translation>
+        </message>
+        <message>
+            <source>a bulge is not that of an arc in mm</source>
+            <translation>um bulge não é o de um arco em mm</translation>
+        </message>
+        <message>
+            <source>a coordinate is not a length in mm</source>
+            <translation>uma coordenada não é um comprimento em mm</translation>
+        </message>
+        <message>
+            <source>a curve needs at least two points and a bulge for each segment</source>
+            <translation>uma curva precisa de ao menos dois pontos e de um bulge por segmento</translation>
+        </message>
+        <message>
+            <source>a cut goes into stock while the spindle stands</source>
+            <translation>um corte entra no material com o spindle parado</translation>
+        </message>
+        <message>
+            <source>a cutting move begins at an unknown position, so it is not checked against the stock</source>
+            <translation>um movimento de corte começa em posição desconhecida, por isso não é verificado contra o bloco</translation>
+        </message>
+        <message>
+            <source>a cutting move has no feed rate</source>
+            <translation>um movimento de corte não tem avanço</translation>
+        </message>
+        <message>
+            <source>a cylinder is as long in X as in Y</source>
+            <translation>um cilindro é tão comprido em X quanto em Y</translation>
+        </message>
+        <message>
+            <source>a height field needs two rows and two columns of finite heights at least</source>
+            <translation>um campo de alturas precisa de ao menos duas linhas e duas colunas de alturas finitas</translation>
+        </message>
+        <message>
+            <source>a job runs</source>
+            <translation>um trabalho está em curso</translation>
+        </message>
+        <message>
+            <source>a jog needs a way and a feed</source>
+            <translation>um movimento manual precisa de distância e avanço</translation>
+        </message>
+        <message>
+            <source>a limit switch stayed pressed after homing</source>
+            <translation>um fim de curso ficou acionado depois do referenciamento</translation>
+        </message>
+        <message>
+            <source>a limit switch was hit</source>
+            <translation>um fim de curso foi atingido</translation>
+        </message>
+        <message>
+            <source>a move would end outside the travel (soft limit)</source>
+            <translation>um movimento terminaria fora do curso (limite de software)</translation>
+        </message>
+        <message>
+            <source>a number is missing or cannot be read</source>
+            <translation>um número falta ou não pode ser lido</translation>
+        </message>
+        <message>
+            <source>a rapid goes sideways while the height is not known</source>
+            <translation>um rápido anda de lado sem que a altura seja conhecida</translation>
+        </message>
+        <message>
+            <source>a rapid goes through stock</source>
+            <translation>um rápido atravessa o material</translation>
+        </message>
+        <message>
+            <source>a request without the session's token</source>
+            <translation>um pedido sem a chave da sessão</translation>
+        </message>
+        <message>
+            <source>a scale must be positive</source>
+            <translation>uma escala deve ser positiva</translation>
+        </message>
+        <message>
+            <source>a setting asks for more steps a second than the controller can give</source>
+            <translation>uma configuração pede mais passos por segundo do que o controlador consegue</translation>
+        </message>
+        <message>
+            <source>a tolerance must be above 0</source>
+            <translation>uma tolerância deve ser maior que 0</translation>
+        </message>
+        <message>
+            <source>a value is negative where only positive ones are allowed</source>
+            <translation>um valor é negativo onde só positivos são permitidos</translation>
+        </message>
+        <message>
+            <source>a word does not begin with a letter</source>
+            <translation>uma palavra não começa com letra</translation>
+        </message>
+        <message>
+            <source>a word stands twice in one line</source>
+            <translation>uma palavra aparece duas vezes na linha</translation>
+        </message>
+        <message>
+            <source>a {0} tool has no {1}</source>
+            <translation>uma ferramenta {0} não tem {1}</translation>
+        </message>
+        <message>
+            <source>a {0} tool is simulated as a flat one of its diameter</source>
+            <translation>uma ferramenta {0} é simulada como fresa reta do mesmo diâmetro</translation>
+        </message>
+        <message>
+            <source>a {0} tool leaves no flat floor</source>
+            <translation>uma ferramenta {0} não deixa o fundo plano</translation>
+        </message>
+        <message>
+            <source>above 0 mm/min</source>
+            <translation>acima de 0 mm/min</translation>
+        </message>
+        <message>
+            <source>add the missing pass, or lower the stepover or the stepdown</source>
+            <translation>acrescente o passe que falta, ou diminua a penetração de trabalho ou a profundidade de corte</translation>
+        </message>
+        <message>
+            <source>add the tool or correct the T word</source>
+            <translation>adicione a ferramenta ou corrija a palavra T</translation>
+        </message>
+        <message>
+            <source>add yourself to its group (sudo usermod -aG dialout $USER) and log in again</source>
+            <translation>entre no grupo dela (sudo usermod -aG dialout $USER) e faça login de novo</translation>
+        </message>
+        <message>
+            <source>all {0} lines are cut, the machine is idle</source>
+            <translation>todas as {0} linhas foram usinadas, a máquina está pronta</translation>
+        </message>
+        <message>
+            <source>an offset came damaged: {0}</source>
+            <translation>um deslocamento chegou danificado: {0}</translation>
+        </message>
+        <message>
+            <source>another task is open in the task panel</source>
+            <translation>outra tarefa está aberta no painel de tarefas</translation>
+        </message>
+        <message>
+            <source>ask for the right to use it</source>
+            <translation>peça permissão para usá-la</translation>
+        </message>
+        <message>
+            <source>at least {0} mm</source>
+            <translation>ao menos {0} mm</translation>
+        </message>
+        <message>
+            <source>attach to it again</source>
+            <translation>ligue-se a ela de novo</translation>
+        </message>
+        <message>
+            <source>attach to that one</source>
+            <translation>ligue-se àquela</translation>
+        </message>
+        <message>
+            <source>attach to the session again</source>
+            <translation>ligue-se de novo à sessão</translation>
+        </message>
+        <message>
+            <source>axis words stand where no command uses them</source>
+            <translation>há palavras de eixo onde nenhum comando as usa</translation>
+        </message>
+        <message>
+            <source>axis.{0} is missing</source>
+            <translation>falta axis.{0}</translation>
+        </message>
+        <message>
+            <source>begin the program with a rapid to a safe Z</source>
+            <translation>comece o programa com um rápido até um Z seguro</translation>
+        </message>
+        <message>
+            <source>begin with rapids that name X, Y and Z</source>
+            <translation>comece com rápidos que indiquem X, Y e Z</translation>
+        </message>
+        <message>
+            <source>below {0} mm</source>
+            <translation>abaixo de {0} mm</translation>
+        </message>
+        <message>
+            <source>both radii must be positive</source>
+            <translation>os dois semieixos devem ser positivos</translation>
+        </message>
+        <message>
+            <source>bring it to Idle first</source>
+            <translation>deixe-a antes em Idle (pronta)</translation>
+        </message>
+        <message>
+            <source>check both switches</source>
+            <translation>verifique os dois fins de curso</translation>
+        </message>
+        <message>
+            <source>check cable and baud rate</source>
+            <translation>verifique o cabo e a taxa (baud)</translation>
+        </message>
+        <message>
+            <source>check cable and power; home the machine or set its zero again before the next cut</source>
+            <translation>verifique cabo e alimentação; referencie a máquina ou defina o zero de novo antes do próximo corte</translation>
+        </message>
+        <message>
+            <source>check cable, power and other programs on this port</source>
+            <translation>verifique cabo, alimentação e outros programas nesta porta</translation>
+        </message>
+        <message>
+            <source>check its supply and cable</source>
+            <translation>verifique a alimentação e o cabo</translation>
+        </message>
+        <message>
+            <source>check its supply and cable, then send again</source>
+            <translation>verifique a alimentação e o cabo e envie de novo</translation>
+        </message>
+        <message>
+            <source>check its supply and the reset button; home the machine or set its zero before the next cut</source>
+            <translation>verifique a alimentação e o botão de reset; referencie a máquina ou defina o zero antes do próximo corte</translation>
+        </message>
+        <message>
+            <source>check power, cable, port and baud rate of the controller</source>
+            <translation>verifique alimentação, cabo, porta e taxa (baud) do controlador</translation>
+        </message>
+        <message>
+            <source>check that it is a grbl 1.1 controller and that the baud rate is right</source>
+            <translation>verifique se é um controlador grbl 1.1 e se a taxa (baud) está certa</translation>
+        </message>
+        <message>
+            <source>check the baud rate and what is connected</source>
+            <translation>verifique a taxa (baud) e o que está conectado</translation>
+        </message>
+        <message>
+            <source>check the cable</source>
+            <translation>verifique o cabo</translation>
+        </message>
+        <message>
+            <source>check the depth, or lay a spoil board under the stock</source>
+            <translation>verifique a profundidade, ou ponha uma chapa de sacrifício sob o bloco</translation>
+        </message>
+        <message>
+            <source>check the probe's wiring and plate, then unlock with $X</source>
+            <translation>verifique a fiação e a placa do apalpador e destrave com $X</translation>
+        </message>
+        <message>
+            <source>check the switches, and travel $130 to $132</source>
+            <translation>verifique os fins de curso e os cursos $130 a $132</translation>
+        </message>
+        <message>
+            <source>choose S from {0} to {1}</source>
+            <translation>escolha S de {0} a {1}</translation>
+        </message>
+        <message>
+            <source>choose a folder that exists and that you may write to</source>
+            <translation>escolha uma pasta que exista e em que você possa gravar</translation>
+        </message>
+        <message>
+            <source>choose a sketch, wire, B-spline or freehand line for it</source>
+            <translation>escolha para ela um esboço, arame, B-spline ou linha à mão livre</translation>
+        </message>
+        <message>
+            <source>choose a smaller tool</source>
+            <translation>escolha uma ferramenta menor</translation>
+        </message>
+        <message>
+            <source>choose another</source>
+            <translation>escolha outro</translation>
+        </message>
+        <message>
+            <source>choose one of the job's tools for it</source>
+            <translation>escolha para ela uma das ferramentas do trabalho</translation>
+        </message>
+        <message>
+            <source>choose one of: {0}</source>
+            <translation>escolha um destes: {0}</translation>
+        </message>
+        <message>
+            <source>choose the right machine profile, or correct the settings</source>
+            <translation>escolha o perfil de máquina certo, ou corrija as configurações</translation>
+        </message>
+        <message>
+            <source>clearance_mm must not be below retract_mm</source>
+            <translation>clearance_mm (altura de segurança) não pode ser menor que retract_mm (retração)</translation>
+        </message>
+        <message>
+            <source>close it and home again</source>
+            <translation>feche-a e referencie de novo</translation>
+        </message>
+        <message>
+            <source>close it first</source>
+            <translation>feche-a antes</translation>
+        </message>
+        <message>
+            <source>close it or set closed = false</source>
+            <translation>feche-a ou use closed = false</translation>
+        </message>
+        <message>
+            <source>close it: draw a whole ellipse instead of an arc</source>
+            <translation>feche-a: desenhe uma elipse inteira em vez de um arco</translation>
+        </message>
+        <message>
+            <source>close other programs on this port and check the cable; then set the zero again</source>
+            <translation>feche outros programas nesta porta e verifique o cabo; depois defina o zero de novo</translation>
+        </message>
+        <message>
+            <source>close the door, then resume</source>
+            <translation>feche a porta e retome</translation>
+        </message>
+        <message>
+            <source>close the other program that holds it</source>
+            <translation>feche o outro programa que a ocupa</translation>
+        </message>
+        <message>
+            <source>close the safety door and resume, or reset it</source>
+            <translation>feche a porta de segurança e retome, ou reinicie-a</translation>
+        </message>
+        <message>
+            <source>close the safety door, then resume</source>
+            <translation>feche a porta de segurança e retome</translation>
+        </message>
+        <message>
+            <source>corner_radius_mm must not exceed half of diameter_mm</source>
+            <translation>corner_radius_mm não pode passar da metade de diameter_mm</translation>
+        </message>
+        <message>
+            <source>correct its spelling or take it out; known are: {0}</source>
+            <translation>corrija a grafia ou retire-a; são conhecidas: {0}</translation>
+        </message>
+        <message>
+            <source>correct that</source>
+            <translation>corrija isso</translation>
+        </message>
+        <message>
+            <source>correct that key</source>
+            <translation>corrija essa chave</translation>
+        </message>
+        <message>
+            <source>correct that line of the program</source>
+            <translation>corrija essa linha do programa</translation>
+        </message>
+        <message>
+            <source>correct that value</source>
+            <translation>corrija esse valor</translation>
+        </message>
+        <message>
+            <source>correct the jog command</source>
+            <translation>corrija o comando de jog</translation>
+        </message>
+        <message>
+            <source>correct the path, the tool's diameter or the depth</source>
+            <translation>corrija a trajetória, o diâmetro da ferramenta ou a profundidade</translation>
+        </message>
+        <message>
+            <source>correct work zero or program, then unlock with $X; the position is kept</source>
+            <translation>corrija o zero-peça ou o programa e destrave com $X; a posição se mantém</translation>
+        </message>
+        <message>
+            <source>curves do not meet</source>
+            <translation>as curvas não se encontram</translation>
+        </message>
+        <message>
+            <source>draw at least two points</source>
+            <translation>desenhe ao menos dois pontos</translation>
+        </message>
+        <message>
+            <source>draw it on the XY plane or on one parallel to it</source>
+            <translation>desenhe-o no plano XY ou em um paralelo a ele</translation>
+        </message>
+        <message>
+            <source>draw something in it, or choose another drawing</source>
+            <translation>desenhe algo nele, ou escolha outro desenho</translation>
+        </message>
+        <message>
+            <source>enable homing ($22=1) or switch soft limits off ($20=0)</source>
+            <translation>habilite o referenciamento ($22=1) ou desligue os limites de software ($20=0)</translation>
+        </message>
+        <message>
+            <source>exclusively lock</source>
+            <translation>exclusively lock</translation>
+        </message>
+        <message>
+            <source>find the cause, then home the machine: its position is lost</source>
+            <translation>encontre a causa e referencie a máquina: a posição se perdeu</translation>
+        </message>
+        <message>
+            <source>finish_stepover_mm (ae_acab) is larger than the tool's radius allows</source>
+            <translation>finish_stepover_mm (ae_acab) é maior do que o raio da ferramenta permite</translation>
+        </message>
+        <message>
+            <source>finish_{0} leaves nothing to rough</source>
+            <translation>finish_{0} não deixa nada para desbastar</translation>
+        </message>
+        <message>
+            <source>flute_length_mm must not exceed length_mm</source>
+            <translation>flute_length_mm não pode passar de length_mm</translation>
+        </message>
+        <message>
+            <source>give 2 or 3 numbers</source>
+            <translation>dê 2 ou 3 números</translation>
+        </message>
+        <message>
+            <source>give F before it</source>
+            <translation>escreva F antes dele</translation>
+        </message>
+        <message>
+            <source>give X,Y,Z in mm, for example 100,70,20</source>
+            <translation>dê X,Y,Z em mm, por exemplo 100,70,20</translation>
+        </message>
+        <message>
+            <source>give a TOML file or one of: {0}</source>
+            <translation>dê um arquivo TOML ou um destes: {0}</translation>
+        </message>
+        <message>
+            <source>give a device name or socket://host:port</source>
+            <translation>dê um nome de dispositivo ou socket://host:porta</translation>
+        </message>
+        <message>
+            <source>give a finite number</source>
+            <translation>dê um número finito</translation>
+        </message>
+        <message>
+            <source>give a way of 0.0001 mm or more and a feed above 0</source>
+            <translation>dê uma distância de 0,0001 mm ou mais e um avanço acima de 0</translation>
+        </message>
+        <message>
+            <source>give all points one Z and tilt the line by its Placement</source>
+            <translation>dê a todos os pontos o mesmo Z e incline a linha pelo seu Posicionamento</translation>
+        </message>
+        <message>
+            <source>give an F word before the first feed move</source>
+            <translation>escreva uma palavra F antes do primeiro movimento de avanço</translation>
+        </message>
+        <message>
+            <source>give heights over the bottom, and the largest as the stock's Z</source>
+            <translation>dê alturas acima do fundo, e a maior como Z do bloco</translation>
+        </message>
+        <message>
+            <source>give its diameter for X and for Y</source>
+            <translation>dê o diâmetro para X e para Y</translation>
+        </message>
+        <message>
+            <source>give the path of a TOML job file</source>
+            <translation>dê o caminho de um arquivo de trabalho TOML</translation>
+        </message>
+        <message>
+            <source>give the stock and the tools</source>
+            <translation>informe o bloco e as ferramentas</translation>
+        </message>
+        <message>
+            <source>give the tool a {0}</source>
+            <translation>dê à ferramenta um {0}</translation>
+        </message>
+        <message>
+            <source>give the work zero to have the travel checked</source>
+            <translation>informe o zero-peça para que o curso seja verificado</translation>
+        </message>
+        <message>
+            <source>heights differ by {0} mm</source>
+            <translation>as alturas diferem em {0} mm</translation>
+        </message>
+        <message>
+            <source>home the machine ($H), or unlock it ($X) if its position is surely right</source>
+            <translation>referencie a máquina ($H), ou destrave-a ($X) se a posição está certa com certeza</translation>
+        </message>
+        <message>
+            <source>home the machine again</source>
+            <translation>referencie a máquina de novo</translation>
+        </message>
+        <message>
+            <source>home the machine, or unlock it with $X</source>
+            <translation>referencie a máquina, ou destrave-a com $X</translation>
+        </message>
+        <message>
+            <source>homing can be stopped</source>
+            <translation>o referenciamento pode ser parado</translation>
+        </message>
+        <message>
+            <source>homing found no limit switch</source>
+            <translation>o referenciamento não encontrou fim de curso</translation>
+        </message>
+        <message>
+            <source>homing is not enabled</source>
+            <translation>o referenciamento não está habilitado</translation>
+        </message>
+        <message>
+            <source>homing was interrupted by a reset</source>
+            <translation>o referenciamento foi interrompido por um reset</translation>
+        </message>
+        <message>
+            <source>install it for the Python that proves (python -m pip install NAME)</source>
+            <translation>instale-o para o Python que verifica (python -m pip install NOME)</translation>
+        </message>
+        <message>
+            <source>install it: python -m pip install pyserial</source>
+            <translation>instale-o: python -m pip install pyserial</translation>
+        </message>
+        <message>
+            <source>install them in one (python -m pip install {0}), or set {1} to a Python that has them</source>
+            <translation>instale-os em um (python -m pip install {0}), ou aponte {1} para um Python que os tenha</translation>
+        </message>
+        <message>
+            <source>it ended with an error</source>
+            <translation>terminou com um erro</translation>
+        </message>
+        <message>
+            <source>it has: {0}</source>
+            <translation>ele tem: {0}</translation>
+        </message>
+        <message>
+            <source>jog less far</source>
+            <translation>mova menos</translation>
+        </message>
+        <message>
+            <source>judge its depth by hand</source>
+            <translation>avalie a profundidade por conta própria</translation>
+        </message>
+        <message>
+            <source>laser mode needs a variable spindle output</source>
+            <translation>o modo laser exige saída de spindle variável</translation>
+        </message>
+        <message>
+            <source>leave less for the finishing pass, or islands remain</source>
+            <translation>deixe menos para o passe de acabamento, ou sobram ilhas</translation>
+        </message>
+        <message>
+            <source>leave one ellipse in it and draw the rest elsewhere or as construction lines</source>
+            <translation>deixe nele uma elipse e desenhe o resto em outro lugar ou como linhas de construção</translation>
+        </message>
+        <message>
+            <source>leave one ellipse in it, drawn as an ellipse and not as a B-spline</source>
+            <translation>deixe nele uma elipse, desenhada como elipse e não como B-spline</translation>
+        </message>
+        <message>
+            <source>leave the N words out</source>
+            <translation>omita as palavras N</translation>
+        </message>
+        <message>
+            <source>leave the check mode with $C</source>
+            <translation>saia do modo de verificação com $C</translation>
+        </message>
+        <message>
+            <source>lift the tool before it</source>
+            <translation>levante a ferramenta antes dele</translation>
+        </message>
+        <message>
+            <source>look at its switches</source>
+            <translation>examine os fins de curso</translation>
+        </message>
+        <message>
+            <source>look the code up in the controller's documentation</source>
+            <translation>procure o código na documentação do controlador</translation>
+        </message>
+        <message>
+            <source>lower F; the machine will take longer than the feed says</source>
+            <translation>diminua F; a máquina levará mais tempo do que o avanço indica</translation>
+        </message>
+        <message>
+            <source>lower steps/mm or maximum rate</source>
+            <translation>diminua os passos/mm ou a velocidade máxima</translation>
+        </message>
+        <message>
+            <source>make finish_{0} smaller</source>
+            <translation>diminua finish_{0}</translation>
+        </message>
+        <message>
+            <source>make it again</source>
+            <translation>refaça-o</translation>
+        </message>
+        <message>
+            <source>make it smaller, or islands remain</source>
+            <translation>diminua-a, ou sobram ilhas</translation>
+        </message>
+        <message>
+            <source>make resolution_mm larger</source>
+            <translation>aumente resolution_mm</translation>
+        </message>
+        <message>
+            <source>make the passes, the levels, the resolution or the entry angle larger</source>
+            <translation>aumente os passes, os níveis, a resolução ou o ângulo de entrada</translation>
+        </message>
+        <message>
+            <source>make the program smaller, split it, or use a larger machine</source>
+            <translation>diminua o programa, divida-o ou use uma máquina maior</translation>
+        </message>
+        <message>
+            <source>make {0} larger</source>
+            <translation>aumente {0}</translation>
+        </message>
+        <message>
+            <source>material is left where it should be removed{0}</source>
+            <translation>sobra material onde deveria ser removido{0}</translation>
+        </message>
+        <message>
+            <source>mend that object first</source>
+            <translation>corrija antes esse objeto</translation>
+        </message>
+        <message>
+            <source>move the shape or the work zero, or take larger stock</source>
+            <translation>mova a forma ou o zero-peça, ou use um bloco maior</translation>
+        </message>
+        <message>
+            <source>move the work zero {0} the {1} axis or make the program smaller</source>
+            <translation>mova o zero-peça ({0}) no eixo {1} ou diminua o programa</translation>
+        </message>
+        <message>
+            <source>name X and Y in a rapid above the stock first</source>
+            <translation>indique antes X e Y em um rápido acima do bloco</translation>
+        </message>
+        <message>
+            <source>no feed rate was set</source>
+            <translation>nenhum avanço foi definido</translation>
+        </message>
+        <message>
+            <source>no parallel curve that far inside</source>
+            <translation>não há curva paralela tão para dentro</translation>
+        </message>
+        <message>
+            <source>nobody has confirmed the work zero</source>
+            <translation>ninguém confirmou o zero-peça</translation>
+        </message>
+        <message>
+            <source>not a JSON file: {0}</source>
+            <translation>não é um arquivo JSON: {0}</translation>
+        </message>
+        <message>
+            <source>not a TOML file: {0}</source>
+            <translation>não é um arquivo TOML: {0}</translation>
+        </message>
+        <message>
+            <source>not a curve with xy and bulge: {0}</source>
+            <translation>não é uma curva com xy e bulge: {0}</translation>
+        </message>
+        <message>
+            <source>not a job to send: {0}</source>
+            <translation>não é um trabalho para enviar: {0}</translation>
+        </message>
+        <message>
+            <source>not a job: the file holds no object</source>
+            <translation>não é um trabalho: o arquivo não contém um objeto</translation>
+        </message>
+        <message>
+            <source>not finite: {0}</source>
+            <translation>não é finito: {0}</translation>
+        </message>
+        <message>
+            <source>not the numbers of a curve: {0}</source>
+            <translation>não são os números de uma curva: {0}</translation>
+        </message>
+        <message>
+            <source>nothing answers</source>
+            <translation>nada responde</translation>
+        </message>
+        <message>
+            <source>nothing answers at {0}: {1}</source>
+            <translation>nada responde em {0}: {1}</translation>
+        </message>
+        <message>
+            <source>nothing moves</source>
+            <translation>nada se move</translation>
+        </message>
+        <message>
+            <source>nothing moves that could be held</source>
+            <translation>nada se move que possa ser pausado</translation>
+        </message>
+        <message>
+            <source>only a closed curve can start elsewhere</source>
+            <translation>só uma curva fechada pode começar em outro lugar</translation>
+        </message>
+        <message>
+            <source>only {0} of {1} bytes were taken</source>
+            <translation>só {0} de {1} bytes foram aceitos</translation>
+        </message>
+        <message>
+            <source>operation '{0}' uses tool {1}, which the job does not have</source>
+            <translation>a operação '{0}' usa a ferramenta {1}, que o trabalho não tem</translation>
+        </message>
+        <message>
+            <source>part of the drawn shape lies beside the stock</source>
+            <translation>parte da forma desenhada fica fora do bloco</translation>
+        </message>
+        <message>
+            <source>please report it, with the program</source>
+            <translation>relate-o, por favor, com o programa</translation>
+        </message>
+        <message>
+            <source>plug the controller in, or give one of the ports that are there: {0}</source>
+            <translation>conecte o controlador, ou indique uma das portas que há: {0}</translation>
+        </message>
+        <message>
+            <source>points are not pairs of x and y</source>
+            <translation>os pontos não são pares de x e y</translation>
+        </message>
+        <message>
+            <source>prepare the program again</source>
+            <translation>prepare o programa de novo</translation>
+        </message>
+        <message>
+            <source>pyserial is not installed</source>
+            <translation>o pyserial não está instalado</translation>
+        </message>
+        <message>
+            <source>radii and resolution must be positive</source>
+            <translation>os semieixos e a resolução devem ser positivos</translation>
+        </message>
+        <message>
+            <source>raise the pull-off $27 or check the switch</source>
+            <translation>aumente o recuo $27 ou verifique o fim de curso</translation>
+        </message>
+        <message>
+            <source>remove it; only plain ASCII without ? ! ~ may be sent</source>
+            <translation>remova-o; só ASCII puro sem ? ! ~ pode ser enviado</translation>
+        </message>
+        <message>
+            <source>resolution_mm is too coarse for the tool</source>
+            <translation>resolution_mm é grossa demais para a ferramenta</translation>
+        </message>
+        <message>
+            <source>resume what it was doing, or reset it</source>
+            <translation>retome o que fazia, ou reinicie-a</translation>
+        </message>
+        <message>
+            <source>run 'make setup' beside the workbench, or let Tools &gt; Addon Manager install them, or install them for Python {0}.{1} into a folder of their own (pip install --target FOLDER) and name it in the environment variable CNCSTEPPER_PACKAGES</source>
+            <translation>rode 'make setup' na pasta da bancada, ou instale-os por Ferramentas &gt; Gerenciador de extensões, ou instale-os para Python {0}.{1} em uma pasta própria (pip install --target PASTA) e indique-a na variável de ambiente CNCSTEPPER_PACKAGES</translation>
+        </message>
+        <message>
+            <source>see its log, report it</source>
+            <translation>veja o registro e relate-o</translation>
+        </message>
+        <message>
+            <source>see whether it is whole</source>
+            <translation>veja se está completo</translation>
+        </message>
+        <message>
+            <source>set $0 to 3 or more</source>
+            <translation>ponha $0 em 3 ou mais</translation>
+        </message>
+        <message>
+            <source>set $22=1 if the machine has limit switches</source>
+            <translation>use $22=1 se a máquina tem fins de curso</translation>
+        </message>
+        <message>
+            <source>set $32=0 or use a build with PWM</source>
+            <translation>use $32=0 ou um firmware com PWM</translation>
+        </message>
+        <message>
+            <source>set it again, and do not start before it is right</source>
+            <translation>defina-o de novo, e não inicie antes que esteja certo</translation>
+        </message>
+        <message>
+            <source>set the machine's settings again</source>
+            <translation>refaça as configurações da máquina</translation>
+        </message>
+        <message>
+            <source>set the zero on the stock, then confirm it (--zero-confirmed)</source>
+            <translation>defina o zero no bloco e confirme-o (--zero-confirmed)</translation>
+        </message>
+        <message>
+            <source>shorten or split that line</source>
+            <translation>encurte ou divida essa linha</translation>
+        </message>
+        <message>
+            <source>shorten that line</source>
+            <translation>encurte essa linha</translation>
+        </message>
+        <message>
+            <source>shorten the start-up line</source>
+            <translation>encurte a linha de partida</translation>
+        </message>
+        <message>
+            <source>soft limits need homing</source>
+            <translation>limites de software exigem referenciamento</translation>
+        </message>
+        <message>
+            <source>something else than grbl answers</source>
+            <translation>quem responde não é um grbl</translation>
+        </message>
+        <message>
+            <source>split that line</source>
+            <translation>divida essa linha</translation>
+        </message>
+        <message>
+            <source>split that line in two</source>
+            <translation>divida essa linha em duas</translation>
+        </message>
+        <message>
+            <source>start it with cncstepper send</source>
+            <translation>inicie-o com cncstepper send</translation>
+        </message>
+        <message>
+            <source>start it, or correct the URL</source>
+            <translation>inicie-o, ou corrija a URL</translation>
+        </message>
+        <message>
+            <source>start nearer to the part, then unlock with $X</source>
+            <translation>comece mais perto da peça e destrave com $X</translation>
+        </message>
+        <message>
+            <source>start the spindle with M3 and S before it</source>
+            <translation>ligue o spindle com M3 e S antes dele</translation>
+        </message>
+        <message>
+            <source>stepover_mm (ae) is larger than the tool</source>
+            <translation>stepover_mm (ae) é maior que a ferramenta</translation>
+        </message>
+        <message>
+            <source>stop with M5 and M0 before the new tool</source>
+            <translation>pare com M5 e M0 antes da nova ferramenta</translation>
+        </message>
+        <message>
+            <source>stopped as asked after {0} lines</source>
+            <translation>parado como pedido após {0} linhas</translation>
+        </message>
+        <message>
+            <source>stopped before the first line was sent</source>
+            <translation>parado antes de enviar a primeira linha</translation>
+        </message>
+        <message>
+            <source>take out {0}</source>
+            <translation>retire {0}</translation>
+        </message>
+        <message>
+            <source>the $ command is not known</source>
+            <translation>o comando $ não é conhecido</translation>
+        </message>
+        <message>
+            <source>the arc has no axis word of its plane</source>
+            <translation>o arco não tem palavra de eixo do seu plano</translation>
+        </message>
+        <message>
+            <source>the arc lacks its centre offset in the plane</source>
+            <translation>falta ao arco o deslocamento do centro no plano</translation>
+        </message>
+        <message>
+            <source>the arc's end does not lie on its circle</source>
+            <translation>o fim do arco não está na sua circunferência</translation>
+        </message>
+        <message>
+            <source>the arc's radius does not fit its end point</source>
+            <translation>o raio do arco não combina com o ponto final</translation>
+        </message>
+        <message>
+            <source>the character {0} would act as a command of its own or is not ASCII</source>
+            <translation>o caractere {0} agiria como um comando ou não é ASCII</translation>
+        </message>
+        <message>
+            <source>the command is allowed only while the machine is idle</source>
+            <translation>o comando só é permitido com a máquina pronta</translation>
+        </message>
+        <message>
+            <source>the command lacks its axis words</source>
+            <translation>faltam as palavras de eixo do comando</translation>
+        </message>
+        <message>
+            <source>the controller does not answer any more</source>
+            <translation>o controlador não responde mais</translation>
+        </message>
+        <message>
+            <source>the controller does not come back from its reset</source>
+            <translation>o controlador não volta do reset</translation>
+        </message>
+        <message>
+            <source>the controller does not know this command</source>
+            <translation>o controlador não conhece este comando</translation>
+        </message>
+        <message>
+            <source>the controller does not report ${0}: it was not compared</source>
+            <translation>o controlador não informa ${0}: não foi comparado</translation>
+        </message>
+        <message>
+            <source>the controller does not report its {0}</source>
+            <translation>o controlador não informa: {0}</translation>
+        </message>
+        <message>
+            <source>the controller does not say its work system: {0}</source>
+            <translation>o controlador não informa o sistema de coordenadas: {0}</translation>
+        </message>
+        <message>
+            <source>the controller does not tell its state</source>
+            <translation>o controlador não informa o seu estado</translation>
+        </message>
+        <message>
+            <source>the controller is idle but has not answered '{0}'</source>
+            <translation>o controlador está pronto mas não respondeu '{0}'</translation>
+        </message>
+        <message>
+            <source>the controller is locked by an alarm or a jog</source>
+            <translation>o controlador está travado por um alarme ou movimento manual</translation>
+        </message>
+        <message>
+            <source>the controller is locked: home the machine, or unlock it if its position is surely right</source>
+            <translation>o controlador está travado: referencie a máquina, ou destrave-a se a posição está certa com certeza</translation>
+        </message>
+        <message>
+            <source>the controller raised an alarm</source>
+            <translation>o controlador entrou em alarme</translation>
+        </message>
+        <message>
+            <source>the controller refused '{0}': {1} (error:{2})</source>
+            <translation>o controlador recusou '{0}': {1} (error:{2})</translation>
+        </message>
+        <message>
+            <source>the controller refused the line</source>
+            <translation>o controlador recusou a linha</translation>
+        </message>
+        <message>
+            <source>the controller refused {0}: {1} (error:{2})</source>
+            <translation>o controlador recusou {0}: {1} (error:{2})</translation>
+        </message>
+        <message>
+            <source>the controller restarted in the middle of the job</source>
+            <translation>o controlador reiniciou no meio do trabalho</translation>
+        </message>
+        <message>
+            <source>the controller restarted when its port was opened; it counts from where it stands</source>
+            <translation>o controlador reiniciou quando a porta foi aberta; ele conta a partir de onde está</translation>
+        </message>
+        <message>
+            <source>the controller said: {0}</source>
+            <translation>o controlador disse: {0}</translation>
+        </message>
+        <message>
+            <source>the controller sleeps and its motors are off: unlock it, then home it or set its zero again</source>
+            <translation>o controlador dorme e os motores estão desligados: destrave-o, depois referencie ou defina o zero de novo</translation>
+        </message>
+        <message>
+            <source>the controller was reset while moving</source>
+            <translation>o controlador foi reiniciado em movimento</translation>
+        </message>
+        <message>
+            <source>the curve is not smooth here</source>
+            <translation>a curva não é suave aqui</translation>
+        </message>
+        <message>
+            <source>the cut begins without waiting for the spindle</source>
+            <translation>o corte começa sem esperar o spindle</translation>
+        </message>
+        <message>
+            <source>the desk failed by a fault of its own</source>
+            <translation>a mesa de controle falhou por um defeito próprio</translation>
+        </message>
+        <message>
+            <source>the desk of {0} is not there, or was killed</source>
+            <translation>a mesa de controle de {0} não existe ou foi encerrada</translation>
+        </message>
+        <message>
+            <source>the desk's process does not come up</source>
+            <translation>o processo da mesa de controle não inicia</translation>
+        </message>
+        <message>
+            <source>the drawing '{0}' does not lie flat</source>
+            <translation>o desenho '{0}' não é plano</translation>
+        </message>
+        <message>
+            <source>the drawing '{0}' holds a line that is no ellipse</source>
+            <translation>o desenho '{0}' tem uma linha que não é elipse</translation>
+        </message>
+        <message>
+            <source>the drawing '{0}' holds more than one ellipse</source>
+            <translation>o desenho '{0}' tem mais de uma elipse</translation>
+        </message>
+        <message>
+            <source>the drawing '{0}' holds no lines</source>
+            <translation>o desenho '{0}' não tem linhas</translation>
+        </message>
+        <message>
+            <source>the drawing '{0}' that it followed was deleted</source>
+            <translation>o desenho '{0}' que ela seguia foi excluído</translation>
+        </message>
+        <message>
+            <source>the ellipse in '{0}' is open</source>
+            <translation>a elipse em '{0}' está aberta</translation>
+        </message>
+        <message>
+            <source>the ellipse's ends are tighter than the tool, where similar ellipses would cut into the wall</source>
+            <translation>as pontas da elipse são mais fechadas que a ferramenta, e elipses semelhantes cortariam a parede ali</translation>
+        </message>
+        <message>
+            <source>the feed asks more of {0} than its highest rate</source>
+            <translation>o avanço pede de {0} mais que a sua velocidade máxima</translation>
+        </message>
+        <message>
+            <source>the heights do not fit their box</source>
+            <translation>as alturas não cabem na sua caixa</translation>
+        </message>
+        <message>
+            <source>the job cannot be read: {0}</source>
+            <translation>o trabalho não pode ser lido: {0}</translation>
+        </message>
+        <message>
+            <source>the job has no operations</source>
+            <translation>o trabalho não tem operações</translation>
+        </message>
+        <message>
+            <source>the jog came too late to be safe</source>
+            <translation>o movimento manual chegou tarde demais para ser seguro</translation>
+        </message>
+        <message>
+            <source>the jog command lacks its `=` or holds a forbidden word</source>
+            <translation>falta `=` no comando de jog, ou ele tem uma palavra proibida</translation>
+        </message>
+        <message>
+            <source>the jog ends outside the machine's travel</source>
+            <translation>o movimento manual termina fora do curso da máquina</translation>
+        </message>
+        <message>
+            <source>the jog was stopped: its button was not heard of for {0} s</source>
+            <translation>o movimento manual foi parado: sem notícia do botão por {0} s</translation>
+        </message>
+        <message>
+            <source>the jogs before this one are not done yet</source>
+            <translation>os movimentos manuais anteriores ainda não terminaram</translation>
+        </message>
+        <message>
+            <source>the line does not end where it began</source>
+            <translation>a linha não termina onde começou</translation>
+        </message>
+        <message>
+            <source>the line does not fit into the controller's buffer</source>
+            <translation>a linha não cabe no buffer do controlador</translation>
+        </message>
+        <message>
+            <source>the line has no length</source>
+            <translation>a linha não tem comprimento</translation>
+        </message>
+        <message>
+            <source>the line is longer than grbl can read</source>
+            <translation>a linha é mais longa do que o grbl consegue ler</translation>
+        </message>
+        <message>
+            <source>the line is too long</source>
+            <translation>a linha é longa demais</translation>
+        </message>
+        <message>
+            <source>the line map does not fit the lines</source>
+            <translation>o mapa de linhas não combina com as linhas</translation>
+        </message>
+        <message>
+            <source>the line number is not between 0 and 9999999</source>
+            <translation>o número da linha não está entre 0 e 9999999</translation>
+        </message>
+        <message>
+            <source>the link to {0} broke: {1}</source>
+            <translation>a ligação com {0} caiu: {1}</translation>
+        </message>
+        <message>
+            <source>the machine does not end its homing</source>
+            <translation>a máquina não termina o referenciamento</translation>
+        </message>
+        <message>
+            <source>the machine does not home: {0} (error:{1})</source>
+            <translation>a máquina não referencia: {0} (error:{1})</translation>
+        </message>
+        <message>
+            <source>the machine has no {0} coolant</source>
+            <translation>a máquina não tem refrigeração {0}</translation>
+        </message>
+        <message>
+            <source>the machine is homed</source>
+            <translation>a máquina está referenciada</translation>
+        </message>
+        <message>
+            <source>the machine is not at rest</source>
+            <translation>a máquina não está em repouso</translation>
+        </message>
+        <message>
+            <source>the machine is not held</source>
+            <translation>a máquina não está em pausa</translation>
+        </message>
+        <message>
+            <source>the machine is not idle</source>
+            <translation>a máquina não está pronta</translation>
+        </message>
+        <message>
+            <source>the machine is not in alarm</source>
+            <translation>a máquina não está em alarme</translation>
+        </message>
+        <message>
+            <source>the machine jogs only while it is idle</source>
+            <translation>o movimento manual só funciona com a máquina pronta</translation>
+        </message>
+        <message>
+            <source>the machine stands, spindle and outputs are off, its position is kept (the reset cleared G92 and tool length)</source>
+            <translation>a máquina está parada, spindle e saídas desligados, a posição se mantém (o reset apagou G92 e o comprimento da ferramenta)</translation>
+        </message>
+        <message>
+            <source>the machine's position is unknown: look that spindle and outputs are off, then home it or set its zero again</source>
+            <translation>a posição da máquina é desconhecida: veja se o spindle e as saídas estão desligados, depois referencie ou defina o zero de novo</translation>
+        </message>
+        <message>
+            <source>the move leaves the travel of {0} by {1} mm</source>
+            <translation>o movimento sai do curso de {0} por {1} mm</translation>
+        </message>
+        <message>
+            <source>the operation is too long for one program</source>
+            <translation>a operação é longa demais para um programa</translation>
+        </message>
+        <message>
+            <source>the pocket is too narrow for a {0}</source>
+            <translation>o bolsão é estreito demais para uma {0}</translation>
+        </message>
+        <message>
+            <source>the points of a freehand line lie at different heights</source>
+            <translation>os pontos de uma linha à mão livre estão em alturas diferentes</translation>
+        </message>
+        <message>
+            <source>the probe touched nothing</source>
+            <translation>o apalpador não tocou em nada</translation>
+        </message>
+        <message>
+            <source>the probe was not in its start state</source>
+            <translation>o apalpador não estava no estado inicial</translation>
+        </message>
+        <message>
+            <source>the process that proves cannot be started</source>
+            <translation>o processo de verificação não pode ser iniciado</translation>
+        </message>
+        <message>
+            <source>the process that proves the program ended without an answer</source>
+            <translation>o processo que verifica o programa terminou sem resposta</translation>
+        </message>
+        <message>
+            <source>the program cannot be written: {0}</source>
+            <translation>o programa não pode ser gravado: {0}</translation>
+        </message>
+        <message>
+            <source>the program has no line to send</source>
+            <translation>o programa não tem linha a enviar</translation>
+        </message>
+        <message>
+            <source>the program is larger than the travel of {0}</source>
+            <translation>o programa é maior que o curso de {0}</translation>
+        </message>
+        <message>
+            <source>the program moves nothing</source>
+            <translation>o programa não move nada</translation>
+        </message>
+        <message>
+            <source>the program pauses while the spindle turns</source>
+            <translation>o programa espera com o spindle girando</translation>
+        </message>
+        <message>
+            <source>the proof failed by a fault of its own: {0}: {1}</source>
+            <translation>a verificação falhou por um defeito próprio: {0}: {1}</translation>
+        </message>
+        <message>
+            <source>the resolution is too fine for the ellipse</source>
+            <translation>a resolução é fina demais para a elipse</translation>
+        </message>
+        <message>
+            <source>the safety door is open or the machine is parking ({0}): resume later</source>
+            <translation>a porta de segurança está aberta ou a máquina está estacionando ({0}): retome depois</translation>
+        </message>
+        <message>
+            <source>the safety door was opened</source>
+            <translation>a porta de segurança foi aberta</translation>
+        </message>
+        <message>
+            <source>the safety door was opened while homing</source>
+            <translation>a porta de segurança foi aberta durante o referenciamento</translation>
+        </message>
+        <message>
+            <source>the second limit switch of a double axis was not found</source>
+            <translation>o segundo fim de curso de um eixo duplo não foi encontrado</translation>
+        </message>
+        <message>
+            <source>the sender failed by a fault of its own</source>
+            <translation>o envio falhou por um defeito próprio</translation>
+        </message>
+        <message>
+            <source>the sender's process does not answer</source>
+            <translation>o processo de envio não responde</translation>
+        </message>
+        <message>
+            <source>the sender's process does not come up</source>
+            <translation>o processo de envio não inicia</translation>
+        </message>
+        <message>
+            <source>the sender's process ended at once</source>
+            <translation>o processo de envio terminou logo</translation>
+        </message>
+        <message>
+            <source>the session refused {0}</source>
+            <translation>a sessão recusou {0}</translation>
+        </message>
+        <message>
+            <source>the session still runs</source>
+            <translation>a sessão ainda está em curso</translation>
+        </message>
+        <message>
+            <source>the session {0} is not there, or was killed</source>
+            <translation>a sessão {0} não existe ou foi encerrada</translation>
+        </message>
+        <message>
+            <source>the session's log</source>
+            <translation>o registro da sessão</translation>
+        </message>
+        <message>
+            <source>the spindle cannot turn at this speed</source>
+            <translation>o spindle não pode girar nesta rotação</translation>
+        </message>
+        <message>
+            <source>the step pulse is shorter than 3 microseconds</source>
+            <translation>o pulso de passo é menor que 3 microssegundos</translation>
+        </message>
+        <message>
+            <source>the stock needs three lengths above zero</source>
+            <translation>o bloco precisa de três comprimentos acima de zero</translation>
+        </message>
+        <message>
+            <source>the stored line is too long</source>
+            <translation>a linha guardada é longa demais</translation>
+        </message>
+        <message>
+            <source>the stored settings could not be read and were reset</source>
+            <translation>as configurações guardadas não puderam ser lidas e foram redefinidas</translation>
+        </message>
+        <message>
+            <source>the tolerance is negative</source>
+            <translation>a tolerância é negativa</translation>
+        </message>
+        <message>
+            <source>the tolerance is too small for this curve</source>
+            <translation>a tolerância é pequena demais para esta curva</translation>
+        </message>
+        <message>
+            <source>the tolerance must be above 0</source>
+            <translation>a tolerância deve ser maior que 0</translation>
+        </message>
+        <message>
+            <source>the tolerance must not be negative</source>
+            <translation>a tolerância não pode ser negativa</translation>
+        </message>
+        <message>
+            <source>the tool cuts into the wanted part</source>
+            <translation>a ferramenta corta a peça desejada</translation>
+        </message>
+        <message>
+            <source>the tool goes below the stock and cuts what lies under it</source>
+            <translation>a ferramenta passa abaixo do bloco e corta o que está embaixo</translation>
+        </message>
+        <message>
+            <source>the tool is below the stock's top while its place in X or Y is not known</source>
+            <translation>a ferramenta está abaixo do topo do bloco sem que o seu lugar em X ou Y seja conhecido</translation>
+        </message>
+        <message>
+            <source>the tool is wider than the pocket</source>
+            <translation>a ferramenta é mais larga que o bolsão</translation>
+        </message>
+        <message>
+            <source>the tool number is too large</source>
+            <translation>o número da ferramenta é grande demais</translation>
+        </message>
+        <message>
+            <source>the value must be a whole number</source>
+            <translation>o valor deve ser um número inteiro</translation>
+        </message>
+        <message>
+            <source>the virtual grbl ended at once</source>
+            <translation>o grbl virtual terminou logo</translation>
+        </message>
+        <message>
+            <source>the wall may be up to {0} mm off: an ellipse is no offset of an ellipse, and the resolution adds to it; method "tolerance" keeps to tolerance_mm</source>
+            <translation>a parede pode desviar até {0} mm: uma elipse não é paralela a outra elipse, e a resolução se soma a isso; o método "tolerance" respeita tolerance_mm</translation>
+        </message>
+        <message>
+            <source>the work systems G59.1 to G59.3 do not exist here</source>
+            <translation>os sistemas de coordenadas G59.1 a G59.3 não existem aqui</translation>
+        </message>
+        <message>
+            <source>the work zero is not known, so the program's place on the table is unknown</source>
+            <translation>o zero-peça não é conhecido, por isso o lugar do programa na mesa é desconhecido</translation>
+        </message>
+        <message>
+            <source>the zero of {0} in {1} was not taken over</source>
+            <translation>o zero de {0} em {1} não foi aceito</translation>
+        </message>
+        <message>
+            <source>there is no command '{0}'</source>
+            <translation>não há comando '{0}'</translation>
+        </message>
+        <message>
+            <source>there is no cycle '{0}'</source>
+            <translation>não há ciclo '{0}'</translation>
+        </message>
+        <message>
+            <source>there is no job file '{0}'</source>
+            <translation>não há arquivo de trabalho '{0}'</translation>
+        </message>
+        <message>
+            <source>there is no key {0}</source>
+            <translation>não há chave {0}</translation>
+        </message>
+        <message>
+            <source>there is no machine profile '{0}'</source>
+            <translation>não há perfil de máquina '{0}'</translation>
+        </message>
+        <message>
+            <source>there is no override {0} {1}</source>
+            <translation>não há ajuste {0} {1}</translation>
+        </message>
+        <message>
+            <source>there is no part to draw</source>
+            <translation>não há peça a desenhar</translation>
+        </message>
+        <message>
+            <source>there is no port {0}</source>
+            <translation>não há porta {0}</translation>
+        </message>
+        <message>
+            <source>there is nothing to resume</source>
+            <translation>não há o que retomar</translation>
+        </message>
+        <message>
+            <source>there is nothing to resume: the machine is not held</source>
+            <translation>não há o que retomar: a máquina não está em pausa</translation>
+        </message>
+        <message>
+            <source>there is nothing to stop</source>
+            <translation>não há o que parar</translation>
+        </message>
+        <message>
+            <source>there is nothing to unlock</source>
+            <translation>não há o que destravar</translation>
+        </message>
+        <message>
+            <source>this client is detached</source>
+            <translation>este cliente está desligado</translation>
+        </message>
+        <message>
+            <source>tip_diameter_mm must be below diameter_mm</source>
+            <translation>tip_diameter_mm deve ser menor que diameter_mm</translation>
+        </message>
+        <message>
+            <source>tool {0} cuts on without a stop to change tool {1}</source>
+            <translation>a ferramenta {0} continua o corte sem parada para trocar a ferramenta {1}</translation>
+        </message>
+        <message>
+            <source>tool {0} has no {1}</source>
+            <translation>a ferramenta {0} não tem {1}</translation>
+        </message>
+        <message>
+            <source>tool {0} is not known, so what it cuts is not checked</source>
+            <translation>a ferramenta {0} não é conhecida, por isso o que ela corta não é verificado</translation>
+        </message>
+        <message>
+            <source>travel_min_mm must be below travel_max_mm</source>
+            <translation>travel_min_mm deve ser menor que travel_max_mm</translation>
+        </message>
+        <message>
+            <source>try again</source>
+            <translation>tente de novo</translation>
+        </message>
+        <message>
+            <source>try again; if it stays so, the program may need more memory than there is</source>
+            <translation>tente de novo; se continuar assim, o programa talvez precise de mais memória do que há</translation>
+        </message>
+        <message>
+            <source>two commands of one line both want axis words</source>
+            <translation>dois comandos de uma linha querem palavras de eixo</translation>
+        </message>
+        <message>
+            <source>two tools have the same number</source>
+            <translation>duas ferramentas têm o mesmo número</translation>
+        </message>
+        <message>
+            <source>two words of one modal group stand in one line</source>
+            <translation>duas palavras do mesmo grupo modal estão em uma linha</translation>
+        </message>
+        <message>
+            <source>undo that, choose another drawing, or choose none</source>
+            <translation>desfaça isso, escolha outro desenho, ou nenhum</translation>
+        </message>
+        <message>
+            <source>unknown keys {0}</source>
+            <translation>chaves desconhecidas {0}</translation>
+        </message>
+        <message>
+            <source>update its firmware</source>
+            <translation>atualize o firmware</translation>
+        </message>
+        <message>
+            <source>use G54 to G59</source>
+            <translation>use G54 a G59</translation>
+        </message>
+        <message>
+            <source>use I and J instead of R</source>
+            <translation>use I e J em vez de R</translation>
+        </message>
+        <message>
+            <source>use a flat tool</source>
+            <translation>use uma fresa de topo reto</translation>
+        </message>
+        <message>
+            <source>use a tool number up to 255</source>
+            <translation>use um número de ferramenta até 255</translation>
+        </message>
+        <message>
+            <source>use entry "plunge"</source>
+            <translation>use a entrada "plunge"</translation>
+        </message>
+        <message>
+            <source>use entry "ramp" or "plunge"</source>
+            <translation>use a entrada "ramp" ou "plunge"</translation>
+        </message>
+        <message>
+            <source>use method "tolerance" or a smaller tool</source>
+            <translation>use o método "tolerance" ou uma ferramenta menor</translation>
+        </message>
+        <message>
+            <source>use one of: {0}</source>
+            <translation>use um destes: {0}</translation>
+        </message>
+        <message>
+            <source>use one that `$` lists</source>
+            <translation>use um dos que `$` lista</translation>
+        </message>
+        <message>
+            <source>wait a moment</source>
+            <translation>espere um momento</translation>
+        </message>
+        <message>
+            <source>wait longer, hold or stop it</source>
+            <translation>espere mais, pause ou pare</translation>
+        </message>
+        <message>
+            <source>wait until it has ended, or stop it</source>
+            <translation>espere que termine, ou pare-o</translation>
+        </message>
+        <message>
+            <source>wait until it has finished, or stop it</source>
+            <translation>espere que termine, ou pare-a</translation>
+        </message>
+        <message>
+            <source>wait until it is homed</source>
+            <translation>espere até que esteja referenciada</translation>
+        </message>
+        <message>
+            <source>wait until it is idle</source>
+            <translation>espere até que esteja pronta</translation>
+        </message>
+        <message>
+            <source>wait until it is idle; after an alarm home it or unlock it</source>
+            <translation>espere até que esteja pronta; depois de um alarme, referencie ou destrave</translation>
+        </message>
+        <message>
+            <source>wait until the jog has ended</source>
+            <translation>espere o fim do movimento manual</translation>
+        </message>
+        <message>
+            <source>wake it up with a reset, then home it</source>
+            <translation>acorde-a com um reset e referencie-a</translation>
+        </message>
+        <message>
+            <source>words were left over that no command uses</source>
+            <translation>sobraram palavras que nenhum comando usa</translation>
+        </message>
+        <message>
+            <source>work_offset must be one of {0}</source>
+            <translation>work_offset deve ser um destes: {0}</translation>
+        </message>
+        <message>
+            <source>write G4 P{0} after the spindle starts</source>
+            <translation>escreva G4 P{0} depois de ligar o spindle</translation>
+        </message>
+        <message>
+            <source>write M5 before M0</source>
+            <translation>escreva M5 antes de M0</translation>
+        </message>
+        <message>
+            <source>write for example XYZ, or Z alone</source>
+            <translation>escreva por exemplo XYZ, ou só Z</translation>
+        </message>
+        <message>
+            <source>write one of: {0}</source>
+            <translation>escreva um destes: {0}</translation>
+        </message>
+        <message>
+            <source>write shape:diameter_mm, for example flat:6 or ball:2</source>
+            <translation>escreva forma:diâmetro_mm, por exemplo flat:6 ou ball:2</translation>
+        </message>
+        <message>
+            <source>write socket://host:port</source>
+            <translation>escreva socket://host:porta</translation>
+        </message>
+        <message>
+            <source>write the arc with more decimals</source>
+            <translation>escreva o arco com mais decimais</translation>
+        </message>
+        <message>
+            <source>write the program for the dialect grbl</source>
+            <translation>gere o programa para o dialeto grbl</translation>
+        </message>
+        <message>
+            <source>zero of {0} set in {1}</source>
+            <translation>zero de {0} definido em {1}</translation>
+        </message>
+        <message>
+            <source>{0} answered '{1}' to no line</source>
+            <translation>{0} respondeu '{1}' a nenhuma linha</translation>
+        </message>
+        <message>
+            <source>{0} asks for more than {1} passes</source>
+            <translation>{0} pede mais de {1} passes</translation>
+        </message>
+        <message>
+            <source>{0} cannot be '{1}'</source>
+            <translation>{0} não pode ser '{1}'</translation>
+        </message>
+        <message>
+            <source>{0} cannot be started: {1}</source>
+            <translation>{0} não pode ser iniciado: {1}</translation>
+        </message>
+        <message>
+            <source>{0} cannot be used as a serial port: {1}</source>
+            <translation>{0} não pode ser usado como porta serial: {1}</translation>
+        </message>
+        <message>
+            <source>{0} cannot be {1}: {2}</source>
+            <translation>{0} não pode ser {1}: {2}</translation>
+        </message>
+        <message>
+            <source>{0} characters, {1} with spaces</source>
+            <translation>{0} caracteres, {1} com espaços</translation>
+        </message>
+        <message>
+            <source>{0} does not answer {1}</source>
+            <translation>{0} não responde a {1}</translation>
+        </message>
+        <message>
+            <source>{0} has changed since the program was made</source>
+            <translation>{0} mudou desde que o programa foi feito</translation>
+        </message>
+        <message>
+            <source>{0} has no '{1}'</source>
+            <translation>{0} não tem '{1}'</translation>
+        </message>
+        <message>
+            <source>{0} has no drawing</source>
+            <translation>{0} não tem desenho</translation>
+        </message>
+        <message>
+            <source>{0} has no program: {1}</source>
+            <translation>{0} não tem programa: {1}</translation>
+        </message>
+        <message>
+            <source>{0} has no tool</source>
+            <translation>{0} não tem ferramenta</translation>
+        </message>
+        <message>
+            <source>{0} is in use</source>
+            <translation>{0} está em uso</translation>
+        </message>
+        <message>
+            <source>{0} is in use by another window's connection</source>
+            <translation>{0} está em uso pela conexão de outra janela</translation>
+        </message>
+        <message>
+            <source>{0} is no port: {1}</source>
+            <translation>{0} não é uma porta: {1}</translation>
+        </message>
+        <message>
+            <source>{0} may not be opened by this user</source>
+            <translation>{0} não pode ser aberta por este usuário</translation>
+        </message>
+        <message>
+            <source>{0} mm high</source>
+            <translation>{0} mm de altura</translation>
+        </message>
+        <message>
+            <source>{0} mm of material stays at each end of the long axis, where the ellipse is tighter than the tool; a tool of at most {1} mm diameter reaches it</source>
+            <translation>{0} mm de material ficam em cada ponta do eixo maior, onde a elipse é mais fechada que a ferramenta; uma ferramenta de no máximo {1} mm de diâmetro alcança</translation>
+        </message>
+        <message>
+            <source>{0} mm radius</source>
+            <translation>raio de {0} mm</translation>
+        </message>
+        <message>
+            <source>{0} mm, {1} mm/min</source>
+            <translation>{0} mm, {1} mm/min</translation>
+        </message>
+        <message>
+            <source>{0} mm/min</source>
+            <translation>{0} mm/min</translation>
+        </message>
+        <message>
+            <source>{0} must be a list of tables</source>
+            <translation>{0} deve ser uma lista de tabelas</translation>
+        </message>
+        <message>
+            <source>{0} must be a number</source>
+            <translation>{0} deve ser um número</translation>
+        </message>
+        <message>
+            <source>{0} needs X, Y or X, Y, Z</source>
+            <translation>{0} precisa de X, Y ou X, Y, Z</translation>
+        </message>
+        <message>
+            <source>{0} points, {1} bulges</source>
+            <translation>{0} pontos, {1} bulges</translation>
+        </message>
+        <message>
+            <source>{0} restarted while it was asked</source>
+            <translation>{0} reiniciou enquanto era consultado</translation>
+        </message>
+        <message>
+            <source>{0} runs grbl {1}</source>
+            <translation>{0} usa grbl {1}</translation>
+        </message>
+        <message>
+            <source>{0} sends no line ends</source>
+            <translation>{0} não envia fins de linha</translation>
+        </message>
+        <message>
+            <source>{0} to {1} mm</source>
+            <translation>{0} a {1} mm</translation>
         </message>
     </context>
     <context>

@@ -6,11 +6,15 @@ from __future__ import annotations
 import xml.etree.ElementTree as ET
 from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
 import pytest
 from PySide import QtCore, QtGui, QtSvg
 
 import CNCStepper
+from CNCStepper.workbench import api
+from CNCStepper.workbench.features.base import problem_of
+from CNCStepper.workbench.sentences import CONTEXT, translated
 
 RESOURCES = Path(CNCStepper.__file__).parents[1] / "resources"
 PORTUGUESE = RESOURCES / "translations" / "CNCStepper_pt-BR.ts"
@@ -51,3 +55,53 @@ def test_an_icon_reads_on_light_and_on_dark(path: Path, size: int) -> None:
         pixels = [QtGui.QColor(image.pixel(x, y)).getRgb()[:3] for x in range(size) for y in range(size)]
         far = sum(max(abs(a - b) for a, b in zip(pixel, ground, strict=True)) > 60 for pixel in pixels)
         assert far > 0.12 * size * size
+
+
+@pytest.fixture
+def portuguese() -> Iterator[None]:
+    """Qt speaks Portuguese of Brazil as it does in FreeCAD's window."""
+    application = QtCore.QCoreApplication.instance() or QtCore.QCoreApplication([])
+    translator = QtCore.QTranslator()
+    assert translator.load(str(PORTUGUESE.with_suffix(".qm")))
+    application.installTranslator(translator)
+    yield
+    application.removeTranslator(translator)
+
+
+@pytest.mark.parametrize(
+    ("english", "said"),
+    [
+        ("the tool is wider than the pocket", "a ferramenta é mais larga que o bolsão"),
+        ("there is no port COM3", "não há porta COM3"),
+        (
+            "Bolsão 2: the tool is wider than the pocket (value 60 mm, limit below 50 mm); choose a smaller tool [x-y]",
+            "Bolsão 2: a ferramenta é mais larga que o bolsão (valor 60 mm, limite below 50 mm);"
+            " escolha uma ferramenta menor [x-y]",
+        ),
+        (
+            "the controller refused 'G1X': a number is missing or cannot be read (error:2)",
+            "o controlador recusou 'G1X': um número falta ou não pode ser lido (error:2)",
+        ),
+        ("what no catalogue knows: 12 mm", "what no catalogue knows: 12 mm"),
+        ("", ""),
+    ],
+)
+def test_what_the_core_says_is_said_in_portuguese(portuguese: None, english: str, said: str) -> None:
+    assert translated(english) == said
+
+
+def test_a_real_refusal_is_said_in_portuguese(portuguese: None, document: Any) -> None:
+    job = api.new_job(document)
+    cutter = api.add_tool(job, diameter_mm=60)
+    pocket = api.add_elliptical_pocket(job, tool=cutter)
+    document.recompute()
+    assert "wider than the pocket" in problem_of(pocket)
+    assert "mais larga que o bolsão" in translated(problem_of(pocket))
+    assert "mais larga que o bolsão" in translated(problem_of(job))
+
+
+def test_in_english_every_sentence_stays_as_it_was() -> None:
+    for context, english, _ in messages():
+        if context == CONTEXT:
+            with_values = english.format(*("X1.5" for _ in range(6)))
+            assert translated(with_values) == with_values

@@ -9,6 +9,7 @@ from __future__ import annotations
 from typing import Any
 
 from CNCStepper.workbench.features.base import JOB, named, problem_of, proxy_type
+from CNCStepper.workbench.sentences import translated
 from CNCStepper.workbench.words import tr
 
 PREVIEW = "CNCStepper_Preview"
@@ -60,7 +61,7 @@ def why_no_program(job: Any) -> str:
     parts = [*(operation.Tool for operation in operations if operation.Tool is not None), *operations, job]
     if any("Touched" in part.State for part in parts):
         return ""
-    return next((named(part, problem_of(part)) for part in parts if problem_of(part)), "")
+    return next((named(part, translated(problem_of(part))) for part in parts if problem_of(part)), "")
 
 
 def why_no_view() -> str:

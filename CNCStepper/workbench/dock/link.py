@@ -14,6 +14,7 @@ from CNCStepper.errors import CNCStepperError
 from CNCStepper.workbench.dock.ports import VIRTUAL
 from CNCStepper.workbench.dock.state import Moment, sentences
 from CNCStepper.workbench.dock.virtual_machine import VirtualMachine
+from CNCStepper.workbench.sentences import translated
 
 
 class Link:
@@ -103,7 +104,7 @@ class Link:
         return Moment(
             status.phase,
             status.machine_state,
-            status.message,
+            translated(status.message),
             job=status.total > 0,
             homing=status.homing,
             position_known=status.position_known,
@@ -121,4 +122,4 @@ class Link:
 
 def told(trouble: CNCStepperError) -> str:
     """Return what an error says to people, without its code."""
-    return sentences(trouble.what, trouble.advice)
+    return sentences(translated(trouble.what), translated(trouble.advice))

@@ -23,6 +23,7 @@ from CNCStepper.workbench.dock.sending import Sending
 from CNCStepper.workbench.dock.state import RULES, face, why_not
 from CNCStepper.workbench.dock.state_view import PositionView, StateView
 from CNCStepper.workbench.findings import FindingsList
+from CNCStepper.workbench.sentences import translated
 from CNCStepper.workbench.words import tr
 
 POLL_MS = 50
@@ -103,7 +104,7 @@ class Panel(QtGui.QWidget):
         events = self.link.poll()
         for event in events:
             if event["event"] in ("message", "warning", "refused"):
-                self.log.say(event["event"], told(event["error"]) if event.get("error") else event["text"])
+                self.log.say(event["event"], told(event["error"]) if event.get("error") else translated(event["text"]))
             self.sending.take(event)
         self.sending.advance()
         mark = (self.link.moment, self.sending.flow.step)

@@ -12,6 +12,7 @@ from CNCStepper.workbench.dock.flow import Flow
 from CNCStepper.workbench.dock.link import Link, told
 from CNCStepper.workbench.dock.remaining import Remaining
 from CNCStepper.workbench.dock.state import sentences
+from CNCStepper.workbench.sentences import translated
 from CNCStepper.workbench.words import tr
 
 
@@ -76,7 +77,7 @@ class Sending:
         if event["event"] == "outcome" and self._link.client:
             self._ended(self._link.client.outcome)
         elif event["event"] == "refused" and event.get("command") == "run":
-            self.flow.happen("refusal", sentences(event["text"]))
+            self.flow.happen("refusal", sentences(translated(event["text"])))
 
     def advance(self) -> None:
         """Follow the controller's state; called after every poll."""
@@ -116,7 +117,7 @@ class Sending:
 
     def _failed(self, error: CNCStepperError) -> None:
         self._end_run()
-        self.flow.happen("failure", sentences(tell.sentence(error), error.advice))
+        self.flow.happen("failure", sentences(tell.sentence(error), translated(error.advice)))
         self._changed()
 
     def _advance(self) -> None:
@@ -133,7 +134,7 @@ class Sending:
         if outcome.error is not None and outcome.error.code == "settings-differ" and not self.flow.anyway:
             self.flow.happen("differences", told(outcome.error))
         else:
-            self.flow.end(outcome.kind, sentences(outcome.text))
+            self.flow.end(outcome.kind, sentences(translated(outcome.text)))
         self._changed()
 
     def _give_up_run(self) -> None:

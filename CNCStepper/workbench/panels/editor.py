@@ -21,6 +21,7 @@ from CNCStepper.workbench.panels.fields import ERROR_COLOUR, NAME, WARNING_COLOU
 from CNCStepper.workbench.panels.form import Form
 from CNCStepper.workbench.panels.measures import text_of
 from CNCStepper.workbench.panels.numbers import Refused
+from CNCStepper.workbench.sentences import translated
 from CNCStepper.workbench.tell import guarded
 from CNCStepper.workbench.words import tr
 
@@ -143,7 +144,9 @@ class Editor(QtGui.QWidget):
     def _tell(self, error: CNCStepperError, changed: list[str]) -> None:
         """Say an error beside the field that it speaks of, or at the bottom."""
         key = key_of(error, changed) or key_of(error, self.form.fields)
-        sentence = labelled(error.sentence, {key: field.label.text() for key, field in self.form.fields.items()})
+        sentence = labelled(
+            translated(error.sentence), {key: field.label.text() for key, field in self.form.fields.items()}
+        )
         if key:
             self.form.mark(key, sentence)
         else:
@@ -157,10 +160,10 @@ class Editor(QtGui.QWidget):
     def _caused_elsewhere(self) -> str:
         """Return what stands in the way of the program though this object is good, "" when nothing does."""
         if self.obj.Proxy.refusal is not None:
-            return str(self.obj.Proxy.refusal.sentence)
+            return translated(self.obj.Proxy.refusal.sentence)
         above = [other for other in self.obj.InList if problem_of(other)]
         own = [other for other in above if other.Proxy.refusal is None or other.Proxy.refusal.code != FAILED]
-        return named(own[0], problem_of(own[0])) if own else ""
+        return named(own[0], translated(problem_of(own[0]))) if own else ""
 
     def _recompute(self) -> None:
         self.obj.Document.recompute()

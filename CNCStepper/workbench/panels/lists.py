@@ -12,6 +12,7 @@ from CNCStepper.workbench import api
 from CNCStepper.workbench.features.base import edit, problem_of, proxy_type
 from CNCStepper.workbench.panels.fields import ERROR_COLOUR, NAME, note_label
 from CNCStepper.workbench.panels.links import tool_words
+from CNCStepper.workbench.sentences import translated
 from CNCStepper.workbench.tell import guarded
 from CNCStepper.workbench.words import tr
 
@@ -79,7 +80,7 @@ class ObjectList(QtGui.QWidget):
             item = QtGui.QListWidgetItem(_icon(obj), self.words(obj))
             if problem_of(obj):
                 item.setForeground(QtGui.QColor(ERROR_COLOUR))
-                item.setToolTip(problem_of(obj))
+                item.setToolTip(translated(problem_of(obj)))
             self.dress(item, obj)
             self.list.addItem(item)
         self.list.setCurrentRow(min(row, self.list.count() - 1))

@@ -6,6 +6,7 @@ from __future__ import annotations
 from typing import Any
 
 from CNCStepper.workbench.features.base import problem_of
+from CNCStepper.workbench.sentences import translated
 from CNCStepper.workbench.tell import polled
 
 
@@ -34,7 +35,7 @@ def problem_at(item: Any) -> str:
         item = item.parent()
     documents = [document for document in FreeCAD.listDocuments().values() if document.Label in lineage[1:]]
     found = (problem_of(obj) for document in documents for obj in document.getObjectsByLabel(lineage[0]))
-    return next(filter(None, found), "") if lineage else ""
+    return translated(next(filter(None, found), "")) if lineage else ""
 
 
 def _make_filter(parent: Any) -> Any:

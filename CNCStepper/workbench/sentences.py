@@ -1,0 +1,84 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What the core says, in FreeCAD's language.
+
+The core knows nothing of languages: its errors and findings are English sentences with the values already in them.
+The catalogue of translations holds these sentences as the source has them, `{0}` standing for the first value (see
+tools/translations.py). Here a sentence is recognised, and said again with the same values.
+"""
+
+from __future__ import annotations
+
+import functools
+import re
+import xml.etree.ElementTree as ET
+
+from CNCStepper.workbench import packages
+
+CONTEXT = "CNCStepper core"
+CATALOGUE = packages.ROOT / "resources" / "translations" / "CNCStepper.ts"
+VALUE = re.compile(r"\\\{\d+\\\}")
+# as CNCStepperError.sentence puts it together: what (value …, limit …); advice [code]
+WHOLE = re.compile(
+    r"(?P<what>.+?)(?: \((?P<numbers>(?:value|limit) .+?)\))?(?:; (?P<advice>.+?))?(?P<code> \[[\w-]+\])?"
+)
+NUMBERS = re.compile(r"(value|limit) ")
+
+
+def translated(english: str) -> str:
+    """Return a sentence of the core, or a whole error as one text, in FreeCAD's language.
+
+    What the catalogue does not know stays English, and so do the names and values within.
+    """
+    return _known(english) or _put_together(english) or _after_a_name(english) or english
+
+
+def _known(english: str) -> str:
+    """Return the translation of a sentence that the catalogue holds, else ""."""
+    plain, patterns = _catalogue()
+    if english in plain:
+        return _look_up(english)
+    for pattern, template in patterns:
+        if found := pattern.fullmatch(english):
+            return _look_up(template).format(*(_known(value) or value for value in found.groups()))
+    return ""
+
+
+def _put_together(english: str) -> str:
+    """Return an error's sentence, numbers and advice, each translated; "" where its sentence is not known."""
+    parts = WHOLE.fullmatch(english)
+    what = _known(parts["what"]) if parts and parts["what"] != english else ""
+    if not parts or not what:
+        return ""
+    numbers = f" ({NUMBERS.sub(_number_word, parts['numbers'])})" if parts["numbers"] else ""
+    advice = f"; {_known(parts['advice']) or parts['advice']}" if parts["advice"] else ""
+    return f"{what}{numbers}{advice}{parts['code'] or ''}"
+
+
+def _after_a_name(english: str) -> str:
+    """Return the translation of "Pocket: the tool is wider than the pocket", where an object's name stands first."""
+    name, colon, rest = english.partition(": ")
+    said = (_known(rest) or _put_together(rest) or _after_a_name(rest)) if colon else ""
+    return f"{name}: {said}" if said else ""
+
+
+def _number_word(found: re.Match[str]) -> str:
+    from CNCStepper.workbench.words import tr
+
+    return tr("value {0}").format("") if found[1] == "value" else tr("limit {0}").format("")
+
+
+def _look_up(template: str) -> str:
+    import FreeCAD
+
+    return str(FreeCAD.Qt.translate(CONTEXT, template))
+
+
+@functools.cache
+def _catalogue() -> tuple[frozenset[str], list[tuple[re.Pattern[str], str]]]:
+    """Return the sentences without values, and those with values as patterns, the most telling first."""
+    contexts = ET.parse(CATALOGUE).getroot().iter("context")
+    core = (context for context in contexts if context.findtext("name") == CONTEXT)
+    templates = [str(message.findtext("source")) for context in core for message in context.iter("message")]
+    with_values = sorted((text for text in templates if "{" in text), key=lambda text: -len(text))
+    patterns = [(re.compile(VALUE.sub("(.+?)", re.escape(text)), re.DOTALL), text) for text in with_values]
+    return frozenset(templates) - frozenset(with_values), patterns
