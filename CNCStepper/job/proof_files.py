@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The folder in which a proof is asked for and answered, between a window and the process that proves.
 
-    job.json  machine.json  program.nc        what is asked (the job without its machine's name counting)
-    result.json  moves.npz  part.npz  send.json   what is answered; or error.json, why there is no answer
+    job.json  machine.json  program.nc        what is asked; the machine is that of machine.json
+    result.json  moves.npz  lines.npz  part.npz  tools.npz  send.json    what is answered; or error.json, why not
 
-Reading an answer takes numpy only.
+Reading an answer takes numpy only, so that a window does it at once.
 """
 
 from __future__ import annotations
@@ -19,6 +19,7 @@ import numpy as np
 from CNCStepper.control.outcome import error_from_json, error_to_json
 from CNCStepper.errors import CNCStepperError
 from CNCStepper.simulation.finding import Finding, refused
+from CNCStepper.simulation.lines import Lines
 from CNCStepper.simulation.timeline import Timeline
 
 if TYPE_CHECKING:
@@ -27,15 +28,19 @@ if TYPE_CHECKING:
     from CNCStepper.machine.profile import Machine
 
 PROGRAM, JOB, MACHINE = "program.nc", "job.json", "machine.json"
-RESULT, MOVES, PART, SEND, ERROR = "result.json", "moves.npz", "part.npz", "send.json", "error.json"
+RESULT, MOVES, LINES = "result.json", "moves.npz", "lines.npz"
+PART, TOOLS = "part.npz", "tools.npz"
+SEND, ERROR = "send.json", "error.json"
+LINE_COLUMNS = ("rapid_points", "rapid_counts", "feed_points", "feed_counts")
+MOST_POINTS = 60_000  # of the rapids, and of the feeds, that a 3D view is given to draw
 
 
 @dataclass(frozen=True)
 class Part:
-    """The stock after the program, from above; z = 0 is the stock's top.
+    """The stock after the program, in work coordinates; z = 0 is the stock's top.
 
-    heights_mm: float64[rows, columns], rows along y. x_mm, y_mm: the centres of the cells, work coordinates.
-    low_mm, high_mm: the corners of the stock.
+    heights_mm: float64[rows, columns], rows along y. x_mm, y_mm: the centres of the cells. low_mm, high_mm: the
+    corners of the stock. corners, normals: its faces, as `surface.Faces`.
     """
 
     heights_mm: np.ndarray
@@ -43,16 +48,24 @@ class Part:
     y_mm: np.ndarray
     low_mm: np.ndarray
     high_mm: np.ndarray
+    corners: np.ndarray
+    normals: np.ndarray
 
 
 @dataclass(frozen=True)
 class Answer:
-    """What a proof answered: report as in `Proof`, the moves in time, and the part that is left."""
+    """What a proof answered: report as in `Proof`, the moves in time and as lines, the part that is left.
+
+    tools: the outlines of cutter and shank by number, as `tool_outline.outlines_mm`.
+    """
 
     findings: list[Finding]
     report: dict[str, Any]
     moves: Timeline
+    rapids: Lines
+    feeds: Lines
     part: Part
+    tools: dict[int, tuple[np.ndarray, np.ndarray]]
     send_file: Path
 
     @property
@@ -83,11 +96,19 @@ def read_question(folder: Path) -> tuple[str, Job, Machine]:
     )
 
 
-def write_answer(folder: Path, proof: Proof, send_json: str) -> None:
+def write_answer(folder: Path, proof: Proof, job: Job, send_json: str) -> None:
     """Write the answer; the result, which says that all is there, comes last."""
+    from CNCStepper.simulation.paths import lines_in_space
+    from CNCStepper.simulation.surface import faces_of
+    from CNCStepper.simulation.tool_outline import outlines_mm
+
     assert proof.part is not None
     Timeline.of(proof.toolpath, proof.times_s).save(folder / MOVES)
-    stock = proof.part.stock
+    rapids, feeds = lines_in_space(proof.toolpath, MOST_POINTS)
+    columns = (rapids.points, rapids.counts, feeds.points, feeds.counts)
+    named: dict[str, Any] = dict(zip(LINE_COLUMNS, columns, strict=True))
+    np.savez(folder / LINES, **named)
+    stock, faces = proof.part.stock, faces_of(proof.part)
     np.savez(
         folder / PART,
         heights_mm=proof.part.heights_mm,
@@ -95,7 +116,12 @@ def write_answer(folder: Path, proof: Proof, send_json: str) -> None:
         y_mm=proof.part.y_mm,
         low_mm=np.array(stock.low_mm),
         high_mm=np.array(stock.high_mm),
+        corners=faces.corners,
+        normals=faces.normals,
     )
+    outlines = {str(tool.number): outlines_mm(tool, stock.size_mm[2]) for tool in job.tool}
+    named = {f"{number}-{place}": both[place] for number, both in outlines.items() for place in (0, 1)}
+    np.savez(folder / TOOLS, **named)
     (folder / SEND).write_text(send_json, encoding="utf-8")
     (folder / RESULT).write_text(json.dumps(proof.report, allow_nan=False), encoding="utf-8")
 
@@ -118,5 +144,11 @@ def read_answer(folder: Path) -> Answer:
     report = json.loads((folder / RESULT).read_text("utf-8"))
     with np.load(folder / PART, allow_pickle=False) as arrays:
         part = Part(**arrays)
+    with np.load(folder / LINES, allow_pickle=False) as arrays:
+        columns = [arrays[name] for name in LINE_COLUMNS]
     findings = [Finding.from_dict(content) for content in report["findings"]]
-    return Answer(findings, report, Timeline.load(folder / MOVES), part, folder / SEND)
+    with np.load(folder / TOOLS, allow_pickle=False) as arrays:
+        numbers = sorted({int(name.partition("-")[0]) for name in arrays})
+        tools = {number: (arrays[f"{number}-0"], arrays[f"{number}-1"]) for number in numbers}
+    moves = Timeline.load(folder / MOVES)
+    return Answer(findings, report, moves, Lines(*columns[:2]), Lines(*columns[2:]), part, tools, folder / SEND)

@@ -48,7 +48,7 @@ def answer(folder: Path, name: str) -> None:
 
     program, job, machine = read_question(folder)
     proof = prove_job(job, machine, program, name, tell=lambda stage: print(stage, flush=True))
-    write_answer(folder, proof, send_job(proof.wire, machine, name).to_json())
+    write_answer(folder, proof, job, send_job(proof.wire, machine, name).to_json())
 
 
 def _refuse(folder: Path, error: CNCStepperError) -> None:

@@ -3,10 +3,12 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 
 import numpy as np
 
+from CNCStepper.simulation.lines import Lines
 from CNCStepper.simulation.segments import Segments, chains, segments
 from CNCStepper.toolpath import LINE, RAPID, Toolpath
 
@@ -43,3 +45,20 @@ def _unrepeated(path: Segments) -> list[np.ndarray]:
     keys = np.ascontiguousarray(flat).view([("", flat.dtype)] * 4).ravel() if len(flat) else np.zeros(0)
     first = np.sort(np.unique(keys, return_index=True)[1])
     return chains(path[first])
+
+
+def lines_in_space(toolpath: Toolpath, most: int) -> tuple[Lines, Lines]:
+    """Return all rapids and all feeds as lines for a 3D view, with at most about `most` points each.
+
+    Longer paths are thinned evenly; the ends of every run of rapids or feeds stay.
+    """
+    path = segments(toolpath, DRAWN_MM).known()
+    rapid = toolpath.table().kind[path.row] == RAPID
+    return _lines(chains(path[rapid]), most), _lines(chains(path[~rapid]), most)
+
+
+def _lines(polylines: list[np.ndarray], most: int) -> Lines:
+    keep_every = max(1, math.ceil(sum(map(len, polylines)) / most))
+    thin = [np.vstack([line[:-1:keep_every], line[-1:]]) for line in polylines]
+    points = np.concatenate(thin) if thin else np.zeros((0, 3))
+    return Lines(points.astype(np.float32), np.array([len(line) for line in thin], np.int32))

@@ -20,6 +20,7 @@ from matplotlib.image import imsave
 from matplotlib.lines import Line2D
 from matplotlib.ticker import MaxNLocator
 
+from CNCStepper.simulation.depth_colours import MATERIAL, deepest_shown_mm
 from CNCStepper.simulation.heightmap import HeightMap
 from CNCStepper.simulation.isometric import projected, surface
 from CNCStepper.simulation.paths import DrawnPath, drawn_path
@@ -46,7 +47,7 @@ DPI = 100
 FINER = 2  # drawn that many times larger, then averaged: the surface's quads are not antialiased
 LEFT_BOX = (0.02, 0.06, 0.46, 0.78)  # left, bottom, width, height in shares of the picture
 RIGHT_BOX = (0.55, 0.17, 0.36, 0.67)
-MATERIAL = LinearSegmentedColormap.from_list("material", ["#2f6f9f", "#7fb3d0", "#cfe0dc", "#f3ead7"])
+MATERIAL_MAP = LinearSegmentedColormap.from_list("material", MATERIAL)
 SIDE = (0.84, 0.76, 0.62, 1.0)
 GREY = "#4a5460"
 COLOURS = {"rapids": "#d6166f", "feeds": "#20262e", "arcs": "#ff8a1f", "plunges": "#5b1fa6", "zero": "#107a3b"}
@@ -68,7 +69,8 @@ def save_picture(
     figure = Figure(figsize=SIZE_INCH, dpi=DPI * FINER, facecolor="white")
     canvas = FigureCanvasAgg(figure)
     _head(figure, toolpath, part, title, tools, time_s)
-    heights = Normalize(_deepest_mm(part), part.stock.top_mm)
+    lowest = deepest_shown_mm(float(part.heights_mm.min()), part.stock.bottom_mm, part.stock.top_mm)
+    heights = Normalize(lowest, part.stock.top_mm)
     _draw_isometric(figure, part, heights)
     _draw_plan(figure, part, heights, drawn_path(toolpath))
     canvas.draw()
@@ -76,12 +78,6 @@ def save_picture(
     rows, columns = pixels.shape[0] // FINER, pixels.shape[1] // FINER
     averaged = pixels.reshape(rows, FINER, columns, FINER, 3).sum(axis=(1, 3)) // FINER**2
     imsave(str(file), averaged.astype(np.uint8))
-
-
-def _deepest_mm(part: HeightMap) -> float:
-    """Return the lower end of the colour scale: the deepest cut, or a little below the top where nothing is cut."""
-    deepest = max(float(part.heights_mm.min()), part.stock.bottom_mm)
-    return deepest if deepest < part.stock.top_mm else part.stock.top_mm - 1.0
 
 
 def _head(figure: Figure, toolpath: Toolpath, part: HeightMap, title: str, tools: str, time_s: float | None) -> None:
@@ -108,7 +104,7 @@ def duration_text(time_s: float) -> str:
 
 def _draw_isometric(figure: Figure, part: HeightMap, heights: Normalize) -> None:
     axes = figure.add_axes(LEFT_BOX)
-    u, v, colours = surface(part, lambda z: MATERIAL(heights(z)), SIDE)
+    u, v, colours = surface(part, lambda z: MATERIAL_MAP(heights(z)), SIDE)
     axes.pcolormesh(u, v, colours, edgecolors="none", antialiased=False)
     low, high = np.array(part.stock.low_mm), np.array(part.stock.high_mm)
     span = float(max(high - low))
@@ -169,7 +165,7 @@ def _draw_plan(figure: Figure, part: HeightMap, heights: Normalize, path: DrawnP
         part.heights_mm,
         extent=(stock_low[0], stock_high[0], stock_low[1], stock_high[1]),
         origin="lower",
-        cmap=MATERIAL,
+        cmap=MATERIAL_MAP,
         norm=heights,
         interpolation="bilinear",
         aspect="auto",

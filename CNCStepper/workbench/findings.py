@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The findings of a proof as a list: one row each, with its weight, its line, what was seen and what to do."""
+"""The findings of a proof as a list: one row each, with its weight, its line, what was seen, value and limit."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from PySide import QtCore, QtGui
 
+from CNCStepper.workbench.sentences import translated
 from CNCStepper.workbench.words import later, tr
 
 if TYPE_CHECKING:
@@ -15,8 +16,8 @@ if TYPE_CHECKING:
 
 SEVERITIES = {"error": later("Error"), "warning": later("Warning"), "info": later("Note")}
 ICONS = {"error": "SP_MessageBoxCritical", "warning": "SP_MessageBoxWarning", "info": "SP_MessageBoxInformation"}
-ROW_MARGIN = 8  # pixels
 FINDING = QtCore.Qt.ItemDataRole.UserRole
+LEAST_LINES = 5
 
 
 class FindingsList(QtGui.QWidget):
@@ -27,16 +28,15 @@ class FindingsList(QtGui.QWidget):
     def __init__(self, parent: Any = None):
         super().__init__(parent)
         self.setObjectName("CNCStepper_Findings")
-        self._rows = QtGui.QTreeWidget(self)
+        self._rows = QtGui.QListWidget(self)
         self._rows.setObjectName("CNCStepper_Findings_list")
-        self._rows.setHeaderLabels([tr("Where"), tr("Finding")])
-        self._rows.setRootIsDecorated(False)
         self._rows.setWordWrap(True)
-        self._rows.setAllColumnsShowFocus(True)
+        self._rows.setAlternatingRowColors(True)
+        self._rows.setResizeMode(QtGui.QListView.ResizeMode.Adjust)
+        self._rows.setTextElideMode(QtCore.Qt.TextElideMode.ElideNone)
         self._rows.setHorizontalScrollBarPolicy(QtCore.Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        self._rows.header().setSectionResizeMode(0, QtGui.QHeaderView.ResizeMode.ResizeToContents)
-        self._rows.header().setSectionResizeMode(1, QtGui.QHeaderView.ResizeMode.Stretch)
-        self._rows.header().sectionResized.connect(self._wrap_again)
+        self._rows.setVerticalScrollMode(QtGui.QAbstractItemView.ScrollMode.ScrollPerPixel)
+        self._rows.setMinimumHeight(LEAST_LINES * self.fontMetrics().lineSpacing())
         self._rows.itemClicked.connect(self._choose)
         self._rows.currentItemChanged.connect(self._choose)
         layout = QtGui.QVBoxLayout(self)
@@ -47,42 +47,33 @@ class FindingsList(QtGui.QWidget):
         """Show these findings instead of those before; an empty list says that nothing was found."""
         self._rows.blockSignals(True)
         self._rows.clear()
-        self._rows.addTopLevelItems([self._row(finding) for finding in findings] or [_nothing_found()])
+        for row in [self._row(finding) for finding in findings] or [_nothing_found()]:
+            self._rows.addItem(row)
         self._rows.blockSignals(False)
-        self._wrap_again()
 
     def _row(self, finding: Finding) -> Any:
-        place = tr("line {0}").format(finding.place.line) if finding.place.line else ""
-        row = QtGui.QTreeWidgetItem([place, sentence(finding)])
-        row.setIcon(0, self.style().standardIcon(getattr(QtGui.QStyle.StandardPixmap, ICONS[finding.severity])))
-        row.setData(0, FINDING, finding)
-        for column in (0, 1):
-            row.setToolTip(column, tooltip(finding))
-            row.setTextAlignment(column, QtCore.Qt.AlignmentFlag.AlignTop | QtCore.Qt.AlignmentFlag.AlignLeft)
+        icon = self.style().standardIcon(getattr(QtGui.QStyle.StandardPixmap, ICONS[finding.severity]))
+        row = QtGui.QListWidgetItem(icon, sentence(finding))
+        row.setData(FINDING, finding)
+        row.setToolTip(tooltip(finding))
         return row
 
     def _choose(self, row: Any, *_: Any) -> None:
-        finding = row.data(0, FINDING) if row is not None else None
+        finding = row.data(FINDING) if row is not None else None
         if finding is not None:
             self.chosen.emit(finding)
 
-    def _wrap_again(self, *_: Any) -> None:
-        """Let the rows be as high as their text is at this width: a tree asks them without one."""
-        width = self._rows.columnWidth(1) - ROW_MARGIN
-        metrics, flags = self._rows.fontMetrics(), int(QtCore.Qt.TextFlag.TextWordWrap)
-        for row in map(self._rows.topLevelItem, range(self._rows.topLevelItemCount())):
-            height = metrics.boundingRect(QtCore.QRect(0, 0, width, 0), flags, row.text(1)).height()
-            row.setSizeHint(1, QtCore.QSize(width, height + ROW_MARGIN))
-
 
 def sentence(finding: Finding) -> str:
-    """Return the weight of a finding, what was seen, its value and limit, and how many moves it concerns."""
-    return f"{tr(SEVERITIES[finding.severity])}: {finding.text}{_numbers(finding)}"
+    """Return the weight and the line of a finding, what was seen, its value and limit, and how many moves it is."""
+    weight, line = tr(SEVERITIES[finding.severity]), finding.place.line
+    head = tr("{0}, line {1}").format(weight, line) if line else weight
+    return f"{head}: {translated(finding.text)}{_numbers(finding)}"
 
 
 def tooltip(finding: Finding) -> str:
     """Return the whole finding with what to do about it."""
-    return "\n".join(part for part in (sentence(finding), finding.advice, f"[{finding.code}]") if part)
+    return "\n".join(part for part in (sentence(finding), translated(finding.advice), f"[{finding.code}]") if part)
 
 
 def _numbers(finding: Finding) -> str:
@@ -98,6 +89,6 @@ def _numbers(finding: Finding) -> str:
 
 
 def _nothing_found() -> Any:
-    row = QtGui.QTreeWidgetItem(["", tr("Nothing was found: the program can be sent.")])
+    row = QtGui.QListWidgetItem(tr("Nothing was found: the program can be sent."))
     row.setFlags(QtCore.Qt.ItemFlag.ItemIsEnabled)
     return row

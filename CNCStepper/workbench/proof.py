@@ -31,6 +31,7 @@ if TYPE_CHECKING:
 
     from CNCStepper.job.proof_files import Part
     from CNCStepper.simulation.finding import Finding
+    from CNCStepper.simulation.lines import Lines
     from CNCStepper.simulation.timeline import Timeline
 
 WORKER = "CNCStepper.job.proof_worker"
@@ -53,9 +54,9 @@ class ProofResult:
     """What is known of a program; its folder goes when the last who holds this object lets go of it.
 
     program_lines: the text. findings: in the order of the lines. refused: whether it must not be sent.
-    send_file: a SendJob as JSON, without a port. moves: the tip in work coordinates in time. part: what is left of the
-    stock. report: as `cncstepper run` writes it. work_origin_mm: where the work zero lies in the document.
-    tools: shape and diameter in mm by number.
+    send_file: a SendJob as JSON, without a port. moves: the tip in work coordinates in time. rapids, feeds: as lines.
+    part: what is left of the stock. tools: the outlines of cutter and shank by number. report: as `cncstepper run`
+    writes it. work_origin_mm: where the work zero lies in the document.
     """
 
     program_lines: list[str]
@@ -64,10 +65,12 @@ class ProofResult:
     send_file: Path
     time_s: float
     moves: Timeline
+    rapids: Lines
+    feeds: Lines
     part: Part
     report: dict[str, Any]
     work_origin_mm: tuple[float, float, float]
-    tools: dict[int, tuple[str, float]]
+    tools: dict[int, tuple[np.ndarray, np.ndarray]]
     folder: tempfile.TemporaryDirectory
 
     @property
@@ -136,7 +139,6 @@ class ProofRun(QtCore.QObject):
         model = job_of(self._job)
         write_question(path, self._program, model, machine_of(self._job))
         self._origin_mm = tuple(self._job.WorkOrigin)
-        self._tools = {tool.number: (tool.shape, tool.diameter_mm) for tool in model.tool}
         self._key = _fingerprint(path, self._job.Label, self._origin_mm)
         if ProofRun._last and ProofRun._last[0] == self._key:
             self._drop_folder()
@@ -228,10 +230,12 @@ class ProofRun(QtCore.QObject):
             send_file=answer.send_file,
             time_s=answer.moves.duration_s,
             moves=answer.moves,
+            rapids=answer.rapids,
+            feeds=answer.feeds,
             part=answer.part,
             report=answer.report,
             work_origin_mm=self._origin_mm,
-            tools=self._tools,
+            tools=answer.tools,
             folder=folder,
         )
 

@@ -72,7 +72,7 @@ def test_a_clean_job_is_proven_from_its_text(job: Any, folder: Path) -> None:
     assert not result.refused and result.time_s == pytest.approx(result.report["time_s"])
     assert result.program_lines == api.program_text(job).splitlines()
     assert result.part.heights_mm.min() == pytest.approx(-4)
-    assert tuple(result.work_origin_mm) == (5, 6, 7) and result.tools == {1: ("flat", 6.0)}
+    assert tuple(result.work_origin_mm) == (5, 6, 7) and result.tools[1][0].max(axis=0)[0] == 3
     assert len(heard.stages) >= 2
     sent = SendJob.from_json(result.send_file.read_text("utf-8"))
     sent.check()

@@ -1,0 +1,24 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Check and simulate: the cut part in FreeCAD's 3D view, the tool running along the path, and what was found."""
+
+from __future__ import annotations
+
+from typing import Any
+
+
+def open_simulation(job_object: Any) -> Any:
+    """Open the task panel of a job's simulation and return it; another task panel that stands open is left alone.
+
+    Raises JobError when there is one.
+    """
+    import FreeCADGui
+
+    from CNCStepper.errors import JobError
+    from CNCStepper.workbench.simulation.task import SimulationTask
+
+    if FreeCADGui.Control.activeDialog():
+        raise JobError("task-open", "another task is open in the task panel", advice="close it first")
+    task = SimulationTask(job_object)
+    FreeCADGui.Control.showDialog(task)
+    task.begin()
+    return task

@@ -1,0 +1,90 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Nodes of FreeCAD's 3D view (Coin, by pivy) from arrays."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+Rgb = tuple[float, float, float]
+
+
+def separator(*children: Any) -> Any:
+    """Return a group whose settings concern its own children only."""
+    from pivy import coin
+
+    group = coin.SoSeparator()
+    for child in children:
+        group.addChild(child)
+    return group
+
+
+def quads(corners: np.ndarray, rgba: np.ndarray | None = None) -> Any:
+    """Return faces of four corners, float32[n, 4, 3], with a packed colour for every corner, uint32[n, 4]."""
+    from pivy import coin
+
+    content = coin.SoVertexProperty()
+    content.vertex.setValues(0, 4 * len(corners), np.ascontiguousarray(corners.reshape(-1, 3)))
+    if rgba is not None:
+        content.orderedRGBA.setValues(0, rgba.size, rgba.ravel().tolist())
+        content.materialBinding = coin.SoVertexProperty.PER_VERTEX
+    faces = coin.SoFaceSet()
+    faces.vertexProperty = content
+    faces.numVertices.setValues(0, len(corners), [4] * len(corners))
+    return faces
+
+
+def lines(points: np.ndarray, counts: np.ndarray) -> Any:
+    """Return polylines one after another, float32[n, 3], of so many points each."""
+    from pivy import coin
+
+    content = coin.SoVertexProperty()
+    content.vertex.setValues(0, len(points), np.ascontiguousarray(points, np.float32))
+    strips = coin.SoLineSet()
+    strips.vertexProperty = content
+    strips.numVertices.setValues(0, len(counts), counts.tolist())
+    return strips
+
+
+def unlit() -> Any:
+    """Return the setting that what follows has its own colours in any light."""
+    from pivy import coin
+
+    model = coin.SoLightModel()
+    model.model = coin.SoLightModel.BASE_COLOR
+    return model
+
+
+def plain(rgb: Rgb) -> Any:
+    """Return the setting that what follows has this colour in any light."""
+    from pivy import coin
+
+    group = coin.SoGroup()
+    colour = coin.SoBaseColor()
+    colour.rgb = rgb
+    group.addChild(unlit())
+    group.addChild(colour)
+    return group
+
+
+def material(rgb: Rgb, shine: float = 0.0) -> Any:
+    """Return the setting that what follows is lit and has this colour."""
+    from pivy import coin
+
+    node = coin.SoMaterial()
+    node.diffuseColor = rgb
+    node.specularColor = (shine, shine, shine)
+    node.shininess = shine
+    return node
+
+
+def solid() -> Any:
+    """Return the setting that faces which follow are seen from outside only, with smooth edges where they are blunt."""
+    from pivy import coin
+
+    hints = coin.SoShapeHints()
+    hints.vertexOrdering = coin.SoShapeHints.COUNTERCLOCKWISE
+    hints.shapeType = coin.SoShapeHints.SOLID
+    hints.creaseAngle = 0.6
+    return hints

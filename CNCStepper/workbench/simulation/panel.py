@@ -1,0 +1,120 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What stands in the task panel: first how far the proof is, then totals, player, legend, program and findings."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from PySide import QtCore, QtGui
+
+from CNCStepper.workbench.findings import FindingsList
+from CNCStepper.workbench.simulation.controls import Controls
+from CNCStepper.workbench.simulation.figures import totals
+from CNCStepper.workbench.simulation.legend import Legend
+from CNCStepper.workbench.simulation.player import Player
+from CNCStepper.workbench.simulation.program_list import ProgramList
+from CNCStepper.workbench.words import tr
+
+if TYPE_CHECKING:
+    from CNCStepper.workbench.proof import ProofResult
+
+
+class SimulationPanel(QtGui.QWidget):
+    """The widget of the task; `again` asks for a new proof, `path_shown` whether lines are to be seen."""
+
+    again = QtCore.Signal()
+    path_shown = QtCore.Signal(bool)
+
+    def __init__(self, label: str, parent: Any = None):
+        super().__init__(parent)
+        self.setObjectName("CNCStepper_Simulation_panel")
+        self.setWindowTitle(tr("Check and simulate: {0}").format(label))
+        self._layout = QtGui.QVBoxLayout(self)
+        self._message = QtGui.QLabel()
+        self._message.setObjectName("CNCStepper_Simulation_message")
+        self._message.setWordWrap(True)
+        self._message.setTextInteractionFlags(QtCore.Qt.TextInteractionFlag.TextSelectableByMouse)
+        self._busy = QtGui.QProgressBar()
+        self._busy.setObjectName("CNCStepper_Simulation_busy")
+        self._busy.setRange(0, 0)
+        self._busy.setTextVisible(False)
+        self._again = QtGui.QPushButton(tr("Simulate again"))
+        self._again.setObjectName("CNCStepper_Simulation_again")
+        self._again.clicked.connect(self.again)
+        for widget in (self._message, self._busy, self._again):
+            self._layout.addWidget(widget)
+        self._content: Any = None
+        self.program = ProgramList()
+        self.findings = FindingsList()
+        self.say("", busy=True)
+
+    def say(self, text: str, *, busy: bool = False, again: bool = False) -> None:
+        """Show a sentence on top, or none; `busy`: the proof runs; `again`: offer to prove anew."""
+        self._message.setText(text)
+        self._message.setVisible(bool(text))
+        self._busy.setVisible(busy)
+        self._again.setVisible(again)
+
+    def clear(self) -> None:
+        """Take away what an earlier proof has shown."""
+        if self._content is not None:
+            self.program, self.findings = ProgramList(), FindingsList()
+            self._content.hide()
+            self._content.deleteLater()
+            self._content = None
+
+    def show_result(self, result: ProofResult, player: Player, height_range_mm: tuple[float, float]) -> None:
+        """Show what was proven."""
+        self.say("")
+        self._content = QtGui.QWidget()
+        layout = QtGui.QVBoxLayout(self._content)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.addWidget(Controls(player))
+        layout.addWidget(Legend(*height_range_mm))
+        layout.addWidget(self._path_box())
+        layout.addLayout(_totals(result))
+        self.findings.show(result.findings)
+        self.program.show_program(result.program_lines)
+        split = QtGui.QSplitter(QtCore.Qt.Orientation.Vertical)
+        split.setChildrenCollapsible(False)
+        split.addWidget(_titled(tr("Program"), self.program))
+        split.addWidget(_titled(_findings_title(result), self.findings))
+        layout.addWidget(split, 1)
+        self._layout.addWidget(self._content, 1)
+
+    def _path_box(self) -> Any:
+        box = QtGui.QCheckBox(tr("Show the tool's path"))
+        box.setObjectName("CNCStepper_Simulation_path")
+        box.setChecked(True)
+        box.toggled.connect(self.path_shown)
+        return box
+
+
+def _totals(result: ProofResult) -> Any:
+    grid = QtGui.QGridLayout()
+    for row, (name, label, text) in enumerate(totals(result.report)):
+        value = QtGui.QLabel(text)
+        value.setObjectName(f"CNCStepper_Simulation_total_{name}")
+        value.setTextInteractionFlags(QtCore.Qt.TextInteractionFlag.TextSelectableByMouse)
+        grid.addWidget(QtGui.QLabel(tr("{0}:").format(label)), row, 0)
+        grid.addWidget(value, row, 1)
+    grid.setColumnStretch(1, 1)
+    grid.setVerticalSpacing(2)
+    return grid
+
+
+def _findings_title(result: ProofResult) -> str:
+    if result.refused:
+        return tr("Findings ({0}): the program must not be sent").format(len(result.findings))
+    return tr("Findings ({0})").format(len(result.findings))
+
+
+def _titled(title: str, widget: Any) -> Any:
+    box = QtGui.QWidget()
+    layout = QtGui.QVBoxLayout(box)
+    layout.setContentsMargins(0, 0, 0, 0)
+    head = QtGui.QLabel(title)
+    head.setWordWrap(True)
+    layout.addWidget(head)
+    layout.addWidget(widget, 1)
+    return box

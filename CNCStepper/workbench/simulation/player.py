@@ -1,0 +1,98 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The clock of a simulation: it plays a timeline, and it jumps where it is told."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from PySide import QtCore
+
+if TYPE_CHECKING:
+    import numpy as np
+
+    from CNCStepper.simulation.timeline import Timeline
+
+TICK_MS = 33
+MS_PER_S = 1000.0
+
+
+class Player(QtCore.QObject):
+    """Where the simulation stands: `time_s`, and `row`, the move under way.
+
+    moved: sent whenever that changes. playing_changed: sent with whether it plays.
+    """
+
+    moved = QtCore.Signal()
+    playing_changed = QtCore.Signal(bool)
+
+    def __init__(self, moves: Timeline, parent: Any = None):
+        super().__init__(parent)
+        self.moves = moves
+        self.speed = 1.0
+        self.time_s = 0.0
+        self.row = 0
+        self._passed = QtCore.QElapsedTimer()
+        self._timer = QtCore.QTimer(self)
+        self._timer.setTimerType(QtCore.Qt.TimerType.PreciseTimer)
+        self._timer.setInterval(TICK_MS)
+        self._timer.timeout.connect(self._tick)
+
+    @property
+    def playing(self) -> bool:
+        """Whether time passes."""
+        return self._timer.isActive()
+
+    @property
+    def line(self) -> int:
+        """The line of the program that moves the tool now, from 1; 0 for a program that moves nothing."""
+        return int(self.moves.line[self.row]) if len(self.moves) else 0
+
+    def tip_mm(self) -> np.ndarray:
+        """Return where the tip is, work coordinates, NaN where it is not known."""
+        return self.moves.tip_mm(self.row, self.moves.share_at(self.row, self.time_s))
+
+    def play(self) -> None:
+        """Let time pass, from the begin when the end is reached."""
+        if not len(self.moves) or self.playing:
+            return
+        if self.time_s >= self.moves.duration_s:
+            self.seek(0.0)
+        self._passed.start()
+        self._timer.start()
+        self.playing_changed.emit(True)
+
+    def pause(self) -> None:
+        """Let time stand still."""
+        if self.playing:
+            self._timer.stop()
+            self.playing_changed.emit(False)
+
+    def seek(self, time_s: float) -> None:
+        """Jump to a moment."""
+        if len(self.moves):
+            self.time_s = min(max(time_s, 0.0), self.moves.duration_s)
+            self.row = self.moves.row_at(self.time_s)
+        self.moved.emit()
+
+    def go_to_row(self, row: int) -> None:
+        """Jump to where a move ends."""
+        if len(self.moves):
+            self.row = row
+            self.time_s = float(self.moves.ends_s[row])
+        self.moved.emit()
+
+    def go_to_line(self, line: int) -> None:
+        """Jump to where a line of the program has taken the tool."""
+        if len(self.moves):
+            self.go_to_row(self.moves.row_of_line(line))
+
+    def step(self, lines: int) -> None:
+        """Jump to where the next line (1) or the one before (-1) takes the tool."""
+        self.pause()
+        if len(self.moves):
+            self.go_to_row(self.moves.step(self.row, lines))
+
+    def _tick(self) -> None:
+        self.seek(self.time_s + self._passed.restart() / MS_PER_S * self.speed)
+        if self.time_s >= self.moves.duration_s:
+            self.pause()

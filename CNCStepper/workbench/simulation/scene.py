@@ -1,0 +1,165 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a simulation adds to FreeCAD's 3D view: the stock's outline, the cut part, the path, the tool, a marker.
+
+view's scene graph
+  root (not pickable) ── place (the job's work zero) ── stock ── part: one node a tile ── rapids ── feeds
+                                                    └── tool: switch, translation, shapes ── marker
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from CNCStepper.simulation.depth_colours import deepest_shown_mm, shaded
+from CNCStepper.simulation.revolve import revolved
+from CNCStepper.workbench.simulation import coin as nodes
+
+if TYPE_CHECKING:
+    from CNCStepper.workbench.proof import ProofResult
+
+TILE_FACES = 2500  # so many are handed to the 3D view at once, which takes a few ms
+FEED_RGB = (0.13, 0.15, 0.18)
+RAPID_RGB = (0.84, 0.09, 0.44)
+STOCK_RGB = (0.45, 0.36, 0.22)
+CUTTER_RGB = (0.78, 0.80, 0.83)
+SHANK_RGB = (0.42, 0.45, 0.50)
+MARKER_RGB = (0.90, 0.20, 0.05)
+MARKER_SHARE = 0.12  # of the stock's longest side: the height of the marker
+LAP_MM = 0.01
+CORNERS = np.array([[x, y, z] for z in (0, 1) for x, y in ((0, 0), (1, 0), (1, 1), (0, 1), (0, 0))])
+OUTLINE = np.concatenate([CORNERS, *(CORNERS[[k, k + 5]] for k in range(1, 4))])
+OUTLINE_COUNTS = np.array([10, 2, 2, 2])
+
+
+class Scene:
+    """The nodes of one simulation in one 3D view; `load` brings them in bit by bit, `remove` takes all away."""
+
+    def __init__(self, view: Any, result: ProofResult):
+        from pivy import coin
+
+        self._result = result
+        self._graph = view.getSceneGraph()
+        self._root = coin.SoSeparator()
+        self._root.setName("CNCStepper_Simulation")
+        unpickable = coin.SoPickStyle()
+        unpickable.style = coin.SoPickStyle.UNPICKABLE
+        place = coin.SoTranslation()
+        place.translation = result.work_origin_mm
+        self._root.addChild(unpickable)
+        self._root.addChild(place)
+        self._tool_number: int | None = None
+        self._path = coin.SoSwitch()
+        self._path.whichChild = coin.SO_SWITCH_ALL
+        self._graph.addChild(self._root)
+
+    @property
+    def height_range_mm(self) -> tuple[float, float]:
+        """The heights at the two ends of the colour scale."""
+        part = self._result.part
+        low, high = float(part.low_mm[2]), float(part.high_mm[2])
+        return deepest_shown_mm(float(part.heights_mm.min()), low, high), high
+
+    def load(self) -> Iterator[None]:
+        """Add the nodes, a few ms at a time: run it on from a timer until it ends."""
+        self._root.addChild(self._stock())
+        yield
+        for part in self._part():
+            self._root.addChild(part)
+            yield
+        self._root.addChild(self._path)
+        for lines, rgb in ((self._result.rapids, RAPID_RGB), (self._result.feeds, FEED_RGB)):
+            self._path.addChild(nodes.separator(nodes.plain(rgb), nodes.lines(lines.points, lines.counts)))
+            yield
+        self._add_tool()
+        self._add_marker()
+
+    def remove(self) -> None:
+        """Take everything out of the 3D view."""
+        if self._graph.findChild(self._root) >= 0:
+            self._graph.removeChild(self._root)
+
+    def show_path(self, shown: bool) -> None:
+        """Show the lines of rapids and feeds, or not."""
+        from pivy import coin
+
+        self._path.whichChild = coin.SO_SWITCH_ALL if shown else coin.SO_SWITCH_NONE
+
+    def show_tool(self, number: int, tip_mm: np.ndarray) -> None:
+        """Put the tool with that number there; a place that is not known shows no tool."""
+        known = bool(np.isfinite(tip_mm).all()) and number in self._result.tools
+        if known:
+            self._tool_place.translation.setValue(*map(float, tip_mm))
+            if number != self._tool_number:
+                self._tool_number = number
+                self._tool_shapes.whichChild = list(self._result.tools).index(number)
+        if bool(self._tool.whichChild.getValue() == 0) != known:
+            self._tool.whichChild = 0 if known else -1
+
+    def mark(self, place_mm: np.ndarray | None) -> None:
+        """Put the marker's tip there; None takes it away."""
+        if place_mm is None or not np.isfinite(place_mm).all():
+            self._marker.whichChild = -1
+            return
+        self._marker_place.translation.setValue(*map(float, place_mm))
+        self._marker.whichChild = 0
+
+    def _stock(self) -> Any:
+        part = self._result.part
+        points = (part.low_mm + OUTLINE * (part.high_mm - part.low_mm)).astype(np.float32)
+        return nodes.separator(nodes.plain(STOCK_RGB), nodes.lines(points, OUTLINE_COUNTS))
+
+    def _part(self) -> Iterator[Any]:
+        """Yield the faces of the part, pushed back a little so that lines on them are seen."""
+        from pivy import coin
+
+        part, (deepest_mm, top_mm) = self._result.part, self.height_range_mm
+        for first in range(0, len(part.corners), TILE_FACES):
+            corners = part.corners[first : first + TILE_FACES]
+            rgb = shaded(corners, part.normals[first : first + TILE_FACES], deepest_mm, top_mm).astype(np.uint32)
+            rgba = rgb[..., 0] << 24 | rgb[..., 1] << 16 | rgb[..., 2] << 8 | 0xFF
+            yield nodes.separator(
+                nodes.unlit(), nodes.solid(), coin.SoPolygonOffset(), nodes.quads(_lapped(corners), rgba)
+            )
+
+    def _add_tool(self) -> None:
+        from pivy import coin
+
+        self._tool = coin.SoSwitch()
+        self._tool.whichChild = -1
+        self._tool_place = coin.SoTranslation()
+        self._tool_shapes = coin.SoSwitch()
+        for cutter, shank in self._result.tools.values():
+            self._tool_shapes.addChild(_tool_shape(cutter, shank))
+        self._tool.addChild(nodes.separator(self._tool_place, self._tool_shapes))
+        self._root.addChild(self._tool)
+
+    def _add_marker(self) -> None:
+        from pivy import coin
+
+        part = self._result.part
+        height_mm = MARKER_SHARE * float((part.high_mm - part.low_mm).max())
+        self._marker = coin.SoSwitch()
+        self._marker.whichChild = -1
+        self._marker_place = coin.SoTranslation()
+        pin = revolved(np.array([(0.0, 0.0), (0.22 * height_mm, height_mm), (0.0, height_mm)]))
+        self._marker.addChild(
+            nodes.separator(self._marker_place, nodes.solid(), nodes.material(MARKER_RGB), nodes.quads(pin))
+        )
+        self._root.addChild(self._marker)
+
+
+def _lapped(corners: np.ndarray) -> np.ndarray:
+    """Return the faces a trifle larger: where a long one meets several short ones no light shines through."""
+    outward = np.sign(corners - corners.mean(axis=1, keepdims=True))
+    return (corners + LAP_MM * outward).astype(np.float32)
+
+
+def _tool_shape(cutter: np.ndarray, shank: np.ndarray) -> Any:
+    return nodes.separator(
+        nodes.solid(),
+        nodes.separator(nodes.material(CUTTER_RGB, 0.4), nodes.quads(revolved(cutter))),
+        nodes.separator(nodes.material(SHANK_RGB, 0.3), nodes.quads(revolved(shank))),
+    )

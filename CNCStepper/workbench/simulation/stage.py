@@ -1,0 +1,63 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The 3D view while a simulation is open: what would hide it is hidden, and afterwards all is as it was."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from CNCStepper.workbench.features.base import proxy_type
+
+
+def view_of(document: Any) -> Any:
+    """Return a 3D view of a document, the active one if it is one, or None."""
+    import FreeCADGui
+
+    views = views_of(document)
+    active = FreeCADGui.getDocument(document.Name).ActiveView
+    return active if active in views else next(iter(views), None)
+
+
+def views_of(document: Any) -> list[Any]:
+    """Return the 3D views of a document."""
+    import FreeCADGui
+
+    return list(FreeCADGui.getDocument(document.Name).mdiViewsOfType("Gui::View3DInventor"))
+
+
+class Stage:
+    """A 3D view, seen from above at a slant, without solids and without the preview of the job's path."""
+
+    def __init__(self, job: Any, view: Any):
+        self._document, self._document_name = job.Document, job.Document.Name
+        self._view = view
+        self._camera = view.getCamera()
+        self._hidden = [obj for obj in job.Document.Objects if _in_the_way(obj)]
+        for obj in self._hidden:
+            obj.ViewObject.Visibility = False
+
+    def look(self) -> None:
+        """Look at everything from above at a slant."""
+        self._view.viewIsometric()
+        self._view.fitAll()
+
+    def restore(self) -> None:
+        """Show what was hidden, and look as before; what was deleted or closed meanwhile is left alone."""
+        import FreeCAD
+
+        if self._document_name not in FreeCAD.listDocuments():
+            return
+        left = set(self._document.Objects)
+        for obj in self._hidden:
+            if obj in left:
+                obj.ViewObject.Visibility = True
+        if self._view in views_of(self._document):
+            self._view.setCamera(self._camera)
+
+
+def _in_the_way(obj: Any) -> bool:
+    shown = getattr(obj, "ViewObject", None)
+    if shown is None or not shown.Visibility:
+        return False
+    if proxy_type(obj) == "CNCStepper_Preview":
+        return True
+    return obj.isDerivedFrom("Part::Feature") and bool(obj.Shape.Faces)

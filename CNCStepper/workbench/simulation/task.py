@@ -1,0 +1,194 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The task of a simulation: it proves the job's program, shows panel and scene, and leaves nothing behind."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any
+
+from PySide import QtCore, QtGui
+
+from CNCStepper.workbench import tell
+from CNCStepper.workbench.proof import ProofResult, ProofRun
+from CNCStepper.workbench.sentences import translated
+from CNCStepper.workbench.simulation.panel import SimulationPanel
+from CNCStepper.workbench.simulation.player import Player
+from CNCStepper.workbench.simulation.stage import Stage, view_of
+from CNCStepper.workbench.simulation.watch import JobWatch
+from CNCStepper.workbench.words import tr
+
+if TYPE_CHECKING:
+    from CNCStepper.errors import CNCStepperError
+    from CNCStepper.simulation.finding import Finding
+    from CNCStepper.workbench.simulation.scene import Scene
+
+
+class SimulationTask:
+    """What FreeCAD's task panel is given; `form` is its widget."""
+
+    def __init__(self, job: Any):
+        self.form = SimulationPanel(job.Label)
+        self.form.again.connect(tell.guarded(self.begin))
+        self.form.path_shown.connect(tell.guarded(self._show_path))
+        self.form.destroyed.connect(self._leave)  # however FreeCAD closes the panel
+        self._job = job
+        self._watch = JobWatch(job, self._changed, self._deleted)
+        self._run: ProofRun | None = None
+        self._result: ProofResult | None = None
+        self._player: Player | None = None
+        self._scene: Scene | None = None
+        self._stage: Stage | None = None
+        self._loading: Iterator[None] = iter(())
+        self._loader = QtCore.QTimer()
+        self._loader.setInterval(0)
+        self._loader.timeout.connect(tell.guarded(self._load_on))
+
+    # ---- what FreeCAD asks ----
+
+    def getStandardButtons(self) -> int:
+        """Show Close alone."""
+        button = QtGui.QDialogButtonBox.StandardButton.Close
+        return int(getattr(button, "value", button))
+
+    def isAllowedAlterDocument(self) -> bool:
+        """Let the job be edited meanwhile: the panel then says that it shows what was."""
+        return True
+
+    def isAllowedAlterView(self) -> bool:
+        """Let the view be turned."""
+        return True
+
+    def isAllowedAlterSelection(self) -> bool:
+        """Let things be selected."""
+        return True
+
+    def reject(self) -> bool:
+        """Close, by the button or by Esc."""
+        import FreeCADGui
+
+        self.end()
+        FreeCADGui.Control.closeDialog()
+        return True
+
+    # ---- the life of a simulation ----
+
+    def begin(self) -> None:
+        """Prove the program as it now stands in the document."""
+        self._leave_result()
+        self.form.clear()
+        self._run = ProofRun(self._job)
+        self._run.progress.connect(self._tell_stage)
+        self._run.finished.connect(tell.guarded(self._show))
+        self._run.failed.connect(tell.guarded(self._refuse))
+        self.form.say(tr("Looking for a Python…"), busy=True)
+        self._run.start()
+
+    def end(self) -> None:
+        """Leave nothing behind: no process, no timer, no node, nothing hidden."""
+        self._leave()
+        self.form.clear()
+
+    def _leave(self, *_: Any) -> None:
+        """Do so without the panel, which may be gone."""
+        self._watch.end()
+        self._leave_result()
+
+    def _leave_result(self) -> None:
+        self._loader.stop()
+        self._loading = iter(())
+        if self._run is not None:
+            self._run.cancel()
+            self._run.deleteLater()
+            self._run = None
+        if self._player is not None:
+            self._player.pause()
+            self._player.deleteLater()
+            self._player = None
+        if self._scene is not None:
+            self._scene.remove()
+            self._scene = None
+        if self._stage is not None:
+            self._stage.restore()
+            self._stage = None
+        self._result = None
+
+    def _tell_stage(self, text: str) -> None:
+        self.form.say(text, busy=True)
+
+    def _refuse(self, error: CNCStepperError) -> None:
+        """Say why there is nothing to show, and offer to try again."""
+        self.form.say("\n".join(part for part in (tell.sentence(error), translated(error.advice)) if part), again=True)
+
+    def _show(self, result: ProofResult) -> None:
+        from CNCStepper.workbench.simulation.scene import Scene
+
+        self._result = result
+        self._player = player = Player(result.moves)
+        view = view_of(self._job.Document)
+        if view is None:
+            self._refuse(_no_view())
+            return
+        self._stage = Stage(self._job, view)
+        self._scene = Scene(view, result)
+        self.form.show_result(result, player, self._scene.height_range_mm)
+        self.form.program.chosen.connect(tell.guarded(self._go_to_line))
+        self.form.findings.chosen.connect(tell.guarded(self._go_to_finding))
+        self._loading = self._scene.load()
+        self._loader.start()
+
+    def _load_on(self) -> None:
+        """Bring a bit more of the scene in; when all is there, the tool appears and follows the player."""
+        if next(self._loading, self) is None:
+            return
+        self._loader.stop()
+        if self._player is not None and self._stage is not None:
+            self._stage.look()
+            self._player.moved.connect(tell.guarded(self._follow))
+            self._player.seek(0.0)
+
+    def _follow(self) -> None:
+        """Put the tool and the marked line where the player stands."""
+        player, scene, result = self._player, self._scene, self._result
+        if player is None or scene is None or result is None or not len(result.moves):
+            return
+        scene.show_tool(int(result.moves.tool[player.row]), player.tip_mm())
+        self.form.program.follow(player.line)
+
+    def _show_path(self, shown: bool) -> None:
+        if self._scene is not None:
+            self._scene.show_path(shown)
+
+    def _go_to_line(self, line: int) -> None:
+        """Let the tool stand where a line has taken it."""
+        if self._player is not None:
+            self._player.pause()
+            self._player.go_to_line(line)
+            self.form.program.follow(line)
+
+    def _go_to_finding(self, finding: Finding) -> None:
+        """Let the tool stand, the program be marked and the marker point where something was found."""
+        import numpy as np
+
+        if self._scene is None or self._player is None:
+            return
+        if finding.place.line:
+            self._go_to_line(finding.place.line)
+        if finding.place_mm is not None:
+            self._scene.mark(np.array(finding.place_mm))
+        else:
+            self._scene.mark(self._player.tip_mm() if finding.place.line else None)
+
+    # ---- what happens to the job meanwhile ----
+
+    def _changed(self) -> None:
+        if self._result is not None:
+            self.form.say(tr("The program has changed since: what is shown is the one before."), again=True)
+
+    def _deleted(self) -> None:
+        QtCore.QTimer.singleShot(0, tell.guarded(self.reject))
+
+
+def _no_view() -> CNCStepperError:
+    from CNCStepper.errors import JobError
+
+    return JobError("view-missing", tr("this document has no 3D view"), advice=tr("open one and simulate again"))

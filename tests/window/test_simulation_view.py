@@ -1,0 +1,214 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Check and simulate, with a real mouse: the proof, the player, the program's lines, the findings, and no trace."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Iterator
+from typing import Any
+
+import FreeCAD
+import FreeCADGui
+import numpy as np
+import pytest
+from hand import Hand
+
+from CNCStepper.workbench import api, program_file
+from CNCStepper.workbench.findings import sentence
+from CNCStepper.workbench.proof import ProofRun
+from CNCStepper.workbench.simulation import open_simulation
+from CNCStepper.workbench.simulation.task import SimulationTask
+
+PROVEN_S = 180  # where nothing is compiled yet and the processors are busy
+AT_ONCE_MS = 50
+
+
+def new_document(drawing_mm: tuple[float, float, float] = (50, 35, 0)) -> Any:
+    """A plate with an elliptical pocket and an engraved line, away from the document's origin."""
+    import Draft
+
+    document = FreeCAD.newDocument("Peça")
+    plate = document.addObject("Part::Box", "Plate")
+    plate.Length, plate.Width, plate.Height = 100, 70, 20
+    plate.Placement.Base.z = -20
+    job = api.new_job(document, machine="table-a", stock_size_mm=(100, 70, 20), work_origin_mm=drawing_mm)
+    cutter = api.add_tool(job, diameter_mm=6, feed_mm_min=800, plunge_mm_min=200, spindle_rpm=10000)
+    api.add_elliptical_pocket(
+        job, tool=cutter, centre_mm=(10, 0), radius_x_mm=30, radius_y_mm=22, depth_mm=8, stepdown_mm=2
+    )
+    ball = api.add_tool(job, shape="ball", diameter_mm=3, feed_mm_min=600, plunge_mm_min=200, spindle_rpm=12000)
+    points = [(5 + 4 * np.sin(k / 3), 10 + 2 * k, 0) for k in range(26)]
+    wave = Draft.make_bspline([FreeCAD.Vector(*point) for point in points])
+    document.recompute()
+    api.add_engrave(job, wave, tool=ball, depth_mm=1)
+    document.recompute()
+    return job
+
+
+@pytest.fixture
+def job(hand: Hand) -> Iterator[Any]:
+    ProofRun._last = None
+    job = hand.main(new_document)
+    hand.main(FreeCADGui.SendMsgToActiveView, "ViewFit")
+    yield job
+    ProofRun._last = None
+
+
+def opened(hand: Hand, job: Any) -> SimulationTask:
+    """Open the simulation and wait until all of it is shown."""
+    task = hand.main(open_simulation, job)
+    hand.wait(lambda: task._result is not None and not task._loader.isActive(), PROVEN_S)
+    return task
+
+
+def scenes() -> int:
+    graph = FreeCADGui.ActiveDocument.ActiveView.getSceneGraph()
+    return sum(graph.getChild(k).getName() == "CNCStepper_Simulation" for k in range(graph.getNumChildren()))
+
+
+def click_line(hand: Hand, task: SimulationTask, number: int) -> None:
+    """Scroll the program to a line and click it."""
+    program = task.form.program
+    index = hand.main(lambda: program.model().index(number - 1, 0))
+    hand.main(program.scrollTo, index)
+    hand.settle()
+    middle = hand.main(lambda: program.visualRect(index).center())
+    hand.click(hand.main(program.viewport), at=(40, middle.y()))
+
+
+def click_finding(hand: Hand, text: str) -> None:
+    rows = hand.find("CNCStepper_Findings_list")
+
+    def middle() -> tuple[int, int]:
+        row = next(rows.item(k) for k in range(rows.count()) if rows.item(k).text() == text)
+        rows.scrollToItem(row)
+        place = rows.visualItemRect(row).center()
+        return place.x(), place.y()
+
+    hand.click(hand.main(rows.viewport), at=hand.main(middle))
+
+
+def tip(task: SimulationTask) -> np.ndarray:
+    """Where the tool's tip is drawn, in the document."""
+    work = np.array(task._scene._tool_place.translation.getValue().getValue())
+    return work + np.array(task._job.WorkOrigin)
+
+
+def test_it_plays_steps_and_follows_the_program(hand: Hand, job: Any) -> None:
+    task = opened(hand, job)
+    hand.shot("simulation-begin")
+    assert hand.main(scenes) == 1
+    hand.click("CNCStepper_Simulation_play")
+    hand.wait(lambda: task._player.time_s > 20, 20)
+    hand.shot("simulation-plays")
+    hand.click("CNCStepper_Simulation_play")
+    stood_s = task._player.time_s
+    hand.click("CNCStepper_Simulation_forward")
+    line = task._player.line
+    assert task._player.time_s > stood_s and not task._player.playing
+    hand.click("CNCStepper_Simulation_back")
+    assert task._player.line < line
+    marked = hand.main(lambda: task.form.program.currentIndex().row() + 1)
+    assert marked == task._player.line
+    hand.shot("simulation-stepped")
+
+
+def test_a_click_on_a_line_moves_the_tool_there(hand: Hand, job: Any) -> None:
+    task = opened(hand, job)
+    lines = api.program_text(job).splitlines()
+    number = next(k for k, line in enumerate(lines, 1) if line.startswith(("G2", "G3")) and k > 25)
+    click_line(hand, task, number)
+    assert task._player.line == number
+    row = task._player.row
+    end = task._result.moves.end[row] + np.array(job.WorkOrigin)
+    assert hand.main(tip, task) == pytest.approx(end, abs=1e-4)
+
+
+def test_findings_lead_to_their_place(hand: Hand, job: Any) -> None:
+    def break_program() -> None:
+        text = api.program_text(job)
+        program_file.store(job, text.replace("Z-6", "Z-30", 1))
+        for obj in job.Document.Objects:
+            obj.purgeTouched()
+
+    hand.main(break_program)
+    task = opened(hand, job)
+    worst = next(finding for finding in task._result.findings if finding.place.line and finding.place_mm)
+    title = hand.main(lambda: [w.text() for w in task.form.findChildren(type(task.form._message))])
+    assert any("must not be sent" in text for text in title)
+    click_finding(hand, sentence(worst))
+    assert task._player.line == worst.place.line
+    place = np.array(hand.main(lambda: task._scene._marker_place.translation.getValue().getValue()))
+    assert place == pytest.approx(worst.place_mm, abs=1e-3)
+    hand.shot("simulation-findings")
+
+
+def test_it_leaves_nothing_behind(hand: Hand, job: Any) -> None:
+    document = job.Document
+    before = {obj.Name: hand.main(lambda obj=obj: obj.ViewObject.Visibility) for obj in document.Objects}
+    camera = hand.main(lambda: FreeCADGui.ActiveDocument.ActiveView.getCamera())
+    for _ in range(2):
+        opened(hand, job)
+        assert not hand.main(lambda: document.Plate.ViewObject.Visibility)
+        hand.button("Close")
+        hand.wait(lambda: not FreeCADGui.Control.activeDialog(), 5)
+        assert hand.main(scenes) == 0
+    assert {obj.Name: hand.main(lambda obj=obj: obj.ViewObject.Visibility) for obj in document.Objects} == before
+    assert hand.main(lambda: FreeCADGui.ActiveDocument.ActiveView.getCamera()) == camera
+
+
+def test_closing_it_ends_the_process(hand: Hand, job: Any) -> None:
+    task = hand.main(open_simulation, job)
+    hand.wait(lambda: task._run is not None and task._run._process is not None, 20)
+    process = task._run._process
+    hand.shot("simulation-proves")
+    hand.button("Close")
+    hand.wait(lambda: not FreeCADGui.Control.activeDialog(), 5)
+    assert task._run is None and process is not None
+    again = hand.main(open_simulation, job)
+    hand.wait(lambda: again._run is not None and again._run._process is not None, 20)
+    hand.main(FreeCAD.closeDocument, job.Document.Name)
+    hand.wait(lambda: not FreeCADGui.Control.activeDialog() and again._run is None, 5)
+
+
+def test_an_edit_meanwhile_is_said_and_simulated_again(hand: Hand, job: Any) -> None:
+    task = opened(hand, job)
+
+    def deeper() -> None:
+        api.edit(job.Operations[0], depth_mm=10)
+        job.Document.recompute()
+
+    hand.main(deeper)
+    assert "changed" in hand.text("CNCStepper_Simulation_message")
+    hand.shot("simulation-changed")
+    first = task._result
+    hand.click("CNCStepper_Simulation_again")
+    hand.wait(lambda: task._result not in (None, first) and not task._loader.isActive(), PROVEN_S)
+    assert task._result.part.heights_mm.min() == pytest.approx(-10)
+    assert hand.main(scenes) == 1
+
+
+def test_no_call_takes_long_while_a_long_program_is_proven_and_played(hand: Hand, job: Any) -> None:
+    lines = ["G21 G90 G17 G94 G54", "T1", "G0 Z10", "M3 S10000", "G4 P3", "G0 X-30 Y-20", "G1 Z-1 F200"]
+    angle = np.linspace(0, 200 * np.pi, 100_000)
+    radius = np.linspace(28, 2, len(angle))
+    places = np.column_stack([radius * np.cos(angle), 0.7 * radius * np.sin(angle)])
+    lines += [f"G1 X{x:.3f} Y{y:.3f} F2000" for x, y in places]
+    text = "\n".join([*lines, "G0 Z10", "M5", "M2", ""])
+
+    def store() -> None:
+        program_file.store(job, text)
+        for obj in job.Document.Objects:
+            obj.purgeTouched()
+
+    hand.main(store)
+    with hand.watchdog() as watch:
+        task = hand.main(open_simulation, job)
+        hand.wait(lambda: task._result is not None and not task._loader.isActive(), 120)
+        hand.click("CNCStepper_Simulation_play")
+        time.sleep(3)
+        hand.click("CNCStepper_Simulation_play")
+    print(watch)
+    hand.shot("simulation-100000-lines")
+    assert len(task._result.program_lines) > 100_000
+    assert watch.max_cpu_ms < AT_ONCE_MS, watch
