@@ -16,7 +16,7 @@ from CNCStepper.workbench import packages
 
 CONTEXT = "CNCStepper core"
 CATALOGUE = packages.ROOT / "resources" / "translations" / "CNCStepper.ts"
-VALUE = re.compile(r"\\\{\d+\\\}")
+VALUE = re.compile(r"\{\d+\}")
 # as CNCStepperError.sentence puts it together: what (value …, limit …); advice [code]
 WHOLE = re.compile(
     r"(?P<what>.+?)(?: \((?P<numbers>(?:value|limit) .+?)\))?(?:; (?P<advice>.+?))?(?P<code> \[[\w-]+\])?"
@@ -34,12 +34,12 @@ def translated(english: str) -> str:
 
 def _known(english: str) -> str:
     """Return the translation of a sentence that the catalogue holds, else ""."""
-    plain, patterns = _catalogue()
+    plain, with_values = _catalogue()
     if english in plain:
         return _look_up(english)
-    for pattern, template in patterns:
-        if found := pattern.fullmatch(english):
-            return _look_up(template).format(*(_known(value) or value for value in found.groups()))
+    for pieces, sentence in with_values:
+        if values := _values(pieces, english):
+            return _look_up(sentence).format(*(_known(value) or value for value in values))
     return ""
 
 
@@ -67,18 +67,31 @@ def _number_word(found: re.Match[str]) -> str:
     return tr("value {0}").format("") if found[1] == "value" else tr("limit {0}").format("")
 
 
-def _look_up(template: str) -> str:
+def _look_up(sentence: str) -> str:
     import FreeCAD
 
-    return str(FreeCAD.Qt.translate(CONTEXT, template))
+    return str(FreeCAD.Qt.translate(CONTEXT, sentence))
+
+
+def _values(pieces: list[str], english: str) -> list[str]:
+    """Return what stands between the pieces of a sentence, [] where it is another one; no value is empty."""
+    at, values = len(pieces[0]), []
+    for piece in pieces[1:-1]:
+        end = english.find(piece, at + 1)
+        values.append(english[at:end])
+        at = end + len(piece)
+        if end < 0:
+            return []
+    end = len(english) - len(pieces[-1])
+    fits = english.startswith(pieces[0]) and english.endswith(pieces[-1]) and at < end
+    return [*values, english[at:end]] if fits else []
 
 
 @functools.cache
-def _catalogue() -> tuple[frozenset[str], list[tuple[re.Pattern[str], str]]]:
-    """Return the sentences without values, and those with values as patterns, the most telling first."""
+def _catalogue() -> tuple[frozenset[str], list[tuple[list[str], str]]]:
+    """Return the sentences without values, and those with values and their pieces, the most telling first."""
     contexts = ET.parse(CATALOGUE).getroot().iter("context")
     core = (context for context in contexts if context.findtext("name") == CONTEXT)
-    templates = [str(message.findtext("source")) for context in core for message in context.iter("message")]
-    with_values = sorted((text for text in templates if "{" in text), key=lambda text: -len(text))
-    patterns = [(re.compile(VALUE.sub("(.+?)", re.escape(text)), re.DOTALL), text) for text in with_values]
-    return frozenset(templates) - frozenset(with_values), patterns
+    sentences = [str(message.findtext("source")) for context in core for message in context.iter("message")]
+    with_values = sorted((sentence for sentence in sentences if VALUE.search(sentence)), key=lambda one: -len(one))
+    return frozenset(sentences) - frozenset(with_values), [(VALUE.split(one), one) for one in with_values]
