@@ -13,7 +13,7 @@ from CNCStepper.workbench.dock.flow import LAST_NUMBER, Flow
 from CNCStepper.workbench.tell import guarded
 from CNCStepper.workbench.words import tr
 
-FINDINGS_HEIGHT = 200
+FINDINGS_HEIGHT = 160
 HIDDEN_AT = ("", "cutting")  # the job's own section says it then
 
 

@@ -90,7 +90,6 @@ class JogView(QtGui.QWidget):
         index = len(self.group.buttons())
         button = parts.button(f"Step{index}", text)
         button.setCheckable(True)
-        button.setStyleSheet(parts.CHOSEN)
         self.group.addButton(button, index)
         return button
 

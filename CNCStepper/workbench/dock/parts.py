@@ -8,8 +8,8 @@ from typing import Any
 
 from PySide import QtCore, QtGui
 
+from CNCStepper.workbench import icons
 from CNCStepper.workbench.dock.state import CALM, DANGER, GOING, OFF, WAITING
-from CNCStepper.workbench.packages import ROOT
 from CNCStepper.workbench.tell import guarded
 from CNCStepper.workbench.words import tr
 
@@ -23,8 +23,12 @@ TONES = {
     WAITING: ("#f2b632", "#231a00"),
     DANGER: ("#b3261e", "#ffffff"),
 }
-# Which of several choices is in force must be seen in every theme.
-CHOSEN = f"QToolButton:checked {{ background: {TONES[CALM][0]}; color: {TONES[CALM][1]}; border-radius: 3px; }}"
+# Themes make their buttons wide: ours are as wide as what stands on them, and the one chosen is seen in every theme.
+BUTTON = (
+    "QPushButton {{ padding: 3px 4px; min-width: {0}px; }}"
+    f"QPushButton:checked {{{{ background: {TONES[CALM][0]}; color: {TONES[CALM][1]}; border-radius: 3px; }}}}"
+)
+ICON_WIDTH = 24
 
 
 def named(widget: Any, what: str) -> Any:
@@ -34,15 +38,12 @@ def named(widget: Any, what: str) -> Any:
 
 
 def button(what: str, text: str, clicked: Callable[[], object] | None = None, icon: str = "") -> Any:
-    """Return a tool button with a text that is translated already, and an icon of ours by its short name."""
-    made = named(QtGui.QToolButton(), what)
-    made.setText(text)
-    made.setAccessibleName(text)
+    """Return a button with a text that is translated already, and an icon of ours by its short name."""
+    made = named(QtGui.QPushButton(text), what)
+    made.setStyleSheet(BUTTON.format(made.fontMetrics().boundingRect(text).width() + (ICON_WIDTH if icon else 2)))
     made.setSizePolicy(QtGui.QSizePolicy.Policy.Expanding, QtGui.QSizePolicy.Policy.Fixed)
-    path = ROOT / "resources" / "icons" / f"CNCStepper_Dock_{icon}.svg"
-    if icon and path.is_file():
-        made.setIcon(QtGui.QIcon(str(path)))
-        made.setToolButtonStyle(QtCore.Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+    if icon:
+        made.setIcon(icons.icon(NAME + icon))
     if clicked is not None:
         made.clicked.connect(guarded(clicked))
     return made
