@@ -21,7 +21,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
 VERSIONS = ("0.20.2", "1.0.0", "1.1.3")  # from old to new: each opens the documents of those before it
-KINDS = ("plain", "scaled", "portuguese", "bare")
+KINDS = ("plain", "scaled", "portuguese", "bare", "timed")
 HEADLESS_LIMIT_S = 900
 
 

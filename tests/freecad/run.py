@@ -12,6 +12,7 @@ import traceback
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
+OPTIONS = ["-p", "no:cacheprovider", "-W", "ignore:Type PySide2:DeprecationWarning"]  # FreeCAD 1.0's own, 171 of them
 
 
 def main() -> int:
@@ -23,7 +24,7 @@ def main() -> int:
     os.environ["PYTEST_DISABLE_PLUGIN_AUTOLOAD"] = "1"  # FreeCAD's older packages may win over those with plugins
     print("FreeCAD", ".".join(FreeCAD.Version()[:3]), "Python", sys.version.split()[0], flush=True)
     extra = [argument for argument in os.environ.get("CNCSTEPPER_PYTEST", "").split("\n") if argument]
-    return int(pytest.main(["-p", "no:cacheprovider", *(extra or [str(HERE)])]))
+    return int(pytest.main([*OPTIONS, *(extra or [str(HERE)])]))
 
 
 status = 1

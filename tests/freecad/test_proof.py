@@ -19,7 +19,7 @@ from CNCStepper.errors import CNCStepperError
 from CNCStepper.workbench import api, program_file
 from CNCStepper.workbench.proof import ProofResult, ProofRun
 
-LIMIT_S = 60
+LIMIT_S = 240  # with kernels to compile on a busy machine
 
 
 class Heard:

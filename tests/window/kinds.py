@@ -5,9 +5,12 @@ VARIABLE = "CNCSTEPPER_WINDOW_KIND"
 LANGUAGE = "CNCSTEPPER_WINDOW_LANGUAGE"  # as FreeCAD calls it
 WITHOUT = "CNCSTEPPER_WINDOW_WITHOUT"  # packages that FreeCAD's Python shall not find
 
+AUTOLOAD = "CNCSTEPPER_WINDOW_AUTOLOAD"  # the workbench that FreeCAD opens at its start
+
 KINDS: dict[str, dict[str, str]] = {
     "plain": {},
     "scaled": {"QT_SCALE_FACTOR": "2"},
     "portuguese": {LANGUAGE: "Portuguese, Brazilian"},
     "bare": {WITHOUT: "numba serial shapely"},
+    "timed": {AUTOLOAD: "NoneWorkbench"},  # our Init.py and InitGui.py run through timed_start/
 }

@@ -39,7 +39,7 @@ USER_CFG = """<?xml version="1.0" encoding="UTF-8" standalone="no" ?>
  </FCParamGroup></FCParamGroup>
  <FCParamGroup Name="Preferences">
   <FCParamGroup Name="General">
-    <FCText Name="AutoloadModule">CNCStepperWorkbench</FCText>
+    <FCText Name="AutoloadModule">{autoload}</FCText>
     <FCText Name="Language">{language}</FCText>
   </FCParamGroup>
   <FCParamGroup Name="Mod"><FCParamGroup Name="Start">
@@ -87,17 +87,33 @@ def freecad_command(version: str) -> list[str]:
     return [str(ROOT / "tools" / "in_root.sh"), version, "freecad"]
 
 
-def make_home(home: Path, language: str = "English") -> None:
-    """Make a user's folder in which FreeCAD opens with our workbench and asks nothing at its first start."""
+def make_home(home: Path, language: str = "English", autoload: str = "CNCStepperWorkbench") -> None:
+    """Make a user's folder with which FreeCAD opens that workbench and asks nothing at its first start."""
     for kind in XDG_FOLDERS:
         (home / kind.lower()).mkdir(mode=0o700, parents=True, exist_ok=True)
-    (home / "user.cfg").write_text(USER_CFG.format(language=language), encoding="utf-8")
+    (home / "user.cfg").write_text(USER_CFG.format(language=language, autoload=autoload), encoding="utf-8")
+
+
+def compile_package(version: str) -> None:
+    """Write the package's byte code, as the first start of a FreeCAD does: what is timed are the others."""
+    inside = [] if version in ("host", "0.20.2") else [str(ROOT / "tools" / "in_root.sh"), version]
+    subprocess.run([*inside, "/usr/bin/python3", "-m", "compileall", "-q", str(ROOT / "CNCStepper")], check=True)
 
 
 def start(
-    version: str, display: str, home: Path, script: Path, environment: Mapping[str, str], mark: str
+    version: str,
+    display: str,
+    home: Path,
+    script: Path,
+    environment: Mapping[str, str],
+    mark: str,
+    workbench: Path | None = ROOT,
+    output: int | None = None,
 ) -> subprocess.Popen[bytes]:
-    """Start FreeCAD with a script; its options stand after the script (0.20). `mark` finds what it starts."""
+    """Start FreeCAD with a script and a workbench's folder; options stand after the script (0.20).
+
+    mark: what finds the processes that it starts.
+    """
     variables = {
         **os.environ,
         "LC_ALL": "C.UTF-8",
@@ -110,7 +126,10 @@ def start(
         MARK: mark,
         **environment,
     }
-    return subprocess.Popen([*freecad_command(version), str(script), "-M", str(ROOT)], env=variables)
+    options = ["-M", str(workbench)] if workbench else []
+    return subprocess.Popen(
+        [*freecad_command(version), str(script), *options], env=variables, stdout=output, stderr=output
+    )
 
 
 def marked(mark: str) -> dict[int, str]:
@@ -158,14 +177,19 @@ def run(version: str, kind: str, arguments: Sequence[str], environment: Mapping[
         screen(scale) as display,
     ):
         status_file = Path(folder) / "status"
-        make_home(Path(folder) / "home", asked.get(kinds.LANGUAGE, "English"))
+        language, autoload = asked.get(kinds.LANGUAGE, "English"), asked.get(kinds.AUTOLOAD, "CNCStepperWorkbench")
+        make_home(Path(folder) / "home", language, autoload)
         variables = {
             "CNCSTEPPER_PYTEST": "\n".join(arguments),
             "CNCSTEPPER_WINDOW_STATUS": str(status_file),
             "CNCSTEPPER_WINDOW_PICTURES": str(pictures),
             **environment,
         }
-        freecad = start(version, display, Path(folder) / "home", HERE / "run.py", variables, mark)
+        workbench = ROOT
+        if kind == "timed":
+            compile_package(version)
+            workbench, variables["CNCSTEPPER_TIMED_ROOT"] = HERE / "timed_start", str(ROOT)
+        freecad = start(version, display, Path(folder) / "home", HERE / "run.py", variables, mark, workbench)
         try:
             return judged(freecad, status_file, mark)
         finally:

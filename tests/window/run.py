@@ -13,6 +13,10 @@ import traceback
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
+OPTIONS = [
+    *("-p", "no:cacheprovider", "-s", "-o", "faulthandler_timeout=120"),
+    *("-W", "ignore:Type PySide2:DeprecationWarning"),  # FreeCAD 1.0's own
+]
 sys.path += [str(HERE), str(HERE.with_name("freecad"))]  # helpers of the tests, also those without a window
 for name in os.environ.get("CNCSTEPPER_WINDOW_WITHOUT", "").split():
     sys.modules[name] = None  # Python then says that there is no such package
@@ -44,7 +48,7 @@ def work(interface):
         import pytest
 
         arguments = [part for part in os.environ["CNCSTEPPER_PYTEST"].split("\n") if part]
-        status = int(pytest.main(["-p", "no:cacheprovider", "-s", "-o", "faulthandler_timeout=120", *arguments]))
+        status = int(pytest.main([*OPTIONS, *arguments]))
     except BaseException:
         traceback.print_exc(file=sys.__stderr__)
     finally:

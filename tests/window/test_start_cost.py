@@ -1,0 +1,44 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What the workbench costs FreeCAD's start, and how soon it is open: measured inside, in a window just started.
+
+Limits are held against processor time, which a busy machine does not stretch; `bench/bench_freecad_start.py` tells
+the time that passes.
+"""
+
+from __future__ import annotations
+
+import time
+
+import FreeCAD
+import FreeCADGui
+import pytest
+from hand import Hand
+from PySide import QtGui
+
+pytestmark = pytest.mark.window("timed")
+
+START_LIMIT_MS = 30
+OPEN_LIMIT_MS = 1000
+
+
+def test_freecad_starts_less_than_30_ms_later(hand: Hand) -> None:
+    init, init_gui = FreeCAD.__cncstepper_init__, FreeCAD.__cncstepper_init_gui__
+    passed_ms, used_ms = (1e3 * (init[n] + init_gui[n]) for n in (0, 1))
+    print(f"Init.py and InitGui.py take {passed_ms:.1f} ms, {used_ms:.1f} ms of processor time")
+    assert used_ms < START_LIMIT_MS
+
+
+def test_the_workbench_opens_in_less_than_a_second(hand: Hand) -> None:
+    assert "CNCStepperWorkbench" in hand.main(FreeCADGui.listWorkbenches)
+    assert hand.main(lambda: FreeCADGui.activeWorkbench().name()) != "CNCStepperWorkbench"
+
+    def activate() -> tuple[float, float]:
+        begun = time.perf_counter(), time.process_time()
+        FreeCADGui.activateWorkbench("CNCStepperWorkbench")
+        QtGui.QApplication.processEvents()  # layout and painting belong to it
+        return 1e3 * (time.perf_counter() - begun[0]), 1e3 * (time.process_time() - begun[1])
+
+    passed_ms, used_ms = hand.main(activate)
+    print(f"the workbench opens in {passed_ms:.0f} ms, {used_ms:.0f} ms of processor time")
+    hand.wait(hand.workbench_is_open)
+    assert used_ms < OPEN_LIMIT_MS
