@@ -13,7 +13,8 @@ from CNCStepper.workbench.panels.panel import Panel
 
 KINDS = {"tool": ToolField, "drawing": DrawingField}
 FOLDED = {"CNCStepper_EllipticalPocket": (FINISH, PATH)}
-HIDDEN = {"CNCStepper_Freehand": ("points_mm",)}
+FREEHAND = "CNCStepper_Freehand"
+HIDDEN = {FREEHAND: ("points_mm",)}
 
 
 def panel_of(obj: Any) -> Panel:
@@ -23,4 +24,9 @@ def panel_of(obj: Any) -> Panel:
         from CNCStepper.workbench.panels.job import JobPanel
 
         return JobPanel(obj)
-    return Panel(obj, Editor(obj, KINDS, FOLDED.get(name, ()), HIDDEN.get(name, ())))
+    editor = Editor(obj, KINDS, FOLDED.get(name, ()), HIDDEN.get(name, ()))
+    if name == FREEHAND:
+        from CNCStepper.workbench.panels.freehand import FreehandPanel
+
+        return FreehandPanel(obj, editor)
+    return Panel(obj, editor)

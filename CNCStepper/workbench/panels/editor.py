@@ -22,6 +22,7 @@ from CNCStepper.workbench.panels.form import Form
 from CNCStepper.workbench.panels.measures import text_of
 from CNCStepper.workbench.panels.numbers import Refused
 from CNCStepper.workbench.sentences import translated
+from CNCStepper.workbench.remake import remake
 from CNCStepper.workbench.tell import guarded
 from CNCStepper.workbench.words import tr
 
@@ -166,7 +167,7 @@ class Editor(QtGui.QWidget):
         return named(own[0], translated(problem_of(own[0]))) if own else ""
 
     def _recompute(self) -> None:
-        self.obj.Document.recompute()
+        remake(self.obj.Document)
 
     def _mark(self, key: str, refused: Refused) -> None:
         self.form.mark(key, tr(refused.sentence).format(*refused.values))

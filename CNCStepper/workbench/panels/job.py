@@ -14,6 +14,7 @@ from CNCStepper.workbench.panels.fields import NAME
 from CNCStepper.workbench.panels.lists import OperationList, ToolList
 from CNCStepper.workbench.panels.machine import DialectField, MachineField
 from CNCStepper.workbench.panels.panel import Panel
+from CNCStepper.workbench.remake import remake
 from CNCStepper.workbench.tell import guarded
 from CNCStepper.workbench.words import later, tr
 
@@ -45,7 +46,7 @@ class JobPanel(Panel):
     def remake(self) -> None:
         """Recompute after a list was changed, and show all as it is now."""
         self.editor.apply()
-        self.job.Document.recompute()
+        remake(self.job.Document)
         self.editor.apply()
         for part in (self.operations, self.tools):
             part.refresh()

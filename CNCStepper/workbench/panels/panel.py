@@ -31,6 +31,7 @@ class Panel:
             return False
         document = self._document()
         if document is not None:
+            document.recompute()  # what of the user's own stands on it
             document.commitTransaction()
         for editor in self.editors:
             editor.stop()
