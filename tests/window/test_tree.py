@@ -116,7 +116,7 @@ def test_a_double_click_opens_the_panel(hand: Hand, job: Any) -> None:
         assert not hand.main(lambda: QtGui.QApplication.activeModalWidget())
         hand.button("Cancel")
         hand.wait(lambda: not FreeCADGui.Control.activeDialog())
-        hand.main(lambda: FreeCADGui.Selection.clearSelection())
+        hand.wait(lambda: FreeCADGui.Command.get("CNCStepper_NewJob").getAction()[0].isEnabled())
     assert hand.main(lambda: list(job.Document.UndoNames)) == ["Job", "Drawing"]
 
 

@@ -41,9 +41,28 @@ def labelled(obj: Any, label: str) -> Any:
     return obj
 
 
+def show_all() -> None:
+    """Let the active 3D view show all there is: the first path of a job is seldom where the camera looks."""
+    import FreeCADGui
+
+    FreeCADGui.SendMsgToActiveView("ViewFit")
+
+
 class Operation(Command):
     """A command that adds an operation to a job."""
 
     def why_not(self) -> str:
         """Return why no operation can be added."""
         return missing.why_not() or choice.why_no_panel() or choice.why_no_job()
+
+    def run(self) -> None:
+        """Add the operation and open its panel; the first of a job is brought into view."""
+        job, drawing = choice.job(), choice.drawing()
+        first = not job.Operations
+        create(job.Document, self.text(), lambda: self.add(job, drawing))
+        if first:
+            show_all()
+
+    def add(self, job: Any, drawing: Any) -> Any:
+        """Return the new operation of the job, with what is drawn (None: nothing); raises a CNCStepperError."""
+        raise NotImplementedError

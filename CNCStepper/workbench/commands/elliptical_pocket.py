@@ -5,8 +5,8 @@ from __future__ import annotations
 
 from typing import Any
 
-from CNCStepper.workbench.commands import choice, defaults
-from CNCStepper.workbench.commands.creation import Operation, create, labelled, tool_for
+from CNCStepper.workbench.commands import defaults
+from CNCStepper.workbench.commands.creation import Operation, labelled, tool_for
 from CNCStepper.workbench.words import QT_TRANSLATE_NOOP, tr
 
 
@@ -17,18 +17,13 @@ class EllipticalPocket(Operation):
     menu_text = QT_TRANSLATE_NOOP("CNCStepper_EllipticalPocket", "Elliptical pocket")
     tooltip = QT_TRANSLATE_NOOP("CNCStepper_EllipticalPocket", "Cuts a pocket: the selected ellipse, or one by numbers")
 
-    def run(self) -> None:
-        """Add the pocket and open its panel."""
-        job, drawing = choice.job(), choice.drawing()
-        create(job.Document, tr("Elliptical pocket"), lambda: _pocket(job, drawing))
+    def add(self, job: Any, drawing: Any) -> Any:
+        """Return the new operation."""
+        from CNCStepper.workbench import api
+        from CNCStepper.workbench.ellipses import ellipse_of
 
-
-def _pocket(job: Any, drawing: Any) -> Any:
-    from CNCStepper.workbench import api
-    from CNCStepper.workbench.ellipses import ellipse_of
-
-    if drawing is not None:
-        ellipse_of(drawing)
-    tool = tool_for(job)
-    values = defaults.pocket(tuple(job.StockSize), job.StockOrigin, float(tool.Diameter), drawing is not None)
-    return labelled(api.add_elliptical_pocket(job, drawing, tool=tool, **values), tr("Elliptical pocket"))
+        if drawing is not None:
+            ellipse_of(drawing)
+        tool = tool_for(job)
+        values = defaults.pocket(tuple(job.StockSize), job.StockOrigin, float(tool.Diameter), drawing is not None)
+        return labelled(api.add_elliptical_pocket(job, drawing, tool=tool, **values), tr("Elliptical pocket"))

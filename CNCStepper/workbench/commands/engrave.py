@@ -6,7 +6,7 @@ from __future__ import annotations
 from typing import Any
 
 from CNCStepper.workbench.commands import choice, defaults
-from CNCStepper.workbench.commands.creation import Operation, create, labelled, tool_for
+from CNCStepper.workbench.commands.creation import Operation, labelled, tool_for
 from CNCStepper.workbench.words import QT_TRANSLATE_NOOP, tr
 
 
@@ -21,20 +21,15 @@ class Engrave(Operation):
         """Return why nothing can be engraved."""
         return super().why_not() or ("" if choice.drawing() is not None else _no_drawing())
 
-    def run(self) -> None:
-        """Add the engraving and open its panel."""
-        job, drawing = choice.job(), choice.drawing()
-        create(job.Document, tr("Engrave"), lambda: _engraving(job, drawing))
+    def add(self, job: Any, drawing: Any) -> Any:
+        """Return the new operation."""
+        from CNCStepper.workbench import api
+        from CNCStepper.workbench.shapes import edges_of
+
+        edges_of(drawing)
+        values = defaults.engraving(tuple(job.StockSize))
+        return labelled(api.add_engrave(job, drawing, tool=tool_for(job), **values), tr("Engraving"))
 
 
 def _no_drawing() -> str:
     return tr("Select what is to be engraved: a sketch, a wire, a B-spline or a freehand line")
-
-
-def _engraving(job: Any, drawing: Any) -> Any:
-    from CNCStepper.workbench import api
-    from CNCStepper.workbench.shapes import edges_of
-
-    edges_of(drawing)
-    values = defaults.engraving(tuple(job.StockSize))
-    return labelled(api.add_engrave(job, drawing, tool=tool_for(job), **values), tr("Engraving"))
