@@ -250,6 +250,32 @@ def test_the_points_are_handles_that_move_come_and_go(hand: Hand, document: Any)
     assert hand.main(lambda: float(line.Tolerance)) == 0.1
 
 
+def test_the_panel_shows_the_handles_and_cancel_takes_their_moves_back(hand: Hand, document: Any) -> None:
+    def make() -> Any:
+        from CNCStepper.workbench import api
+
+        line = api.add_freehand(document, [(x + LEFT_MM, y) for x, y in BENT], tolerance_mm=0.1)
+        document.recompute()
+        document.clearUndos()
+        return line
+
+    line = hand.main(make)
+    for button, moved in (("CNCStepper_Panel_cancel", False), ("CNCStepper_Panel_ok", True)):
+        hand.tree("Freehand", double=True)
+        hand.wait(lambda: FreeCADGui.Control.activeDialog())
+        hand.settle()
+        hand.drag([hand.view_point(LEFT_MM, 20), hand.view_point(LEFT_MM, 10), hand.view_point(LEFT_MM + 5, -15)])
+        assert hand.main(lambda: float(line.Tolerance)) == 0
+        hand.shot(f"freehand-panel-{moved}")
+        hand.click(button)
+        hand.wait(lambda: not FreeCADGui.Control.activeDialog())
+        assert hand.main(lambda: line.Points[1].y < 0) is moved
+        assert status(hand) == ""
+    assert hand.main(lambda: document.UndoCount) == 1
+    hand.key("Ctrl+Z")
+    hand.wait(lambda: line.Points[1].y == 20)
+
+
 def test_a_closed_document_ends_drawing_and_editing(hand: Hand, document: Any) -> None:
     from CNCStepper.workbench import freehand
 

@@ -33,17 +33,18 @@ def start() -> None:
         _begin(Drawing(view))
 
 
-def edit(line: Any, left: Callable[[], None] | None = None) -> None:
-    """Show the points of a CNCStepper_Freehand as handles, until Esc, Enter or `leave`; then `left` is called.
+def edit(line: Any, changed: Callable[[], None] | None = None) -> None:
+    """Show the points of a CNCStepper_Freehand as handles, until Esc, Enter or `leave`.
 
     Drag a point to move it, drag the line between two points to add one, press Delete over a point to take it away.
-    Each of these is one undo step, or belongs to the transaction that is open, as that of a task panel.
+    Each of these is one undo step, or belongs to the transaction that is open, as that of a task panel. A panel gives
+    `changed`, which is called after each, and ends the editing itself with `leave`.
     Raises JobError where no 3D view of the line's document is active, MissingPackage without numpy or shapely.
     """
     from CNCStepper.workbench.freehand.handles import Handles
 
     leave()
-    _begin(Handles(line, left))
+    _begin(Handles(line, changed))
 
 
 def leave() -> None:

@@ -22,11 +22,11 @@ SHOWN = {"Points", "Tolerance", "Closed", "Placement"}
 class Handles(Mode):
     """The points of one line, as the wire has them; the first change makes them the line's own points."""
 
-    def __init__(self, line: Any, left: Callable[[], None] | None):
+    def __init__(self, line: Any, changed: Callable[[], None] | None):
         packages.require("numpy", "shapely")
         super().__init__(active_view(), line.Document)
         self._line = line
-        self._left = left
+        self._tell = changed
         self._points: list[Point] = []
         self._before: list[Point] = []  # as the line has them
         self._height_mm = 0.0
@@ -95,8 +95,10 @@ class Handles(Mode):
         return True
 
     def wants(self, key: str) -> bool:
-        """Esc and Enter; Delete over a point that the line can do without."""
-        return key != "delete" or self._near is not None
+        """Delete over a point, Esc while one is dragged; Esc and Enter otherwise where no panel is there for them."""
+        if key == "delete":
+            return self._near is not None
+        return self._tell is None or self._dragged is not None
 
     def key(self, key: str) -> None:
         """Give up a drag, leave, or take away the point under the pointer."""
@@ -109,13 +111,6 @@ class Handles(Mode):
             self._read()
         elif key != "delete":
             self.leave()
-
-    def leave(self) -> None:
-        """End editing and tell who began it."""
-        left, self._left = self._left, None
-        super().leave()
-        if left is not None:
-            left()
 
     def _handle_at(self, point: Point, reach_mm: float) -> int | None:
         nearest = min(range(len(self._points)), key=lambda number: math.dist(self._points[number], point))
@@ -138,7 +133,9 @@ class Handles(Mode):
         points_mm = [(x, y, self._height_mm) for x, y in self._points]
         if FreeCAD.getActiveTransaction() is not None:
             api.edit(self._line, points_mm=points_mm, tolerance_mm=0.0)
-            self._line.recompute()
+            self.document.recompute([self._line])
+            if self._tell is not None:
+                self._tell()
             return
         with undo_step(self.document, step):
             api.edit(self._line, points_mm=points_mm, tolerance_mm=0.0)
