@@ -16,6 +16,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from CNCStepper.control import connect
+from CNCStepper.control.acts import fresh_status
 from CNCStepper.control.command import VALUES, Command, Inbox
 from CNCStepper.control.grbl import Grbl, Received
 from CNCStepper.control.idle import Idle, is_fatal
@@ -185,8 +186,8 @@ class Desk:
         """Return the settings of the machine, read anew: somebody may have changed them since it was met."""
         assert self._driver and self._run and self._idle
         self._run.driver = self._driver
-        check_state(self._driver.status)
-        self._idle.check_at_rest()
+        self._idle.check_no_jog()
+        check_state(fresh_status(self._driver, self._timing))
         return connect.learn(self._driver, self._timing).settings
 
     # --- the end -------------------------------------------------------------------------------

@@ -52,6 +52,7 @@ class DeskClient:
         self._process: subprocess.Popen | None = None
         self._socket: LineSocket | None = None
         self._token = ""
+        self._caught_up = False
         self._press = secrets.token_hex(4)
         self._waiting: list[dict[str, Any]] = []  # asked before there is a connection
         self._told_phase = "starting"
@@ -71,7 +72,8 @@ class DeskClient:
 
         Events: {"event": "status"}, {"event": "phase" | "message" | "warning" | "job", "text": ...},
         {"event": "refused", "text": ..., "command": ..., "error": CNCStepperError | None}, {"event": "outcome"};
-        and {"event": "connection", "text": phase} when `phase` has changed.
+        and {"event": "connection", "text": phase} when `phase` has changed. What the desk had told before this
+        client came is told too, and has "past" in it.
         """
         events: list[dict[str, Any]] = []
         if self._socket:
@@ -179,7 +181,7 @@ class DeskClient:
             if self._has_ended(path):
                 self._end(self._cause(path))
             return
-        self.phase = "connecting"
+        self.phase, self._caught_up = "connecting", False
         self._token = address["token"]
         self._socket = LineSocket(address["host"], address["port"])
         self._ask("attach")
@@ -190,7 +192,10 @@ class DeskClient:
     def _take(self, event: dict[str, Any]) -> bool:
         """Take one event over; return whether the window wants to hear of it."""
         kind = event["event"]
+        if not self._caught_up:
+            event["past"] = True
         if kind == "status":
+            self._caught_up = True
             self.status = SenderStatus.from_json(event["status"])
             self.phase = "connecting" if self.status.phase == "connecting" else "connected"
         elif kind == "job":

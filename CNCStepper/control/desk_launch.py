@@ -12,6 +12,7 @@ from pathlib import Path
 from CNCStepper.control.own_process import start
 from CNCStepper.control.python_finder import find_python
 from CNCStepper.control.session_file import DESK, new_session, read_private, running_desks, session_folder
+from CNCStepper.errors import CNCStepperError, LinkError
 
 WORKER = "CNCStepper.control.desk_worker"
 
@@ -29,8 +30,11 @@ def launch(port: str, baud: int, folder: Path | None) -> Future[Launched]:
         time.sleep(0)  # the window's thread goes on first
         try:
             path, process = _launched(port, baud, folder or session_folder())
-        except Exception as error:
+        except CNCStepperError as error:
             answer.set_exception(error)
+            return
+        except Exception as error:  # the disk is full, the folder is gone: the window is to say so
+            answer.set_exception(LinkError("desk-start", f"the desk cannot be started: {error}", advice="try again"))
             return
         answer.set_result((path, process))
         if process:

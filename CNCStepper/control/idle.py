@@ -22,6 +22,7 @@ from CNCStepper.control.watch import Watch
 from CNCStepper.errors import CNCStepperError, LinkError, MachineRefusal
 
 PHASES = {"Idle": "idle", "Jog": "jogging", "Home": "homing", "Hold": "held", "Door": "door"}
+MOVING = ("Run", "Jog", "Home")
 LOCKED = {
     "Alarm": "the controller is locked: home the machine, or unlock it if its position is surely right",
     "Sleep": "the controller sleeps and its motors are off: unlock it, then home it or set its zero again",
@@ -64,7 +65,8 @@ class Idle:
     @property
     def busy(self) -> bool:
         """Whether the machine moves, or something is under way to it."""
-        return self._jogger.active or self.phase in ("jogging", "homing", "busy")
+        state = self._driver.status.state if self._driver.status else ""
+        return self._jogger.active or self._homing_since_s is not None or state in MOVING
 
     @property
     def phase(self) -> str:
@@ -141,9 +143,16 @@ class Idle:
         else:
             raise MachineRefusal("nothing-to-stop", "nothing moves", advice="there is nothing to stop")
 
+    def check_no_jog(self) -> None:
+        """Raise MachineRefusal while a jog is still to be sent, answered or cancelled."""
+        if self._jogger.active:
+            advice = "wait until the jog has ended"
+            raise MachineRefusal("machine-busy", "the machine is not at rest", value="jogging", advice=advice)
+
     def check_at_rest(self) -> None:
         """Raise MachineRefusal while something moves or is under way."""
-        if self._jogger.active or self.phase not in ("idle", "alarm"):
+        self.check_no_jog()
+        if self.phase not in ("idle", "alarm"):
             advice = "wait until it has ended, or stop it"
             raise MachineRefusal("machine-busy", "the machine is not at rest", value=self.phase, advice=advice)
 

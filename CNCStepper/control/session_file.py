@@ -16,15 +16,23 @@ from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
+from CNCStepper.errors import MissingPackage
+
 KEPT = 20  # sessions whose outcome and log are kept
 SESSION, DESK, OUTCOME, LOG = ".session", ".desk", ".outcome", ".log"
 FRESH_S, TOUCH_S = 10.0, 1.0
 
 
 def session_folder() -> Path:
-    """Return the user's folder of sessions, made when it is not there."""
-    from platformdirs import user_state_path
-
+    """Return the user's folder of sessions, made when it is not there; raises MissingPackage without platformdirs."""
+    try:
+        from platformdirs import user_state_path
+    except ImportError as error:
+        raise MissingPackage(
+            "platformdirs-missing",
+            "platformdirs is not installed",
+            advice="install it: python -m pip install platformdirs",
+        ) from error
     folder = user_state_path("cncstepper", appauthor=False) / "sessions"
     folder.mkdir(mode=0o700, parents=True, exist_ok=True)
     return folder

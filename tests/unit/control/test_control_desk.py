@@ -13,6 +13,7 @@ from CNCStepper.control.readiness import expected_settings
 from CNCStepper.control.timing import Timing
 from CNCStepper.errors import LinkError
 from CNCStepper.machine.profile import load_machine
+from CNCStepper.virtual.grbl.states import State
 
 SQUARE = ("G21G90G94", "G1X-20F1500", "G1Y-20", "G1X0", "G1Y0")
 
@@ -672,7 +673,7 @@ def test_controller_that_falls_silent_ends_the_desk(tmp_path):
 # --- the end ---------------------------------------------------------------------------------------
 
 
-def test_desk_ends_alone_but_not_while_a_job_runs_or_something_moves(visit):
+def test_desk_ends_alone_but_not_while_a_job_runs(visit):
     def person():
         visit.job(*SQUARE)
         yield visit.at("running")
@@ -682,15 +683,26 @@ def test_desk_ends_alone_but_not_while_a_job_runs_or_something_moves(visit):
     visit.receive(person)
     assert visit.outcomes[0].done
 
-    visit = Visit(visit._file.parent)
 
-    def jogger():
+def test_desk_ends_alone_also_at_a_machine_in_check_mode(visit):
+    def person():
+        visit.table.board.state = State.CHECK
+        yield lambda: visit.desk.status().machine_state == "Check"
+        visit.alone_s = 60.0
+        yield lambda: False
+
+    visit.receive(person)
+    assert visit.table.closed
+
+
+def test_desk_ends_alone_but_not_while_it_jogs(visit):
+    def person():
         visit.ask("jog", x_mm=-30.0)
         yield visit.at("jogging")
         visit.alone_s = 60.0
         yield lambda: False
 
-    visit.receive(jogger)
+    visit.receive(person)
     assert visit.table.x_mm() == pytest.approx(-30, abs=0.013)
 
 

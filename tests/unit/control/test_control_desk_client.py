@@ -190,6 +190,8 @@ def test_killed_window_does_not_stop_the_cut_and_a_new_one_attaches(table, tmp_p
     window.client.stop()
     window.until(lambda: window.client.outcome is not None)
     assert window.client.outcome.kind == STOPPED and window.client.outcome.position_known
+    told = [(event["text"], "past" in event) for event in window.events if event["event"] == "phase"]
+    assert ("running", True) in told and ("stopped", False) in told
     window.client.leave()
 
 
@@ -239,6 +241,12 @@ def test_without_a_python_the_launch_says_what_is_missing(monkeypatch, tmp_path)
     finally:
         python_finder.find_python.cache_clear()
     assert isinstance(window.client.error, MissingPackage)
+
+
+def test_folder_that_cannot_be_written_is_said(tmp_path):
+    window = Window(DeskClient.launch("/dev/ttyX", folder=tmp_path / "none"))
+    window.until(lambda: window.client.phase == "gone")
+    assert window.client.error.code == "desk-start" and "none" in str(window.client.error)
 
 
 def test_killed_desk_is_lost_with_its_position(table, tmp_path):
