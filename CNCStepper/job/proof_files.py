@@ -20,7 +20,7 @@ from CNCStepper.control.outcome import error_from_json, error_to_json
 from CNCStepper.errors import CNCStepperError
 from CNCStepper.simulation.finding import Finding, refused
 from CNCStepper.simulation.lines import Lines
-from CNCStepper.simulation.timeline import Timeline
+from CNCStepper.simulation.tip_track import TipTrack
 
 if TYPE_CHECKING:
     from CNCStepper.job.model import Job
@@ -61,7 +61,7 @@ class Answer:
 
     findings: list[Finding]
     report: dict[str, Any]
-    moves: Timeline
+    moves: TipTrack
     rapids: Lines
     feeds: Lines
     part: Part
@@ -103,7 +103,7 @@ def write_answer(folder: Path, proof: Proof, job: Job, send_json: str) -> None:
     from CNCStepper.simulation.tool_outline import outlines_mm
 
     assert proof.part is not None
-    Timeline.of(proof.toolpath, proof.times_s).save(folder / MOVES)
+    TipTrack.of(proof.toolpath, proof.times_s).save(folder / MOVES)
     rapids, feeds = lines_in_space(proof.toolpath, MOST_POINTS)
     columns = (rapids.points, rapids.counts, feeds.points, feeds.counts)
     named: dict[str, Any] = dict(zip(LINE_COLUMNS, columns, strict=True))
@@ -150,5 +150,5 @@ def read_answer(folder: Path) -> Answer:
     with np.load(folder / TOOLS, allow_pickle=False) as arrays:
         numbers = sorted({int(name.partition("-")[0]) for name in arrays})
         tools = {number: (arrays[f"{number}-0"], arrays[f"{number}-1"]) for number in numbers}
-    moves = Timeline.load(folder / MOVES)
+    moves = TipTrack.load(folder / MOVES)
     return Answer(findings, report, moves, Lines(*columns[:2]), Lines(*columns[2:]), part, tools, folder / SEND)

@@ -32,7 +32,7 @@ if TYPE_CHECKING:
     from CNCStepper.job.proof_files import Part
     from CNCStepper.simulation.finding import Finding
     from CNCStepper.simulation.lines import Lines
-    from CNCStepper.simulation.timeline import Timeline
+    from CNCStepper.simulation.tip_track import TipTrack
 
 WORKER = "CNCStepper.job.proof_worker"
 LOOK_EVERY_MS = 20
@@ -64,7 +64,7 @@ class ProofResult:
     refused: bool
     send_file: Path
     time_s: float
-    moves: Timeline
+    moves: TipTrack
     rapids: Lines
     feeds: Lines
     part: Part

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The clock of a simulation: it plays a timeline, and it jumps where it is told."""
+"""The clock of a simulation: it plays a track of the tip, and it jumps where it is told."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from PySide import QtCore
 if TYPE_CHECKING:
     import numpy as np
 
-    from CNCStepper.simulation.timeline import Timeline
+    from CNCStepper.simulation.tip_track import TipTrack
 
 TICK_MS = 33
 MS_PER_S = 1000.0
@@ -25,7 +25,7 @@ class Player(QtCore.QObject):
     moved = QtCore.Signal()
     playing_changed = QtCore.Signal(bool)
 
-    def __init__(self, moves: Timeline, parent: Any = None):
+    def __init__(self, moves: TipTrack, parent: Any = None):
         super().__init__(parent)
         self.moves = moves
         self.speed = 1.0

@@ -1,0 +1,118 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Where the tool's tip is at any moment, and which line of the program moves it there.
+
+begins_s   ends_s        A row's share of its way grows evenly between the two moments, along its arc;
+   |  row k  |           before `begins_s` the tool stands (a dwell), and so it does at a point whose
+---+=========+---        way there is not known.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, fields
+from functools import cached_property
+from pathlib import Path
+
+import numpy as np
+
+from CNCStepper.simulation.arcs import Arcs, arcs_of
+from CNCStepper.simulation.segments import tips_mm
+from CNCStepper.toolpath import Chunk, Toolpath
+
+
+@dataclass(frozen=True)
+class TipTrack:
+    """The moves of a program in time; all arrays have one entry a row.
+
+    begin, end, centre: float64[n, 3], of the tip in the stock's work coordinates, mm, NaN where unknown.
+    kind, plane, turns: as in the table of moves. begins_s, ends_s: rising. line: of the file, from 1.
+    tool: the number of the tool that moves.
+    """
+
+    begin: np.ndarray
+    end: np.ndarray
+    centre: np.ndarray
+    kind: np.ndarray
+    plane: np.ndarray
+    turns: np.ndarray
+    begins_s: np.ndarray
+    ends_s: np.ndarray
+    line: np.ndarray
+    tool: np.ndarray
+
+    @classmethod
+    def of(cls, toolpath: Toolpath, ends_s: np.ndarray) -> TipTrack:
+        """Return the track of a table of moves whose rows end at `ends_s`."""
+        table = toolpath.table()
+        begin, end = tips_mm(toolpath)
+        centre = table.centre + (end - table.end[:, :3])
+        tool = np.array([state.tool for state in toolpath.states], np.int32)[table.state]
+        columns = (table.kind, table.plane, table.turns, _begins_s(toolpath, ends_s), ends_s, table.line, tool)
+        return cls(begin, end, centre, *columns)
+
+    def __len__(self) -> int:
+        return len(self.ends_s)
+
+    @property
+    def duration_s(self) -> float:
+        """The moment at which the last row ends."""
+        return float(self.ends_s[-1]) if len(self) else 0.0
+
+    def save(self, path: Path) -> None:
+        """Write it as a file of arrays."""
+        np.savez(path, **{entry.name: getattr(self, entry.name) for entry in fields(self)})
+
+    @classmethod
+    def load(cls, path: Path) -> TipTrack:
+        """Return the track that `save` wrote."""
+        with np.load(path, allow_pickle=False) as arrays:
+            return cls(**{entry.name: arrays[entry.name] for entry in fields(cls)})
+
+    def row_at(self, time_s: float) -> int:
+        """Return the row that runs at a moment; the first one before the begin, the last one after the end."""
+        return min(int(np.searchsorted(self.ends_s, time_s, side="left")), len(self) - 1)
+
+    def share_at(self, row: int, time_s: float) -> float:
+        """Return how much of its way a row has done at a moment, from 0 to 1."""
+        length_s = float(self.ends_s[row] - self.begins_s[row])
+        return min(max((time_s - float(self.begins_s[row])) / length_s, 0.0), 1.0) if length_s > 0 else 1.0
+
+    def tip_mm(self, row: int, share: float) -> np.ndarray:
+        """Return where the tip is, float64[3], when it has done a share of a row's way; NaN where it is not known."""
+        begin, end = self.begin[row], self.end[row]
+        point = (begin + (end - begin) * share if share < 1.0 else end.copy())[None, :]
+        if share < 1.0:
+            for arcs in self._arcs:
+                arcs.bend(point, np.array([row]), np.array([share]))
+        return np.where(np.isfinite(point[0]), point[0], np.where(np.isfinite(begin), begin, end))
+
+    def row_of_line(self, line: int) -> int:
+        """Return the last row of a line of the file, or of the nearest line before it that moves; else the first."""
+        return max(int(np.searchsorted(self._rising_lines, line, side="right")) - 1, 0)
+
+    def step(self, row: int, lines: int) -> int:
+        """Return the last row of the line that moves `lines` lines after (or, negative, before) that of a row."""
+        lasts = self._last_rows
+        place = int(np.searchsorted(lasts, row, side="left")) + lines
+        return int(lasts[min(max(place, 0), len(lasts) - 1)])
+
+    @cached_property
+    def _arcs(self) -> list[Arcs]:
+        table = Chunk(0, self.kind, self.end, self.centre, self.plane, self.turns, self.ends_s, self.tool, self.line)
+        return arcs_of(table, self.begin, self.end, self.centre)
+
+    @cached_property
+    def _rising_lines(self) -> np.ndarray:
+        return np.maximum.accumulate(self.line)
+
+    @cached_property
+    def _last_rows(self) -> np.ndarray:
+        return np.append(np.flatnonzero(self.line[1:] != self.line[:-1]), len(self) - 1)
+
+
+def _begins_s(toolpath: Toolpath, ends_s: np.ndarray) -> np.ndarray:
+    """Return the moment at which every row sets out: the end of the row before, and the dwells between."""
+    begins_s = np.concatenate([[0.0], ends_s[:-1]])[: len(ends_s)]
+    for event in toolpath.events:
+        if event.kind == "dwell" and event.index < len(ends_s):
+            begins_s[event.index] += event.value
+    return np.minimum(begins_s, ends_s)
