@@ -887,10 +887,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Engrave</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>Engraving</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2630,6 +2626,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>install it: python -m pip install platformdirs</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>install it: python -m pip install pyserial</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2815,6 +2815,10 @@
         </message>
         <message>
             <source>part of the drawn shape lies beside the stock</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>platformdirs is not installed</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3071,6 +3075,10 @@
         </message>
         <message>
             <source>the cut begins without waiting for the spindle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the desk cannot be started: {0}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

@@ -887,10 +887,6 @@
             <translation>Bolsão elíptico</translation>
         </message>
         <message>
-            <source>Engrave</source>
-            <translation>Gravar</translation>
-        </message>
-        <message>
             <source>Engraving</source>
             <translation>Gravação</translation>
         </message>
@@ -2630,6 +2626,10 @@
             <translation>instale-o para o Python que verifica (python -m pip install NOME)</translation>
         </message>
         <message>
+            <source>install it: python -m pip install platformdirs</source>
+            <translation>instale-o: python -m pip install platformdirs</translation>
+        </message>
+        <message>
             <source>install it: python -m pip install pyserial</source>
             <translation>instale-o: python -m pip install pyserial</translation>
         </message>
@@ -2816,6 +2816,10 @@
         <message>
             <source>part of the drawn shape lies beside the stock</source>
             <translation>parte da forma desenhada fica fora do bloco</translation>
+        </message>
+        <message>
+            <source>platformdirs is not installed</source>
+            <translation>o platformdirs não está instalado</translation>
         </message>
         <message>
             <source>please report it, with the program</source>
@@ -3072,6 +3076,10 @@
         <message>
             <source>the cut begins without waiting for the spindle</source>
             <translation>o corte começa sem esperar o spindle</translation>
+        </message>
+        <message>
+            <source>the desk cannot be started: {0}</source>
+            <translation>a mesa de controle não pode ser iniciada: {0}</translation>
         </message>
         <message>
             <source>the desk failed by a fault of its own</source>

@@ -91,6 +91,7 @@ class Handles(Mode):
         moved, self._dragged = self._dragged is not None and self._points != self._before, None
         if moved:
             self._write(tr("Move a point"))
+        self.hint()
         self.moved(pixel, shift=False)  # the pointer still stands on it
         return True
 
