@@ -63,6 +63,20 @@ def test_a_drawing_that_was_let_go_leaves_the_numbers(document: Any, job: Any) -
     assert api.program_text(job) == good
 
 
+def test_after_a_deletion_none_can_be_chosen(document: Any, job: Any) -> None:
+    sketch = sketched_ellipse(document, "Elipse")
+    pocket = api.add_elliptical_pocket(job, sketch, depth_mm=2)
+    document.recompute()
+    good = api.program_text(job)
+    document.removeObject(sketch.Name)
+    document.recompute()
+    assert problem_of(pocket)
+    api.edit(pocket, drawing=None)
+    document.recompute()
+    assert problem_of(pocket) == ""
+    assert api.program_text(job) == good
+
+
 def test_the_undone_deletion_of_a_drawing_mends_all(document: Any, job: Any) -> None:
     document.UndoMode = 1
     sketch = sketched_ellipse(document, "Elipse")

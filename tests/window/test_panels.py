@@ -7,6 +7,8 @@ import statistics
 import time
 from collections.abc import Iterator
 from functools import partial
+from importlib import resources
+from pathlib import Path
 from typing import Any
 
 import FreeCAD
@@ -312,6 +314,58 @@ def test_the_job_s_operations_and_tools(hand: Hand, bench: Bench) -> None:
     hand.key("Ctrl+Z")
     hand.wait(lambda: [operation.Label for operation in bench.job.Operations] == [first, second])
     assert hand.main(lambda: problem_of(bench.job)) == ""
+
+
+def test_what_the_cut_warns_of_is_shown(hand: Hand, bench: Bench) -> None:
+    bench.open(bench.pocket)
+    assert not hand.exists("CNCStepper_Panel_warnings")
+    hand.main(bench.fields)  # unfolds the groups
+    hand.main(lambda: hand_into(bench, "CNCStepper_Panel_method"))
+    hand.choose("CNCStepper_Panel_method", "published points (DDA)")
+    hand.wait(lambda: bench.pocket.Method == "dda")
+    hand.wait(lambda: bench.panel().warnings.isVisible() and bench.panel().warnings.text())
+    hand.main(lambda: hand_into(bench, "CNCStepper_Panel_warnings"))
+    hand.shot("panel-pocket-warned")
+
+
+def test_a_look_without_a_change_is_no_undo_step(hand: Hand, bench: Bench) -> None:
+    for obj in (bench.pocket, bench.tool, bench.job):
+        bench.open(obj)
+        hand.click(OK)
+        hand.wait(bench.closed)
+    assert hand.main(lambda: bench.document.UndoCount) == 0
+
+
+def test_a_deleted_drawing_is_named_in_the_panel_until_it_is_let_go(hand: Hand, bench: Bench) -> None:
+    hand.main(lambda: api.edit(bench.pocket, drawing=bench.sketch))
+    hand.main(bench.document.recompute)
+    hand.main(bench.document.removeObject, "Sketch")
+    hand.main(bench.document.recompute)
+    bench.open(bench.pocket)
+    assert "Sketch" in hand.main(bench.panel_problem) + hand.main(bench.note, "drawing")
+    hand.click(OK)
+    hand.settle()
+    assert not hand.main(bench.closed)
+    hand.choose("CNCStepper_Panel_drawing", "none, the numbers count")
+    hand.click(OK)
+    hand.wait(bench.closed)
+    assert hand.main(problem_of, bench.pocket) == ""
+    assert hand.main(lambda: bench.pocket.RadiusX.Value) == pytest.approx(30)
+
+
+def test_a_machine_is_chosen_from_a_file(hand: Hand, bench: Bench, tmp_path: Path) -> None:
+    shipped = resources.files("CNCStepper.machine") / "profiles" / "table-b.toml"
+    profile = tmp_path / "mesa própria.toml"
+    profile.write_text(shipped.read_text("utf-8"), "utf-8")
+    bench.open(bench.job)
+    hand.choose("CNCStepper_Panel_machine", "A profile's file…")
+    hand.wait(lambda: hand_box("CNCStepper_Panel_machine_file") is not None)
+    hand.type(str(profile))
+    hand.key("Return")
+    hand.wait(lambda: bench.job.Machine == str(profile))
+    hand.click(OK)
+    hand.wait(bench.closed)
+    assert hand.main(problem_of, bench.job) == ""
 
 
 def test_each_edit_is_quick_and_memory_stays_flat_over_200(hand: Hand, bench: Bench) -> None:

@@ -15,14 +15,14 @@ from typing import Any
 from PySide import QtCore, QtGui
 
 from CNCStepper.errors import CNCStepperError
-from CNCStepper.workbench.features.base import FAILED, edit, named, problem_of, value_of, values
+from CNCStepper.workbench.features.base import FAILED, edit, named, problem_of, values
 from CNCStepper.workbench.panels.complaints import complaints, key_of, labelled, model_of_type
 from CNCStepper.workbench.panels.fields import ERROR_COLOUR, NAME, WARNING_COLOUR, Field, note_label
 from CNCStepper.workbench.panels.form import Form
 from CNCStepper.workbench.panels.measures import text_of
 from CNCStepper.workbench.panels.numbers import Refused
-from CNCStepper.workbench.sentences import translated
 from CNCStepper.workbench.remake import remake
+from CNCStepper.workbench.sentences import translated
 from CNCStepper.workbench.tell import guarded
 from CNCStepper.workbench.words import tr
 
@@ -81,7 +81,7 @@ class Editor(QtGui.QWidget):
         self.timer.stop()
         self.form.unmark()
         changes = self._accepted(self._read())
-        tried = [key for key, value in changes.items() if value != value_of(self.obj, self._entry(key))]
+        tried = [key for key, value in changes.items() if self.form.fields[key].differs(value)]
         if tried:
             edit(self.obj, **{key: changes[key] for key in tried})
             self._recompute()

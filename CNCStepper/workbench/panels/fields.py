@@ -60,6 +60,10 @@ class Field(QtCore.QObject):
         """Show the object's value."""
         raise NotImplementedError
 
+    def differs(self, value: Any) -> bool:
+        """Return whether writing a value would change the object."""
+        return bool(value != value_of(self.obj, self.entry))
+
     def refresh(self) -> None:
         """Show the object's value, unless a person is just changing it here; let it rest where it is not his."""
         reason = self._why_fixed()

@@ -59,6 +59,12 @@ class DrawingField(ChoiceField):
         """Show the operation's drawing, whether it can be followed or not."""
         self._offer(self.obj.Drawing)
         super().write()
+        if self.obj.DeletedDrawing:
+            self.editors[0].setCurrentIndex(-1)
+
+    def differs(self, value: Any) -> bool:
+        """Return whether it changes; to choose none after a deletion is a change, for it lets the numbers count."""
+        return bool(self.obj.DeletedDrawing) or super().differs(value)
 
     def _offer(self, drawing: Any) -> None:
         if drawing not in self.values:

@@ -18,6 +18,7 @@ from CNCStepper.workbench.words import tr
 
 FEWEST_ROWS, MOST_ROWS = 2, 5  # that are seen at once
 ICON_PX = 16
+SPARE_PX = 4  # with less Qt shows a scroll bar
 CHECKED, UNCHECKED = QtCore.Qt.CheckState.Checked, QtCore.Qt.CheckState.Unchecked
 
 
@@ -87,7 +88,7 @@ class ObjectList(QtGui.QWidget):
         self.list.blockSignals(False)
         row_px = max(self.list.sizeHintForRow(0), ICON_PX)
         rows = min(max(self.list.count(), FEWEST_ROWS), MOST_ROWS)
-        self.list.setFixedHeight(rows * row_px + 2 * self.list.frameWidth())
+        self.list.setFixedHeight(rows * row_px + 2 * self.list.frameWidth() + SPARE_PX)
 
     def words(self, obj: Any) -> str:
         """Return how an object is listed."""
