@@ -34,3 +34,4 @@ class CNCStepperWorkbench(FreeCADGui.Workbench):
 
 
 FreeCADGui.addWorkbench(CNCStepperWorkbench())
+FreeCADGui.addLanguagePath(str(CNCStepperWorkbench.packages.ROOT / "resources" / "translations"))  # read when needed

@@ -8,7 +8,7 @@ from typing import Any
 
 def edit(obj: Any) -> None:
     """Open an object's panel inside a transaction, which the panel commits or aborts; one that is open stays."""
-    from CNCStepper.workbench import tell
+    from CNCStepper.workbench import freehand, tell
     from CNCStepper.workbench.commands import choice
     from CNCStepper.workbench.panels import open_panel
     from CNCStepper.workbench.words import tr
@@ -16,6 +16,7 @@ def edit(obj: Any) -> None:
     if reason := choice.why_no_panel():
         tell.note(reason)
         return
+    freehand.leave()
     obj.Document.openTransaction(tr("Edit {0}").format(obj.Label))
     try:
         open_panel(obj)

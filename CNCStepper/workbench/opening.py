@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from CNCStepper.workbench import commands, dock, missing, packages
+from CNCStepper.workbench import commands, dock, missing
 from CNCStepper.workbench.tell import NAME, guarded
 from CNCStepper.workbench.viewproviders import tips
 
@@ -13,10 +13,6 @@ from CNCStepper.workbench.viewproviders import tips
 @guarded
 def first(workbench: Any) -> None:
     """Fill the workbench's toolbar and menu."""
-    import FreeCADGui
-
-    FreeCADGui.addLanguagePath(str(packages.ROOT / "resources" / "translations"))
-    FreeCADGui.updateLocale()
     names = commands.register()
     workbench.appendToolbar(NAME, names)
     workbench.appendMenu(NAME, names)

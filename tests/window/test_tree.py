@@ -210,6 +210,7 @@ def test_a_tool_that_another_job_uses_stays(hand: Hand, job: Any) -> None:
     tool = hand.main(lambda: job.Tools[0])
     other = hand.main(lambda: api.new_job(document))
     hand.main(lambda: setattr(other, "Tools", [tool]))
+    hand.wait(lambda: children("Job001") == ["Tool", "Preview001"], 5, "the other job's rows")
     delete(hand, "Job")
     hand.wait(lambda: "CNCStepper_Job" not in names(document))
     assert tool.Name in hand.main(names, document)

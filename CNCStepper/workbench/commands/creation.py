@@ -13,13 +13,15 @@ from CNCStepper.workbench.words import tr
 
 
 def create(document: Any, title: str, make: Callable[[], Any]) -> None:
-    """Make an object inside one transaction and open its panel, which commits or aborts it.
+    """Make an object inside one transaction and open its panel, which commits or aborts it; drawing ends.
 
     `title` stands in the list of undo steps. When the object cannot be made, or its panel not be opened, the
     document is as it was, and the reason is raised.
     """
+    from CNCStepper.workbench import freehand
     from CNCStepper.workbench.panels import open_panel
 
+    freehand.leave()
     document.openTransaction(title)
     try:
         open_panel(make())

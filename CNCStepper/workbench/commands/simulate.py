@@ -21,6 +21,8 @@ class Simulate(Command):
 
     def run(self) -> None:
         """Open the simulation of the job that is meant."""
+        from CNCStepper.workbench import freehand
         from CNCStepper.workbench.simulation import open_simulation
 
+        freehand.leave()
         open_simulation(proving.made_job())
