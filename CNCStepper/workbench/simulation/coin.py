@@ -88,3 +88,12 @@ def solid() -> Any:
     hints.shapeType = coin.SoShapeHints.SOLID
     hints.creaseAngle = 0.6
     return hints
+
+
+def in_front() -> Any:
+    """Return the setting that what follows is seen through whatever stands before it."""
+    from pivy import coin
+
+    depth = coin.SoDepthBuffer()
+    depth.test = False
+    return depth

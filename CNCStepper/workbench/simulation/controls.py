@@ -7,7 +7,7 @@ from typing import Any
 
 from PySide import QtCore, QtGui
 
-from CNCStepper.workbench import packages
+from CNCStepper.workbench.icons import icon as icon_named
 from CNCStepper.workbench.simulation.figures import clock_text
 from CNCStepper.workbench.simulation.player import Player
 from CNCStepper.workbench.words import later, tr
@@ -15,6 +15,7 @@ from CNCStepper.workbench.words import later, tr
 FINEST = 10_000  # steps of the slider over time
 FASTEST = 100.0
 SPEED_STEPS = 100  # of the speed's slider, from 1 to FASTEST, each the same factor
+ICON = "CNCStepper_Player_"
 BUTTONS = (
     ("start", "ToStart", later("To the begin")),
     ("back", "StepBack", later("One line of the program back")),
@@ -78,7 +79,7 @@ class Controls(QtGui.QWidget):
     def _button(self, name: str, icon: str, text: str) -> Any:
         button = QtGui.QToolButton()
         button.setObjectName(f"CNCStepper_Simulation_{name}")
-        button.setIcon(_icon(icon))
+        button.setIcon(icon_named(f"{ICON}{icon}"))
         button.setIconSize(QtCore.QSize(20, 20))
         button.setToolTip(tr(text))
         button.setAccessibleName(tr(text))
@@ -94,7 +95,7 @@ class Controls(QtGui.QWidget):
         self._clock.setText(f"{clock_text(player.time_s)} / {clock_text(duration_s)}")
 
     def _show_playing(self, playing: bool) -> None:
-        self._buttons["play"].setIcon(_icon("Pause" if playing else "Play"))
+        self._buttons["play"].setIcon(icon_named(ICON + ("Pause" if playing else "Play")))
 
     def _seek(self, place: int) -> None:
         self._player.seek(self._player.moves.duration_s * place / FINEST)
@@ -112,7 +113,3 @@ def _slider(name: str, last: int, text: str) -> Any:
     slider.setToolTip(text)
     slider.setAccessibleName(text)
     return slider
-
-
-def _icon(name: str) -> Any:
-    return QtGui.QIcon(str(packages.ROOT / "resources" / "icons" / f"CNCStepper_Player_{name}.svg"))

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 from PySide import QtCore, QtGui
 
 from CNCStepper.workbench.findings import FindingsList
+from CNCStepper.workbench.icons import icon
 from CNCStepper.workbench.simulation.controls import Controls
 from CNCStepper.workbench.simulation.figures import totals
 from CNCStepper.workbench.simulation.legend import Legend
@@ -29,6 +30,7 @@ class SimulationPanel(QtGui.QWidget):
         super().__init__(parent)
         self.setObjectName("CNCStepper_Simulation_panel")
         self.setWindowTitle(tr("Check and simulate: {0}").format(label))
+        self.setWindowIcon(icon("CNCStepper_Simulate"))
         self._layout = QtGui.QVBoxLayout(self)
         self._message = QtGui.QLabel()
         self._message.setObjectName("CNCStepper_Simulation_message")

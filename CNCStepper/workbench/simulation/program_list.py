@@ -80,14 +80,14 @@ class ProgramList(QtGui.QTableView):
         self.selectionModel().currentChanged.connect(self._choose)
 
     def follow(self, line: int) -> None:
-        """Mark a line and let it be seen."""
+        """Mark a line and let it be seen, in the middle; one that is marked already stays where it is."""
         model = self.model()
-        if model is None or not 0 < line <= model.rowCount():
+        if model is None or not 0 < line <= model.rowCount() or line - 1 == self.currentIndex().row():
             return
         self._following = True
         index = model.index(line - 1, 0)
         self.setCurrentIndex(index)
-        self.scrollTo(index)
+        self.scrollTo(index, QtGui.QAbstractItemView.ScrollHint.PositionAtCenter)
         self._following = False
 
     def _choose(self, index: Any, *_: Any) -> None:

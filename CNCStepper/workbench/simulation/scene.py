@@ -145,9 +145,8 @@ class Scene:
         self._marker.whichChild = -1
         self._marker_place = coin.SoTranslation()
         pin = revolved(np.array([(0.0, 0.0), (0.22 * height_mm, height_mm), (0.0, height_mm)]))
-        self._marker.addChild(
-            nodes.separator(self._marker_place, nodes.solid(), nodes.material(MARKER_RGB), nodes.quads(pin))
-        )
+        settings = (nodes.solid(), nodes.in_front(), nodes.material(MARKER_RGB))
+        self._marker.addChild(nodes.separator(self._marker_place, *settings, nodes.quads(pin)))
         self._root.addChild(self._marker)
 
 

@@ -188,6 +188,10 @@ class SimulationTask:
         QtCore.QTimer.singleShot(0, tell.guarded(self.reject))
 
 
+def _advice(error: CNCStepperError) -> str:
+    return translated(error.advice) if error.advice else ""
+
+
 def _no_view() -> CNCStepperError:
     from CNCStepper.errors import JobError
 

@@ -1,0 +1,85 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The process that proves: its answer in a folder, its refusals, and its end when nobody waits any more."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from CNCStepper.control.python_finder import command, environment
+from CNCStepper.control.send_job import SendJob
+from CNCStepper.errors import CNCStepperError
+from CNCStepper.job.make import make_program
+from CNCStepper.job.model import load_job
+from CNCStepper.job.proof_files import read_answer, write_question
+from CNCStepper.job.prove import STAGES, prove_job
+
+JOBS = Path(__file__).parents[3] / "examples" / "jobs"
+LIMIT_S = 120
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    path = tmp_path / "à parte"
+    path.mkdir()
+    return path
+
+
+def asked(folder: Path, text: str | None = None) -> str:
+    job, machine = load_job(JOBS / "elliptical-pocket.toml")
+    program = make_program(job, machine).program if text is None else text
+    write_question(folder, program, job, machine)
+    return program
+
+
+def started(folder: Path) -> subprocess.Popen[str]:
+    words = command(sys.executable, "CNCStepper.job.proof_worker", str(folder), "pocket.nc")
+    return subprocess.Popen(words, env=environment(), stdin=subprocess.PIPE, stdout=subprocess.PIPE, encoding="utf-8")
+
+
+def ended(process: subprocess.Popen[str]) -> tuple[int, list[str]]:
+    """Wait for its end while its standard input stays open."""
+    assert process.stdout and process.stdin
+    told = process.stdout.read().split()
+    status = process.wait(LIMIT_S)
+    process.stdin.close()
+    process.stdout.close()
+    return status, told
+
+
+def test_the_answer_is_that_of_prove_job(folder: Path) -> None:
+    program = asked(folder)
+    assert ended(started(folder)) == (0, list(STAGES))
+    answer = read_answer(folder)
+    proof = prove_job(*load_job(JOBS / "elliptical-pocket.toml"), program, "pocket.nc")
+    assert answer.report == proof.report and answer.findings == proof.findings and not answer.refused
+    assert answer.moves.duration_s == proof.times_s[-1]
+    assert (answer.part.heights_mm == proof.part.heights_mm).all()
+    sent = SendJob.from_json(answer.send_file.read_text("utf-8"))
+    assert sent.lines == list(proof.wire.lines) and sent.file_lines == proof.wire.file_lines.tolist()
+
+
+def test_a_refusal_comes_back_as_it_was_raised(folder: Path) -> None:
+    asked(folder, "G21 G90\nG0 X1 X2\n")
+    assert ended(started(folder))[0] == 1
+    with pytest.raises(CNCStepperError) as refusal:
+        read_answer(folder)
+    assert refusal.value.place is not None and refusal.value.place.line == 2
+
+
+def test_it_ends_and_takes_its_folder_away_when_nobody_waits(folder: Path) -> None:
+    asked(folder)
+    process = started(folder)
+    assert process.stdout and process.stdin
+    process.stdout.readline()
+    process.stdin.close()
+    assert process.wait(LIMIT_S) == 1 and not folder.exists()
+    process.stdout.close()
+
+
+def test_no_answer_is_said(folder: Path) -> None:
+    with pytest.raises(CNCStepperError, match="without an answer"):
+        read_answer(folder)
