@@ -15,6 +15,7 @@ from CNCStepper.control.session_file import DESK, new_session, read_private, run
 from CNCStepper.errors import CNCStepperError, LinkError
 
 WORKER = "CNCStepper.control.desk_worker"
+YIELD_S = 0.005  # the thread of the window goes on first
 
 Launched = tuple[Path, subprocess.Popen | None]
 
@@ -27,7 +28,7 @@ def launch(port: str, baud: int, folder: Path | None) -> Future[Launched]:
     answer: Future[Launched] = Future()
 
     def work() -> None:
-        time.sleep(0)  # the window's thread goes on first
+        time.sleep(YIELD_S)
         try:
             path, process = _launched(port, baud, folder or session_folder())
         except CNCStepperError as error:
