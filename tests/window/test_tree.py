@@ -111,6 +111,8 @@ def test_a_badge_changes_the_picture(hand: Hand) -> None:
 def test_a_double_click_opens_the_panel(hand: Hand, job: Any) -> None:
     hand.wait(lambda: children("Job"))
     for label in ("EllipticalPocket", "Job", "Preview"):
+        hand.tree(label)
+        hand.wait(lambda label=label: FreeCADGui.Selection.getSelection()[0].Label == label, 5, f"{label} selected")
         hand.tree(label, double=True)
         hand.wait(FreeCADGui.Control.activeDialog, 5, f"the panel of {label}")
         assert not hand.main(lambda: QtGui.QApplication.activeModalWidget())

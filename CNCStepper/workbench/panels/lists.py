@@ -10,6 +10,7 @@ from PySide import QtCore, QtGui
 
 from CNCStepper.workbench import api
 from CNCStepper.workbench.features.base import edit, problem_of, proxy_type
+from CNCStepper.workbench.icons import icon
 from CNCStepper.workbench.panels.fields import ERROR_COLOUR, NAME, note_label
 from CNCStepper.workbench.panels.links import tool_words
 from CNCStepper.workbench.sentences import translated
@@ -78,7 +79,7 @@ class ObjectList(QtGui.QWidget):
         self.list.blockSignals(True)
         self.list.clear()
         for obj in self.objects():
-            item = QtGui.QListWidgetItem(_icon(obj), self.words(obj))
+            item = QtGui.QListWidgetItem(icon(proxy_type(obj)), self.words(obj))
             if problem_of(obj):
                 item.setForeground(QtGui.QColor(ERROR_COLOUR))
                 item.setToolTip(translated(problem_of(obj)))
@@ -175,9 +176,3 @@ class ToolList(ObjectList):
         self.refresh()
         self.choose(next(iter(self.objects()), None))
         self.changed.emit()
-
-
-def _icon(obj: Any) -> Any:
-    from CNCStepper.workbench import packages
-
-    return QtGui.QIcon(str(packages.ROOT / "resources" / "icons" / f"{proxy_type(obj)}.svg"))

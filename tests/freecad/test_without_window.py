@@ -1,0 +1,40 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Without a window nothing of the window is loaded or missed, and what it would say is printed."""
+
+from __future__ import annotations
+
+import sys
+from typing import Any
+
+import pytest
+
+from CNCStepper.errors import JobError
+from CNCStepper.workbench import api, tell
+
+
+def test_objects_are_made_without_views(document: Any) -> None:
+    job = api.new_job(document)
+    api.add_tool(job)
+    api.add_elliptical_pocket(job, depth_mm=2)
+    document.recompute()
+    assert api.program_text(job)
+    assert all(obj.ViewObject is None for obj in document.Objects)
+    assert not {name for name in sys.modules if name.startswith("CNCStepper.workbench.viewproviders")}
+
+
+def test_what_is_told_is_printed(capfd: pytest.CaptureFixture[str]) -> None:
+    tell.error(JobError("bad", "the job is bad", value="3 mm", advice="mend it"))
+    tell.note("saved")
+    printed = capfd.readouterr().out
+    assert "CNCStepper: the job is bad (3 mm); mend it" in printed
+    assert "CNCStepper: saved" in printed
+
+
+def test_a_fault_is_printed_with_its_place(capfd: pytest.CaptureFixture[str]) -> None:
+    def fail() -> None:
+        raise ValueError("broken")
+
+    tell.guarded(fail)()
+    out, err = capfd.readouterr()
+    assert "ValueError: broken" in out + err
+    assert "test_without_window.py" in out + err
