@@ -4,7 +4,7 @@
 SHELL := /bin/bash
 .SHELLFLAGS := -euo pipefail -c
 .DEFAULT_GOAL := help
-.PHONY: help setup demo test quick bench lint translations clean
+.PHONY: help setup demo test matrix quick bench lint translations pictures clean
 
 help:
 	@echo "make demo    draw, cut and check the demonstration part in headless FreeCAD and on the virtual grbl"
@@ -14,6 +14,7 @@ help:
 	@echo "make bench   measure speed, beside the programs we compare ourselves with"
 	@echo "make lint    style and types only"
 	@echo "make translations   collect the texts that a person sees, and compile their Portuguese"
+	@echo "make pictures   take the pictures of the window in docs/pictures anew"
 	@echo "make setup   only what the others need: system packages and .venv"
 	@echo "make clean   remove what tests, demo and benchmarks have made (.venv stays, the FreeCADs of make matrix go)"
 
@@ -46,6 +47,9 @@ lint:
 translations:
 	@tools/setup.sh translations
 	@.venv/bin/python tools/translations.py
+
+pictures: setup
+	@.venv/bin/python tools/pictures.py
 
 clean:
 	@rm -rf build .cache .pytest_cache .mypy_cache .ruff_cache .hypothesis
