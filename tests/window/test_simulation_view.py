@@ -94,6 +94,7 @@ def tip(task: SimulationTask) -> np.ndarray:
     return work + np.array(task._job.WorkOrigin)
 
 
+@pytest.mark.window("plain", "scaled")
 def test_it_plays_steps_and_follows_the_program(hand: Hand, job: Any) -> None:
     task = opened(hand, job)
     hand.shot("simulation-begin")

@@ -68,14 +68,14 @@ class ProgramList(QtGui.QTableView):
         numbers.setSectionsClickable(False)
         numbers.setHighlightSections(False)
         across.hide()
-        across.setSectionResizeMode(fixed)
+        across.setStretchLastSection(True)
 
     def show_program(self, lines: Sequence[str]) -> None:
         """Show these lines."""
         digits = max(len(str(len(lines))), 3)
         letter_px = self.fontMetrics().boundingRect("0" * 100).width() / 100
         self.verticalHeader().setFixedWidth(round(letter_px * (digits + 2)))
-        self.horizontalHeader().setDefaultSectionSize(round(letter_px * (max(map(len, lines), default=0) + 2)))
+        self.horizontalHeader().setMinimumSectionSize(round(letter_px * (max(map(len, lines), default=0) + 2)))
         self.setModel(ProgramLines(lines, self))
         self.selectionModel().currentChanged.connect(self._choose)
 
