@@ -12,6 +12,7 @@ from CNCStepper.workbench.panels.fields import NAME, Field, field_class
 from CNCStepper.workbench.panels.measures import text_of
 from CNCStepper.workbench.words import tr
 
+LABEL_LETTERS = 16  # longer labels take a second line: Portuguese is longer, and the values need room
 MARGINS = (6, 5, 6, 5)
 
 
@@ -141,9 +142,11 @@ def align_labels(layouts: list[Any]) -> None:
     role = QtGui.QFormLayout.ItemRole.LabelRole
     items = [layout.itemAt(row, role) for layout in layouts for row in range(layout.rowCount())]
     labels = [item.widget() for item in items if item is not None]
-    width = max((label.sizeHint().width() for label in labels), default=0)
+    natural = max((label.sizeHint().width() for label in labels), default=0)
     for label in labels:
-        label.setMinimumWidth(width)
+        widest = label.fontMetrics().averageCharWidth() * LABEL_LETTERS
+        label.setWordWrap(natural > widest)
+        label.setFixedWidth(min(natural, widest))
 
 
 def _layout(box: Box) -> Any:

@@ -19,7 +19,7 @@ from CNCStepper.workbench.words import tr
 
 FEWEST_ROWS, MOST_ROWS = 2, 5  # that are seen at once
 ICON_PX = 16
-SPARE_PX = 4  # with less Qt shows a scroll bar
+SPARE_PX = 6  # with less Qt shows a scroll bar: what a style adds is not known before the list is seen
 CHECKED, UNCHECKED = QtCore.Qt.CheckState.Checked, QtCore.Qt.CheckState.Unchecked
 
 
@@ -87,7 +87,7 @@ class ObjectList(QtGui.QWidget):
             self.list.addItem(item)
         self.list.setCurrentRow(min(row, self.list.count() - 1))
         self.list.blockSignals(False)
-        row_px = max(self.list.sizeHintForRow(0), ICON_PX)
+        row_px = max(self.list.sizeHintForRow(0), self.fontMetrics().height() + SPARE_PX)
         rows = min(max(self.list.count(), FEWEST_ROWS), MOST_ROWS)
         self.list.setFixedHeight(rows * row_px + 2 * self.list.frameWidth() + SPARE_PX)
 
