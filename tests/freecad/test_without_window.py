@@ -6,6 +6,7 @@ from __future__ import annotations
 import sys
 from typing import Any
 
+import FreeCAD
 import pytest
 
 from CNCStepper.errors import JobError
@@ -22,12 +23,12 @@ def test_objects_are_made_without_views(document: Any) -> None:
     assert not {name for name in sys.modules if name.startswith("CNCStepper.workbench.viewproviders")}
 
 
-def test_what_is_told_is_printed(capfd: pytest.CaptureFixture[str]) -> None:
+def test_what_is_told_is_printed(monkeypatch: pytest.MonkeyPatch) -> None:
+    printed: list[str] = []
+    monkeypatch.setattr(FreeCAD.Console, "PrintMessage", printed.append)
     tell.error(JobError("bad", "the job is bad", value="3 mm", advice="mend it"))
     tell.note("saved")
-    printed = capfd.readouterr().out
-    assert "CNCStepper: the job is bad (3 mm); mend it" in printed
-    assert "CNCStepper: saved" in printed
+    assert printed == ["CNCStepper: the job is bad (3 mm); mend it\n", "CNCStepper: saved\n"]
 
 
 def test_a_fault_is_printed_with_its_place(capfd: pytest.CaptureFixture[str]) -> None:
