@@ -66,8 +66,8 @@ def cut_arc(tile, grid, begin, end, arc, form):
     low = min(begin[2], end[2])
     mean_low = max(low, bottom)
     x_low, y_low, x_high, y_high = bounds(begin, end, arc)
-    first_row, last_row = columns_between(y_low - wide, y_high + wide, y0, dy, rows)
-    first, last = columns_between(x_low - wide, x_high + wide, x0, dx, columns)
+    first_row, last_row = columns_between(y_low - wide, y_high + wide, y0, 1.0 / dy, rows)
+    first, last = columns_between(x_low - wide, x_high + wide, x0, 1.0 / dx, columns)
     for row in range(first_row, last_row + 1):
         y = y0 + row * dy - path[1]
         for column in range(first, last + 1):

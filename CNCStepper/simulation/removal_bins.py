@@ -47,8 +47,7 @@ def reached(begin, end, arc, arcs, form, forms, first, last, grid, shape, offset
 @njit
 def tiles_between(first, last, low, size, count):
     """Return the first and last tile that the range [first, last] touches."""
-    one, other = columns_between(first - size, last, low, size, count)
-    return one, other
+    return columns_between(first - size, last, low, 1.0 / size, count)
 
 
 @njit

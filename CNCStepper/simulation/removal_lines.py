@@ -48,21 +48,27 @@ def share_of(distance, radius, width):
 
 
 @njit
-def between(factor, offset, low, high, first, last):
-    """Narrow the range [first, last] of x to where low <= factor * x + offset <= high."""
-    if abs(factor) < 1e-12:
+def inverse_of(factor):
+    """Return 1 / factor, or 0 for a factor that is as good as 0."""
+    return 0.0 if abs(factor) < 1e-12 else 1.0 / factor
+
+
+@njit
+def between(inverse, offset, low, high, first, last):
+    """Narrow the range [first, last] of x to where low <= x / inverse + offset <= high; inverse 0: x plays no part."""
+    if inverse == 0.0:
         return (first, last) if low <= offset <= high else (1.0, 0.0)
-    one, other = (low - offset) / factor, (high - offset) / factor
+    one, other = (low - offset) * inverse, (high - offset) * inverse
     return max(first, min(one, other)), min(last, max(one, other))
 
 
 @njit
-def columns_between(first, last, x0, dx, columns):
+def columns_between(first, last, x0, per_mm, columns):
     """Return the first and the last column whose centres lie in [first, last]; x0 is that of column 0."""
     if first > last:
         return 0, -1
-    first = min(max((first - x0) / dx, 0.0), float(columns))
-    last = min(max((last - x0) / dx, -1.0), columns - 1.0)
+    first = min(max((first - x0) * per_mm, 0.0), float(columns))
+    last = min(max((last - x0) * per_mm, -1.0), columns - 1.0)
     return math.ceil(first), math.floor(last)
 
 
@@ -72,8 +78,8 @@ def cut_point(tile, grid, x, y, z, form):
     x0, y0, dx, dy = grid
     rows, columns = tile[0].shape
     wide = form[0] + 0.5 * (dx + dy)
-    first, last = columns_between(y - wide, y + wide, y0, dy, rows)
-    west, east = columns_between(x - wide, x + wide, x0, dx, columns)
+    first, last = columns_between(y - wide, y + wide, y0, 1.0 / dy, rows)
+    west, east = columns_between(x - wide, x + wide, x0, 1.0 / dx, columns)
     for row in range(first, last + 1):
         for column in range(west, east + 1):
             _cut_from_point(tile, grid, row, column, x, y, z, form)
@@ -127,12 +133,13 @@ def _cut_strip(tile, grid, move, direction, feet, form):
     low = az + min(rise * length, 0.0)
     mean_low = max(low, bottom)
     y_low, y_high = ay + min(uy * length, 0.0) - wide, ay + max(uy * length, 0.0) + wide
-    first_row, last_row = columns_between(y_low, y_high, y0, dy, rows)
+    first_row, last_row = columns_between(y_low, y_high, y0, 1.0 / dy, rows)
+    per_mm, by_ux, by_uy = 1.0 / dx, inverse_of(ux), inverse_of(uy)
     for row in range(first_row, last_row + 1):
         y = y0 + row * dy - ay
-        west, east = between(ux, y * uy, feet[0], feet[1], -FAR, FAR)
-        west, east = between(uy, -y * ux, -wide, wide, west, east)
-        first, last = columns_between(west, east, x0 - ax, dx, columns)
+        west, east = between(by_ux, y * uy, feet[0], feet[1], -FAR, FAR)
+        west, east = between(by_uy, -y * ux, -wide, wide, west, east)
+        first, last = columns_between(west, east, x0 - ax, per_mm, columns)
         for column in range(first, last + 1):
             if heights[row, column] <= low and means[row, column] <= mean_low:
                 continue
@@ -173,11 +180,12 @@ def _cut_wedge(tile, grid, joint, direction, turned, form):
     rows, columns = tile[0].shape
     jx, jy, jz = joint[0], joint[1], joint[2]
     wide = form[0] + 0.5 * (dx + dy)
-    first_row, last_row = columns_between(jy - wide, jy + wide, y0, dy, rows)
+    first_row, last_row = columns_between(jy - wide, jy + wide, y0, 1.0 / dy, rows)
+    per_mm, by_first, by_second = 1.0 / dx, inverse_of(direction[0]), inverse_of(turned[0])
     for row in range(first_row, last_row + 1):
         y = y0 + row * dy - jy
-        west, east = between(direction[0], y * direction[1], -JOINT_MM, wide, -wide, wide)
-        west, east = between(turned[0], y * turned[1], -wide, JOINT_MM, west, east)
-        first, last = columns_between(west, east, x0 - jx, dx, columns)
+        west, east = between(by_first, y * direction[1], -JOINT_MM, wide, -wide, wide)
+        west, east = between(by_second, y * turned[1], -wide, JOINT_MM, west, east)
+        first, last = columns_between(west, east, x0 - jx, per_mm, columns)
         for column in range(first, last + 1):
             _cut_from_point(tile, grid, row, column, jx, jy, jz, form)

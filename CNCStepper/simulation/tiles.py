@@ -136,8 +136,3 @@ class Part:
             shares = self.grid.stock.shares(x_mm, y_mm, self.grid.cell_mm)
             depths += float(((tops.astype(np.float32) - self.tiles[number].means.astype(float)) * shares).sum())
         return depths * self.grid.cell_mm[0] * self.grid.cell_mm[1]
-
-    @property
-    def bytes_held(self) -> int:
-        """Memory of the tiles."""
-        return sum(tile.heights.nbytes + tile.means.nbytes for tile in self.tiles.values())

@@ -1,118 +1,161 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Where the tool's tip is at any moment, and which line of the program moves it there.
+"""The part at any moment of planned time, forwards and backwards, with the same bytes whichever way.
 
-begins_s   ends_s        A row's share of its way grows evenly between the two moments, along its arc;
-   |  row k  |           before `begins_s` the tool stands (a dwell), and so it does at a point whose
----+=========+---        way there is not known.
+    moves    |--------c--------c--------c------|        c: a check-point, a part that shares all tiles with
+    moment                        ^                     the one before it that no move has reached since
+
+A moment is cut from the last check-point before it. The last move done, or the share of it that is done, is cut
+as if none followed it; a check-point lacks that end, so that going on from it is the same as never stopping.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass, fields
-from functools import cached_property
-from pathlib import Path
+from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 
-from CNCStepper.simulation.arcs import Arcs, arcs_of
-from CNCStepper.simulation.segments import tips_mm
-from CNCStepper.toolpath import Chunk, Toolpath
+from CNCStepper.simulation.cutter import Tools
+from CNCStepper.simulation.heightmap import HeightMap
+from CNCStepper.simulation.removal_moves import Moves, moves_of
+from CNCStepper.simulation.stock import Stock
+from CNCStepper.simulation.tiles import Part
+from CNCStepper.toolpath import Toolpath
+
+WORK_CELLS = 2e6  # cells that the moves between two check-points sweep: some 10 ms
+MOST_BYTES = 512_000_000  # of all check-points; where they need more every second one is given up
 
 
 @dataclass(frozen=True)
-class Timeline:
-    """The moves of a program in time; all arrays have one entry a row.
+class Moment:
+    """Where a program stands at a time: the row that is run (-1 before the first) and how much of it is done."""
 
-    begin, end, centre: float64[n, 3], of the tip in the stock's work coordinates, mm, NaN where unknown.
-    kind, plane, turns: as in the table of moves. begins_s, ends_s: rising. line: of the file, from 1.
-    tool: the number of the tool that moves.
+    time_s: float
+    row: int
+    share: float
+    line: int
+
+
+class Timeline:
+    """A program's part by time; `at` answers in any order of times.
+
+    ends_s: end of every row, float64[n], as the planner gives it. Within a row the tool is taken to move evenly.
     """
 
-    begin: np.ndarray
-    end: np.ndarray
-    centre: np.ndarray
-    kind: np.ndarray
-    plane: np.ndarray
-    turns: np.ndarray
-    begins_s: np.ndarray
-    ends_s: np.ndarray
-    line: np.ndarray
-    tool: np.ndarray
-
-    @classmethod
-    def of(cls, toolpath: Toolpath, ends_s: np.ndarray) -> Timeline:
-        """Return the timeline of a table of moves whose rows end at `ends_s`."""
-        table = toolpath.table()
-        begin, end = tips_mm(toolpath)
-        centre = table.centre + (end - table.end[:, :3])
-        tool = np.array([state.tool for state in toolpath.states], np.int32)[table.state]
-        columns = (table.kind, table.plane, table.turns, _begins_s(toolpath, ends_s), ends_s, table.line, tool)
-        return cls(begin, end, centre, *columns)
-
-    def __len__(self) -> int:
-        return len(self.ends_s)
+    def __init__(self, toolpath: Toolpath, ends_s: np.ndarray, tools: Tools, stock: Stock, cell_mm: float = 0.0):
+        self.ends_s = np.asarray(ends_s, float)
+        self.lines = toolpath.table().line
+        self.moves = moves_of(toolpath, tools, stock)
+        self.stock = stock
+        uncut = HeightMap(stock, cell_mm).part
+        self.stops, self.parts = _check_points(self.moves, uncut)
 
     @property
     def duration_s(self) -> float:
-        """The moment at which the last row ends."""
-        return float(self.ends_s[-1]) if len(self) else 0.0
+        """The time of the whole program."""
+        return float(self.ends_s[-1]) if len(self.ends_s) else 0.0
 
-    def save(self, path: Path) -> None:
-        """Write it as a file of arrays."""
-        np.savez(path, **{entry.name: getattr(self, entry.name) for entry in fields(self)})
+    def moment(self, time_s: float) -> Moment:
+        """Return where the program stands at a time; times outside it are its begin and its end."""
+        time_s = min(max(float(time_s), 0.0), self.duration_s)
+        row = int(np.searchsorted(self.ends_s, time_s, side="left"))
+        if not len(self.ends_s) or time_s == 0.0:
+            return Moment(time_s, -1, 1.0, 0)
+        begin_s = float(self.ends_s[row - 1]) if row else 0.0
+        share = (time_s - begin_s) / (float(self.ends_s[row]) - begin_s)
+        return Moment(time_s, row, share, int(self.lines[row]))
 
-    @classmethod
-    def load(cls, path: Path) -> Timeline:
-        """Return the timeline that `save` wrote."""
-        with np.load(path, allow_pickle=False) as arrays:
-            return cls(**{entry.name: arrays[entry.name] for entry in fields(cls)})
+    def at(self, time_s: float) -> HeightMap:
+        """Return the part at a time."""
+        moment = self.moment(time_s)
+        if moment.row < 0:
+            return HeightMap(self.stock, part=self.parts[0])
+        if moment.share == 1.0:  # rows that take no time end with it
+            last_row = int(np.searchsorted(self.ends_s, moment.time_s, side="right")) - 1
+            return self.after_row(last_row)
+        done, share = self._progress(moment.row, moment.share)
+        return self._part(done, share)
 
-    def row_at(self, time_s: float) -> int:
-        """Return the row that runs at a moment; the first one before the begin, the last one after the end."""
-        return min(int(np.searchsorted(self.ends_s, time_s, side="left")), len(self) - 1)
+    def after_row(self, row: int) -> HeightMap:
+        """Return the part after a row of the table; -1 is before the first."""
+        return self._part(int(np.searchsorted(self.moves.row, row, side="right")), 0.0)
 
-    def share_at(self, row: int, time_s: float) -> float:
-        """Return how much of its way a row has done at a moment, from 0 to 1."""
-        length_s = float(self.ends_s[row] - self.begins_s[row])
-        return min(max((time_s - float(self.begins_s[row])) / length_s, 0.0), 1.0) if length_s > 0 else 1.0
+    def next_row(self, time_s: float, by_line: bool = False) -> float:
+        """Return the time at which the move in hand, or with `by_line` the line in hand, is done; steps forwards."""
+        later = np.flatnonzero(self._ends_of_steps(by_line) > time_s)
+        return float(self._ends_of_steps(by_line)[later[0]]) if len(later) else self.duration_s
 
-    def tip_mm(self, row: int, share: float) -> np.ndarray:
-        """Return where the tip is, float64[3], when it has done a share of a row's way; NaN where it is not known."""
-        begin, end = self.begin[row], self.end[row]
-        point = (begin + (end - begin) * share if share < 1.0 else end.copy())[None, :]
-        if share < 1.0:
-            for arcs in self._arcs:
-                arcs.bend(point, np.array([row]), np.array([share]))
-        return np.where(np.isfinite(point[0]), point[0], np.where(np.isfinite(begin), begin, end))
+    def row_before(self, time_s: float, by_line: bool = False) -> float:
+        """Return the time at which the move, or line, in hand began; steps backwards."""
+        earlier = np.flatnonzero(self._ends_of_steps(by_line) < time_s)
+        return float(self._ends_of_steps(by_line)[earlier[-1]]) if len(earlier) else 0.0
 
-    def row_of_line(self, line: int) -> int:
-        """Return the last row of a line of the file, or of the nearest line before it that moves; else the first."""
-        return max(int(np.searchsorted(self._rising_lines, line, side="right")) - 1, 0)
+    def _ends_of_steps(self, by_line: bool) -> np.ndarray:
+        if not by_line or not len(self.lines):
+            return self.ends_s
+        return self.ends_s[np.r_[self.lines[1:] != self.lines[:-1], True]]
 
-    def step(self, row: int, lines: int) -> int:
-        """Return the last row of the line that moves `lines` lines after (or, negative, before) that of a row."""
-        lasts = self._last_rows
-        place = int(np.searchsorted(lasts, row, side="left")) + lines
-        return int(lasts[min(max(place, 0), len(lasts) - 1)])
+    def _progress(self, row: int, share: float) -> tuple[int, float]:
+        """Return how many moves are done whole, and the share that is done of the next."""
+        first, last = np.searchsorted(self.moves.row, [row, row + 1])
+        done = int(first + np.searchsorted(self.moves.share[first:last], share, side="right"))
+        if done == last:
+            return done, 0.0
+        before = float(self.moves.share[done - 1]) if done > first else 0.0
+        return done, (share - before) / (float(self.moves.share[done]) - before)
 
-    @cached_property
-    def _arcs(self) -> list[Arcs]:
-        table = Chunk(0, self.kind, self.end, self.centre, self.plane, self.turns, self.ends_s, self.tool, self.line)
-        return arcs_of(table, self.begin, self.end, self.centre)
+    def _part(self, done: int, share: float) -> HeightMap:
+        """Return the part after `done` moves and a share of the next."""
+        if share == 0.0:
+            done, share = done - 1, 1.0
+        if done < 0:
+            return HeightMap(self.stock, part=self.parts[0])
+        stop = int(np.searchsorted(self.stops, done, side="right")) - 1
+        part = self.parts[stop].after(self.moves, int(self.stops[stop]), done)
+        return HeightMap(self.stock, part=part.after(self.moves.part_of(done, share)))
 
-    @cached_property
-    def _rising_lines(self) -> np.ndarray:
-        return np.maximum.accumulate(self.line)
-
-    @cached_property
-    def _last_rows(self) -> np.ndarray:
-        return np.append(np.flatnonzero(self.line[1:] != self.line[:-1]), len(self) - 1)
+    @property
+    def bytes_held(self) -> int:
+        """Memory of the tiles of all check-points; shared ones count once."""
+        return _bytes_held(self.parts)
 
 
-def _begins_s(toolpath: Toolpath, ends_s: np.ndarray) -> np.ndarray:
-    """Return the moment at which every row sets out: the end of the row before, and the dwells between."""
-    begins_s = np.concatenate([[0.0], ends_s[:-1]])[: len(ends_s)]
-    for event in toolpath.events:
-        if event.kind == "dwell" and event.index < len(ends_s):
-            begins_s[event.index] += event.value
-    return np.minimum(begins_s, ends_s)
+def _check_points(moves: Moves, uncut: Part) -> tuple[np.ndarray, list[Part]]:
+    """Return after how many moves the check-points lie, from 0 on, and their parts."""
+    work = np.cumsum(_swept_cells(moves, uncut.grid.cell_mm))
+    total = float(work[-1]) if len(work) else 0.0
+    stops = np.unique(np.r_[0, np.searchsorted(work, np.arange(WORK_CELLS, total, WORK_CELLS))])
+    kept, parts = [0], [uncut]
+    stride, held, part = 1, 0, uncut
+    for number, (first, last) in enumerate(pairwise(stops.tolist()), start=1):
+        part = part.after(moves, first, last)
+        if number % stride:
+            continue
+        held += _bytes_held([part]) - _bytes_shared(parts[-1], part)
+        kept.append(last)
+        parts.append(part)
+        if held > MOST_BYTES:
+            kept, parts, stride = kept[::2], parts[::2], stride * 2
+            held = _bytes_held(parts)
+    return np.array(kept), parts
+
+
+def _swept_cells(moves: Moves, cell_mm: tuple[float, float]) -> np.ndarray:
+    """Return about how many cells each move looks at."""
+    radius = moves.forms[moves.form, 0]
+    length = np.hypot(*(moves.end - moves.begin)[:, :2].T)
+    is_arc = moves.arc >= 0
+    arcs = moves.arcs[moves.arc[is_arc]]
+    length[is_arc] = np.abs(arcs[:, 3]) * arcs[:, 4]
+    area = 2 * radius * length + np.where(moves.joined == 0, 4 * radius**2, radius * max(cell_mm) * 4)
+    return area / (cell_mm[0] * cell_mm[1])
+
+
+def _bytes_held(parts: list[Part]) -> int:
+    arrays = {id(array): array.nbytes for part in parts for tile in part.tiles.values() for array in tile}
+    return sum(arrays.values())
+
+
+def _bytes_shared(one: Part, other: Part) -> int:
+    shared = [tile for number, tile in other.tiles.items() if one.tiles.get(number) is tile]
+    return sum(tile.heights.nbytes + tile.means.nbytes for tile in shared)
