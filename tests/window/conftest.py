@@ -30,7 +30,7 @@ if INSIDE:
     @pytest.fixture(scope="session")
     def the_hand() -> Hand:
         """The one hand of this window, when FreeCAD has opened the workbench."""
-        hand = Hand(FreeCAD.__cncstepper_window__)
+        hand = Hand(*FreeCAD.__cncstepper_window__)
         if kinds.AUTOLOAD not in os.environ:
             hand.wait(hand.workbench_is_open, 60)
         hand.settle()

@@ -19,7 +19,7 @@ import FreeCADGui
 import report_view
 import screen_places as places
 import x_input
-from interface import Interface, Watchdog, interface_stack
+from interface import Interface, Keeper, Watchdog, interface_stack
 from PySide import QtGui
 
 PICTURES = Path(os.environ["CNCSTEPPER_WINDOW_PICTURES"])
@@ -31,8 +31,8 @@ Point = tuple[float, float]
 class Hand:
     """See the module; every method is called in pytest's thread."""
 
-    def __init__(self, interface: Interface) -> None:
-        self._interface = interface
+    def __init__(self, interface: Interface, keeper: Keeper) -> None:
+        self._interface, self._keeper = interface, keeper
         server = x_input.connect()
         self.mouse, self.keyboard = x_input.Mouse(server), x_input.Keyboard(server)
         self._allowed: list[str] = []
@@ -261,3 +261,4 @@ class Hand:
         for name in self.main(lambda: list(FreeCAD.listDocuments())):
             self.main(FreeCAD.closeDocument, name)
         self.settle()
+        self.main(self._keeper.let_go)

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import gc
 import queue
 import sys
 import threading
@@ -59,6 +60,40 @@ class Interface(QtCore.QObject):
         if error is not None:
             raise error
         return result
+
+
+class Keeper:
+    """Lets what the tests leave behind be deleted on the interface thread, as Qt demands of what belongs to it.
+
+    A callable that was connected to a signal, or a widget in a cycle of garbage, would otherwise be deleted in
+    pytest's thread, whenever a test's function returns or Python happens to collect: a crash, now and then.
+    """
+
+    COLLECT_EVERY_MS = 200
+    MANY = 2000  # young objects since the last collection; Python's own threshold has the same order
+
+    def __init__(self, folder: str) -> None:
+        """Keep the locals of functions in the files of a folder; made on the interface thread."""
+        self._folder = folder
+        self._kept: list[Any] = []
+        gc.disable()
+        self._timer = QtCore.QTimer()
+        self._timer.timeout.connect(self._collect)
+        self._timer.start(self.COLLECT_EVERY_MS)
+
+    def watch(self, frame: Any, event: str, _: Any) -> None:
+        """Keep the locals of a function that returns; for `sys.setprofile` in pytest's thread."""
+        if event == "return" and frame.f_code.co_filename.startswith(self._folder):
+            self._kept.append(dict(frame.f_locals))
+
+    def let_go(self) -> None:
+        """Delete what was kept; runs on the interface thread."""
+        self._kept.clear()
+        gc.collect()
+
+    def _collect(self) -> None:
+        if gc.get_count()[0] > self.MANY:
+            gc.collect(1)
 
 
 class Watchdog:

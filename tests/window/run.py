@@ -41,8 +41,9 @@ class ByThread:
         return getattr(self._terminal, name)
 
 
-def work(interface):
+def work(interface, keeper):
     """Run the tests, write their status, close FreeCAD; this is pytest's thread."""
+    sys.setprofile(keeper.watch)
     status = 3
     try:
         import pytest
@@ -52,6 +53,8 @@ def work(interface):
     except BaseException:
         traceback.print_exc(file=sys.__stderr__)
     finally:
+        sys.setprofile(None)
+        interface.call(keeper.let_go)
         Path(os.environ["CNCSTEPPER_WINDOW_STATUS"]).write_text(str(status))
         interface.call(close)
 
@@ -83,8 +86,9 @@ def begin():
     FreeCADGui.getMainWindow().showMaximized()
     sys.argv = ["pytest"]
     link = interface.Interface()
-    FreeCAD.__cncstepper_window__ = link
-    thread = threading.Thread(target=work, args=(link,), daemon=True)
+    keeper = interface.Keeper(str(HERE))
+    FreeCAD.__cncstepper_window__ = link, keeper
+    thread = threading.Thread(target=work, args=(link, keeper), daemon=True)
     sys.stdout = ByThread(thread, sys.__stdout__, sys.stdout)
     sys.stderr = ByThread(thread, sys.__stderr__, sys.stderr)
     thread.start()
