@@ -289,7 +289,7 @@
         </message>
         <message>
             <source>Recalculated to whole passes</source>
-            <translation>Recalculado para passes inteiros</translation>
+            <translation>Em passes inteiros</translation>
         </message>
         <message>
             <source>Resolution</source>
@@ -1364,7 +1364,7 @@
         </message>
         <message>
             <source>Recalculated to whole passes</source>
-            <translation>Recalculado para passes inteiros</translation>
+            <translation>Em passes inteiros</translation>
         </message>
         <message>
             <source>Refused</source>
