@@ -640,7 +640,7 @@
         </message>
         <message>
             <source>Add tool</source>
-            <translation>Adicionar ferramenta</translation>
+            <translation>Adicionar</translation>
         </message>
         <message>
             <source>Alarm</source>
@@ -1388,7 +1388,7 @@
         </message>
         <message>
             <source>Remove tool</source>
-            <translation>Remover ferramenta</translation>
+            <translation>Remover</translation>
         </message>
         <message>
             <source>Removed</source>
