@@ -22,7 +22,8 @@ from CNCStepper.simulation.stock import Stock
 from CNCStepper.simulation.tiles import Part
 from CNCStepper.toolpath import Toolpath
 
-WORK_CELLS = 2e6  # cells that the moves between two check-points sweep: some 10 ms
+WORK_CELLS = 1e6  # cells that the moves between two check-points sweep: some 5 ms
+ARC_WORK = 8  # a cell beside an arc costs as much as that many beside a line
 MOST_BYTES = 512_000_000  # of all check-points; where they need more every second one is given up
 
 
@@ -148,7 +149,7 @@ def _swept_cells(moves: Moves, cell_mm: tuple[float, float]) -> np.ndarray:
     arcs = moves.arcs[moves.arc[is_arc]]
     length[is_arc] = np.abs(arcs[:, 3]) * arcs[:, 4]
     area = 2 * radius * length + np.where(moves.joined == 0, 4 * radius**2, radius * max(cell_mm) * 4)
-    return area / (cell_mm[0] * cell_mm[1])
+    return np.where(is_arc, ARC_WORK, 1) * area / (cell_mm[0] * cell_mm[1])
 
 
 def _bytes_held(parts: list[Part]) -> int:
