@@ -63,6 +63,14 @@ def shown_texts(widget: Any) -> set[str]:
     return {part.text().strip(" :") for part in parts} | set(groups)
 
 
+def cut_off() -> list[str]:
+    """Return the task view's scroll areas that are narrower than what stands in them."""
+    areas = FreeCADGui.getMainWindow().findChildren(QtGui.QScrollArea)
+    shown = [area for area in areas if area.isVisible() and area.findChild(QtGui.QFormLayout)]
+    assert shown
+    return [str(area) for area in shown if area.widget().width() > area.viewport().width()]
+
+
 def test_the_commands_are_portuguese(hand: Hand) -> None:
     texts = hand.main(lambda: {name: action(name).text().replace("&", "") for name in COMMANDS})
     assert texts == COMMANDS
@@ -78,6 +86,7 @@ def test_the_panel_of_a_new_job_and_of_a_pocket_are_portuguese(hand: Hand) -> No
     hand.settle()
     texts = hand.main(lambda: shown_texts(FreeCADGui.getMainWindow()))
     hand.shot("language-job")
+    assert hand.main(cut_off) == []
     assert not texts & ENGLISH
     assert {"Bloco", "Máquina"} <= texts
     cancel = QtGui.QDialogButtonBox.StandardButton.Cancel
@@ -96,6 +105,7 @@ def test_the_panel_of_a_new_job_and_of_a_pocket_are_portuguese(hand: Hand) -> No
     hand.settle()
     texts = hand.main(lambda: shown_texts(FreeCADGui.getMainWindow()))
     hand.shot("language-pocket")
+    assert hand.main(cut_off) == []
     assert not texts & ENGLISH
     assert {"Penetração de trabalho ae", "Profundidade de corte ap"} <= texts
 
