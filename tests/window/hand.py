@@ -249,14 +249,16 @@ class Hand:
         self.main(report_view.clear)
 
     def tidy(self) -> None:
-        """Release keys, close dialogs and documents, whatever a failed test has left."""
+        """Release keys, rest the pointer where nothing answers it, close dialogs and documents."""
         self.mouse.release_all()
+        self.mouse.move(*self.main(places.at_rest))
         self.keyboard.release_all()
         for _ in range(5):
             if not self.main(places.close_one_popup):
                 break
             self.settle()
         self.main(FreeCADGui.Control.closeDialog)
+        self.main(places.hide_our_docks)
         self.settle()
         for name in self.main(lambda: list(FreeCAD.listDocuments())):
             self.main(FreeCAD.closeDocument, name)

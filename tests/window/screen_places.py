@@ -223,6 +223,19 @@ def describe() -> str:
     return f"modal dialog: {_chain(modal)}; popup: {_chain(popup)}; focus: {_chain(focus)}"
 
 
+def at_rest() -> Point:
+    """Return a place on the left of the status bar, where no panel of FreeCAD unfolds under the pointer."""
+    bar = FreeCADGui.getMainWindow().statusBar()
+    return _on_screen(bar, QtCore.QPoint(bar.width() // 4, bar.height() // 2))
+
+
+def hide_our_docks() -> None:
+    """Hide the workbench's docks: they make the 3D view narrower, as it was not when FreeCAD started."""
+    for dock in FreeCADGui.getMainWindow().findChildren(QtGui.QDockWidget):
+        if dock.objectName().startswith("CNCStepper_"):
+            dock.hide()
+
+
 def close_one_popup() -> bool:
     """Close the open menu, list or modal dialog; return whether there was one."""
     open_one = QtGui.QApplication.activePopupWidget() or QtGui.QApplication.activeModalWidget()
