@@ -24,6 +24,7 @@ from PySide import QtGui
 
 PICTURES = Path(os.environ["CNCSTEPPER_WINDOW_PICTURES"])
 APPEARS_S = 5.0  # so long may a window or an entry take to appear
+FINGER_S = 0.05  # between the clicks of a double click
 Target = Any  # an objectName or a widget
 Point = tuple[float, float]
 
@@ -142,6 +143,7 @@ class Hand:
         for _ in range(2 if double else 1):
             self.mouse.down(button)
             self.mouse.up(button)
+            time.sleep(FINGER_S)
         for key in reversed(modifiers):
             self.keyboard.up(key)
         self.settle()

@@ -168,7 +168,8 @@ def of_tree_item(label: str) -> Point:
         if items:
             tree.scrollToItem(items[0])
             rect = tree.visualItemRect(items[0])
-            return _on_screen(tree.viewport(), QtCore.QPoint(rect.left() + 30, rect.center().y()))
+            on_text = min(rect.left() + 60, rect.right() - 6)  # not on the eye before it, which hides the object
+            return _on_screen(tree.viewport(), QtCore.QPoint(on_text, rect.center().y()))
     raise AssertionError(f"the tree shows no {label!r}")
 
 
