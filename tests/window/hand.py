@@ -130,7 +130,7 @@ class Hand:
         while True:
             try:
                 return self.main(where, *arguments)
-            except AssertionError:
+            except (AssertionError, RuntimeError):  # not there yet, or going away at this moment
                 if time.monotonic() > until_s:
                     raise
             time.sleep(0.05)
