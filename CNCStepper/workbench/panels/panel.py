@@ -12,6 +12,8 @@ from CNCStepper.workbench.panels.editor import Editor
 from CNCStepper.workbench.panels.fields import NAME
 from CNCStepper.workbench.tell import guarded
 
+LOOK_MS, LOOKS = 20, 100  # how often it is looked whether FreeCAD shows the panel, and how many times
+
 
 class Panel:
     """What FreeCAD's task view shows and asks; the transaction is open already."""
@@ -51,15 +53,19 @@ class Panel:
         return True
 
     def focus_first(self) -> None:
-        """Take the keyboard into the panel when FreeCAD has shown it, so that Esc and typing go there."""
-        QtCore.QTimer.singleShot(0, self.editors[0].form.focus_first)
+        """Take the keyboard into the panel as soon as FreeCAD has shown it, so that Esc and typing go there."""
+        self._looks = LOOKS
+        self._shown = QtCore.QTimer(self.form)
+        self._shown.setInterval(LOOK_MS)
+        self._shown.timeout.connect(guarded(self._look_for_focus))
+        self._shown.start()
 
-    def modifyStandardButtons(self, buttons: Any) -> None:
-        """Name the buttons, for the tests."""
-        kinds = QtGui.QDialogButtonBox.StandardButton
-        for name, kind in (("ok", kinds.Ok), ("cancel", kinds.Cancel)):
-            if buttons.button(kind) is not None:
-                buttons.button(kind).setObjectName(f"{NAME}_{name}")
+    def _look_for_focus(self) -> None:
+        self._looks -= 1
+        editor = self.editors[0]
+        if editor.isVisible() or not self._looks:
+            self._shown.stop()
+            editor.form.focus_first()
 
     def _document(self) -> Any:
         """Return the object's document, or None when it was closed meanwhile."""
