@@ -13,7 +13,7 @@ from CNCStepper.workbench.panels.measures import text_of
 from CNCStepper.workbench.words import tr
 
 MOST_BESIDE_LABEL = 2  # more lines to type into stand below their label: the task view is narrow
-LABEL_LETTERS = 16  # longer labels take a second line: Portuguese is longer, and the values need room
+LABEL_LETTERS = 14  # longer labels take a second line: Portuguese is longer, and the values need room
 MARGINS = (6, 5, 6, 5)
 
 
