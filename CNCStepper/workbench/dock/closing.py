@@ -22,7 +22,9 @@ class ClosingGuard(QtCore.QObject):
 
     def eventFilter(self, watched: Any, event: Any) -> bool:
         """Keep the window open when a job runs and somebody thinks better of closing it."""
-        if event.type() != QtCore.QEvent.Type.Close or not self._link.moment.job_runs:
+        if not isinstance(event, QtCore.QEvent) or event.type() != QtCore.QEvent.Type.Close:
+            return False  # PySide2 may take an event for a deleted object that lay at its address
+        if not self._link.moment.job_runs:
             return False
         if self._asking or not self._may_close():
             event.ignore()
