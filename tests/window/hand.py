@@ -236,6 +236,11 @@ class Hand:
         self.keyboard.stroke(combination)
         self.settle()
 
+    def undo(self) -> None:
+        """Press Ctrl+Z as soon as FreeCAD lets it work: it enables its commands only every few hundred milliseconds."""
+        self.wait(lambda: FreeCADGui.Command.get("Std_Undo").getAction()[0].isEnabled(), APPEARS_S, "something to undo")
+        self.key("Ctrl+Z")
+
     def fill(self, target: Target, text: str) -> None:
         """Click a field, replace what stands in it, leave it with Tab."""
         self.click(target)

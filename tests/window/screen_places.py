@@ -9,7 +9,13 @@ import FreeCAD
 import FreeCADGui
 from PySide import QtCore, QtGui
 
+try:
+    from shiboken6 import isValid
+except ImportError:
+    from shiboken2 import isValid
+
 Point = tuple[float, float]
+PANEL_BUTTONS = {"CNCStepper_Panel_ok": "OK", "CNCStepper_Panel_cancel": "Cancel"}
 
 
 def _scale() -> float:
@@ -25,17 +31,25 @@ def _plain(text: str) -> str:
     return text.replace("&", "").rstrip(".…").strip()
 
 
+def _widgets() -> list[Any]:
+    """Return all widgets; PySide2 may still hand out one that Qt has deleted."""
+    return [widget for widget in QtGui.QApplication.allWidgets() if isValid(widget)]
+
+
 def visible(name: str) -> list[Any]:
-    """Return the visible widgets with this objectName."""
-    return [w for w in QtGui.QApplication.allWidgets() if w.objectName() == name and w.isVisible()]
+    """Return the visible widgets with this objectName, or a panel's OK or Cancel, which are FreeCAD's and nameless."""
+    if name in PANEL_BUTTONS:
+        buttons = [w for w in _widgets() if isinstance(w, QtGui.QPushButton) and w.isVisible()]
+        return [w for w in buttons if _plain(w.text()) == PANEL_BUTTONS[name]]
+    return [w for w in _widgets() if w.objectName() == name and w.isVisible()]
 
 
 def find(target: Any) -> Any:
     """Return the widget itself, or the one with this objectName."""
     if not isinstance(target, str):
         return target
-    found = visible(target) or [w for w in QtGui.QApplication.allWidgets() if w.objectName() == target]
-    ours = sorted({w.objectName() for w in QtGui.QApplication.allWidgets() if w.objectName().startswith("CNC")})
+    found = visible(target) or [w for w in _widgets() if w.objectName() == target]
+    ours = sorted({w.objectName() for w in _widgets() if w.objectName().startswith("CNC")})
     assert found, f"no widget is named {target}; there are {ours}"
     return found[0]
 
@@ -54,7 +68,7 @@ def of_widget(target: Any, at: Point | None) -> Point:
     name = widget.objectName() or type(widget).__name__
     assert widget.isVisible(), f"{name} is not visible"
     assert widget.isEnabled(), f"{name} is disabled: {widget.toolTip()}"
-    _scroll_to(widget)
+    scroll_to(widget)
     spot = QtCore.QPoint(round(at[0]), round(at[1])) if at else _middle(widget)
     there = QtGui.QApplication.widgetAt(widget.mapToGlobal(spot))
     assert there is widget or (there and widget.isAncestorOf(there)), f"{name} is covered by {_chain(there)}"
@@ -70,12 +84,11 @@ def _middle(widget: Any) -> Any:
     return widget.rect().center()
 
 
-def _scroll_to(widget: Any) -> None:
-    parent = widget.parentWidget()
-    while parent is not None:
-        if isinstance(parent, QtGui.QScrollArea):
-            parent.ensureWidgetVisible(widget)
-        parent = parent.parentWidget()
+def scroll_to(widget: Any) -> None:
+    """Scroll to a widget, without asking for its parents: PySide2 keeps what it was asked for that Qt has deleted."""
+    for area in [w for w in _widgets() if isinstance(w, QtGui.QScrollArea)]:
+        if area.isVisible() and area.isAncestorOf(widget):
+            area.ensureWidgetVisible(widget)
 
 
 def _chain(widget: Any) -> str:

@@ -248,7 +248,7 @@ def test_new_job_makes_a_document_and_is_one_undo_step(hand: Hand) -> None:
     hand.wait(lambda: not FreeCADGui.Control.activeDialog())
     assert hand.main(lambda: [obj.Label for obj in document.Objects]) == ["Job", "Preview", "Tool"]
     assert hand.main(lambda: list(document.UndoNames)) == ["New job"]
-    hand.key("Ctrl+Z")
+    hand.undo()
     hand.wait(lambda: not document.Objects)
 
 
@@ -283,7 +283,7 @@ def test_a_pocket_from_the_selected_ellipse_is_one_undo_step(hand: Hand) -> None
     )  # fmt: skip
     assert hand.main(lambda: api.program_text(job)).startswith("(")
     assert hand.main(lambda: document.UndoNames[0]) == "Elliptical pocket"
-    hand.key("Ctrl+Z")
+    hand.undo()
     hand.wait(lambda: len(document.Objects) == before)
 
 

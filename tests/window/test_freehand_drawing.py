@@ -70,7 +70,7 @@ def test_press_move_release_draws_one_line_in_one_undo_step(hand: Hand, document
         assert place == pytest.approx(drawn, abs=1.5)
     hand.shot("freehand-drawn")
     hand.key("Escape")
-    hand.key("Ctrl+Z")
+    hand.undo()
     hand.wait(lambda: not document.Objects)
 
 
@@ -240,12 +240,12 @@ def test_the_points_are_handles_that_move_come_and_go(hand: Hand, document: Any)
     hand.key("Escape")
     hand.release()
     assert points()[0] == (-30, 0)
-    hand.key("Ctrl+Z")
+    hand.undo()
     hand.wait(lambda: len(line.Points) == 4)
     hand.key("Escape")
     assert status(hand) == ""
     for _ in range(2):
-        hand.key("Ctrl+Z")
+        hand.undo()
     assert points() == BENT
     assert hand.main(lambda: float(line.Tolerance)) == 0.1
 
@@ -272,7 +272,7 @@ def test_the_panel_shows_the_handles_and_cancel_takes_their_moves_back(hand: Han
         assert hand.main(lambda: line.Points[1].y < 0) is moved
         assert status(hand) == ""
     assert hand.main(lambda: document.UndoCount) == 1
-    hand.key("Ctrl+Z")
+    hand.undo()
     hand.wait(lambda: line.Points[1].y == 20)
 
 

@@ -15,6 +15,7 @@ import FreeCAD
 import FreeCADGui
 import Part
 import pytest
+import screen_places as places
 from FreeCAD import Vector
 from hand import Hand
 from PySide import QtCore, QtGui
@@ -130,7 +131,7 @@ def test_ok_is_one_undo_step(hand: Hand, bench: Bench) -> None:
     hand.wait(bench.closed)
     changed = hand.main(bench.values)
     assert hand.main(lambda: bench.document.UndoCount) == 1
-    hand.key("Ctrl+Z")
+    hand.undo()
     hand.wait(lambda: bench.pocket.Depth.Value == 10)
     assert hand.main(bench.values) == before
     assert hand.main(api.program_text, bench.job) == before["text"]
@@ -160,6 +161,7 @@ def test_a_cancelled_new_operation_is_gone_and_a_kept_one_is_undone_at_once(hand
     count, before = hand.main(lambda: len(bench.document.Objects)), hand.main(bench.values)
     hand.main(new)
     assert hand.main(lambda: len(bench.document.Objects)) == count + 1
+    hand.wait(keyboard_in_panel)
     hand.key("Esc")
     hand.wait(bench.closed)
     assert hand.main(lambda: len(bench.document.Objects)) == count
@@ -169,7 +171,7 @@ def test_a_cancelled_new_operation_is_gone_and_a_kept_one_is_undone_at_once(hand
     hand.click(OK)
     hand.wait(bench.closed)
     assert hand.main(lambda: bench.document.UndoNames) == ["New pocket"]
-    hand.key("Ctrl+Z")
+    hand.undo()
     hand.wait(lambda: len(bench.document.Objects) == count)
     assert hand.main(bench.values) == before
 
@@ -211,13 +213,18 @@ def test_every_field_of_every_panel_takes_bad_values(hand: Hand, bench: Bench, k
             hand.wait(partial(bench.note, key_of(field)), 5, f"the note at {field} for {text!r}")
             assert hand.main(bench.sound, text, before)
     hand.shot(f"panel-{kind}-bad")
-    hand.main(lambda: hand_into(bench, OK))
     hand.click(OK)
     hand.settle()
     assert not hand.main(bench.closed)
     hand.key("Esc")
     hand.wait(bench.closed)
     assert hand.main(bench.values) == before
+
+
+def keyboard_in_panel() -> bool:
+    """Tell whether the panel that was opened has taken the keyboard, which it does a moment later."""
+    focus = QtGui.QApplication.focusWidget()
+    return focus is not None and focus.objectName().startswith("CNCStepper_Panel")
 
 
 def keyboard_into(bench: Bench, name: str) -> None:
@@ -228,12 +235,7 @@ def keyboard_into(bench: Bench, name: str) -> None:
 
 def hand_into(bench: Bench, name: str) -> None:
     """Scroll the task panel until a widget can be seen."""
-    widget = FreeCADGui.getMainWindow().findChild(QtGui.QWidget, name)
-    area = widget.parent()
-    while area is not None and not isinstance(area, QtGui.QScrollArea):
-        area = area.parent()
-    if area is not None:
-        area.ensureWidgetVisible(widget)
+    places.scroll_to(places.find(name))
 
 
 def test_what_the_cut_refuses_is_said_and_the_last_good_program_stays(hand: Hand, bench: Bench) -> None:
@@ -283,9 +285,12 @@ def test_a_drawing_is_chosen_taken_and_let_go(hand: Hand, bench: Bench) -> None:
     assert hand.main(lambda: hand_box("CNCStepper_Panel_radius_x_mm").isEnabled())
     hand.main(FreeCADGui.Selection.clearSelection)
     hand.main(FreeCADGui.Selection.addSelection, bench.line)
-    hand.main(lambda: keyboard_into(bench, "CNCStepper_Panel_drawing_take"))
-    hand.key("space")
-    hand.wait(lambda: "no ellipse" in bench.note("drawing") or bench.panel_problem(), 5, "why it cannot be taken")
+    said = lambda: "no ellipse" in bench.note("drawing") or bench.panel_problem()  # noqa: E731
+    for _ in range(5):  # FreeCAD 1.1 lets clicks fall through a panel that has just grown
+        hand.click("CNCStepper_Panel_drawing_take")
+        if hand.main(said):
+            break
+    hand.wait(said, 5, "why it cannot be taken")
     assert hand.main(lambda: bench.pocket.Drawing) is None
 
 
@@ -314,11 +319,10 @@ def test_the_job_s_operations_and_tools(hand: Hand, bench: Bench) -> None:
     hand.shot("panel-job-tools")
     hand.click("CNCStepper_Panel_tools_remove")
     hand.wait(lambda: len(bench.job.Tools) == 1)
-    hand.main(lambda: hand_into(bench, OK))
     hand.click(OK)
     hand.wait(bench.closed)
     assert hand.main(lambda: bench.document.UndoCount) == 1
-    hand.key("Ctrl+Z")
+    hand.undo()
     hand.wait(lambda: [operation.Label for operation in bench.job.Operations] == [first, second])
     assert hand.main(lambda: problem_of(bench.job)) == ""
 

@@ -115,7 +115,7 @@ def edit_and_undo(hand: Hand) -> None:
     accept(hand)
     assert "Z-5" in hand.main(api.program_text, job)
     assert hand.main(undo_count) == count + 1
-    hand.key("Ctrl+Z")
+    hand.undo()
     hand.wait(lambda: float(pocket.Depth) == 3, 10, "the undo")
     assert hand.wait(lambda: api.program_text(job), 10) == before
 
