@@ -44,7 +44,7 @@ def refusal(
     table = TableBuilder(Start())
     with pytest.raises(CNCStepperError) as caught:
         operation = validated(model, values, "job.toml operation 1")
-        operation.cut(Setup(Tool(**TOOL | tool), 10, 2), table)
+        operation.cut(Setup(validated(Tool, TOOL | tool, "job.toml tool 1"), 10, 2), table)
     assert isinstance(caught.value, (CycleError, JobError))
     assert table.index == 0 and not table.spans and not table._open_spans
     return str(caught.value)
@@ -55,7 +55,7 @@ def refusal(
     [
         ({}, {"diameter_mm": 50}, ["wider than the pocket", "50 mm", "below 50 mm", "smaller tool"]),
         ({"radius_x_mm": 2}, {}, ["wider than the pocket", "6 mm", "below 4 mm"]),
-        ({}, {"diameter_mm": math.inf}, ["wider"]),
+        ({}, {"diameter_mm": math.inf}, ["diameter_mm", "finite"]),
         ({"stepover_mm": 6.1}, {}, ["stepover_mm (ae)", "larger than the tool", "6.1 mm", "6 mm", "smaller"]),
         ({"finish_stepover_mm": 3.5}, {}, ["finish_stepover_mm", "3.5 mm", "2.99", "less"]),
         ({"finish_stepover_mm": 22}, {}, ["finish_stepover_mm"]),
