@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import importlib.util
+import locale
 
 INSIDE = importlib.util.find_spec("FreeCAD") is not None
 collect_ignore_glob = [] if INSIDE else ["test_*.py"]
@@ -18,6 +19,7 @@ if INSIDE:
     @pytest.fixture
     def document() -> Iterator[Any]:
         """A new document; all that are open are closed afterwards."""
+        locale.setlocale(locale.LC_NUMERIC, "C")  # as FreeCAD keeps it; Qt's application of another test sets it anew
         yield FreeCAD.newDocument("Test")
         for name in list(FreeCAD.listDocuments()):
             FreeCAD.closeDocument(name)

@@ -11,8 +11,11 @@ A number typed without a unit has the unit that is shown.
 
 from __future__ import annotations
 
+import locale
 import math
 import re
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import Any
 
@@ -103,10 +106,22 @@ def _quantity(tidy: str, text: str, obj: Any) -> Any:
 
     for read in (FreeCAD.Units.Quantity, obj.evalExpression):
         try:
-            return FreeCAD.Units.Quantity(read(tidy))
+            with _decimal_points():
+                return FreeCAD.Units.Quantity(read(tidy))
         except Exception:  # FreeCAD raises many kinds here, of which several are no more than Exception
             continue
     raise Refused(later("'{0}' is no number"), shortened(text))
+
+
+@contextmanager
+def _decimal_points() -> Iterator[None]:
+    """Let the C library read numbers with a point: FreeCAD reads by it, and with its comma 12.5 would become 12."""
+    before = locale.setlocale(locale.LC_NUMERIC)
+    locale.setlocale(locale.LC_NUMERIC, "C")
+    try:
+        yield
+    finally:
+        locale.setlocale(locale.LC_NUMERIC, before)
 
 
 def _converted(quantity: Any, measure: Measure, text: str) -> float:
