@@ -19,7 +19,7 @@ from CNCStepper.simulation.stock import Stock
 RUB_MM = 0.005  # contact that is no deeper is no contact
 STEP_MM = 0.25  # between the places of the tool on a move
 LEVEL_STEP_MM = 0.05  # places on a ramp are looked at together within this height, from its upper end
-DISCS = 9  # of a ball are looked at
+DISCS = 9  # of a cutter that is not flat are looked at, spread over what is below the stock's top
 RIM_RAD = np.arange(64) * np.pi / 32
 SHARES = (1.0, 0.7, 0.4, 0.1)  # of the radius, at which points lie
 
@@ -45,9 +45,8 @@ class Remaining:
         return None
 
     def _contact(self, cutter: Cutter, centres: np.ndarray, tip_mm: float, row: int) -> tuple[float, ...] | None:
-        heights, radii = cutter.discs()
-        some = np.unique(np.linspace(0, len(heights) - 1, DISCS).astype(int))
-        for height, radius in zip(heights[some], radii[some], strict=True):
+        heights = np.linspace(0.0, min(cutter.rise_mm, self.stock.top_mm - tip_mm), 1 if cutter.is_flat else DISCS)
+        for height, radius in zip(heights, cutter.radius_at(heights), strict=True):
             z_mm = max(tip_mm + height, self.stock.bottom_mm)
             if z_mm >= self.stock.top_mm - RUB_MM:
                 continue
@@ -78,8 +77,8 @@ class Remaining:
 
 
 def _levels_of(cutter: Cutter, pieces: Segments, z_mm: float) -> np.ndarray:
-    """Return the heights of the tip to look at: the lowest of a ball cut widest, a flat is as wide everywhere."""
-    if not cutter.ball:
+    """Return the heights of the tip to look at: the lowest cut widest, a flat is as wide everywhere."""
+    if cutter.is_flat:
         return np.array([z_mm])
     tips = np.unique(np.round(np.r_[pieces.low_mm, pieces.begin[:, 2], pieces.end[:, 2]], 4))
     tips = tips[tips < z_mm]

@@ -72,13 +72,13 @@ class _Cover:
         return thickness
 
     def clearance(self, points: np.ndarray) -> np.ndarray:
-        """Return what grows with the thickness, and goes on falling below zero where a flat has cut."""
+        """Return what grows with the thickness, and goes on falling below zero under a flat floor."""
         clearance = np.full(len(points), np.inf)
         for cutter, _, tree in self.parts:
             beside = tree.distance(points)
             gap = cutter.gap(beside, self.drop_mm)
-            within = (beside <= cutter.radius_mm) & (not cutter.ball)
-            clearance = np.minimum(clearance, np.where(within, beside - cutter.radius_mm, gap))
+            within = beside < cutter.floor_mm
+            clearance = np.minimum(clearance, np.where(within, beside - cutter.floor_mm, gap))
         return clearance
 
 
@@ -211,7 +211,7 @@ def _voronoi_corners(points: np.ndarray) -> np.ndarray:
 
 
 def _coarse(cutter: Cutter, pieces: Segments) -> tuple[BaseGeometry, np.ndarray]:
-    """Return an area that is surely cut, and points of the path; of a ball's level no area is sure.
+    """Return an area that is surely cut, which is that of the cutter's flat floor, and points of the path.
 
     The path is simplified in short runs: the buffer of a long one that crosses itself takes seconds.
     """
@@ -220,7 +220,7 @@ def _coarse(cutter: Cutter, pieces: Segments) -> tuple[BaseGeometry, np.ndarray]
     paths = shapely.simplify(np.array([shapely.LineString(run) for run in runs]), error_mm)
     is_point = shapely.length(paths) == 0  # a plunge seen from above
     spread = np.r_[shapely.segmentize(paths[~is_point], max(VORONOI_STEP * cutter.radius_mm, 0.01)), paths[is_point]]
-    sure_mm = 0.0 if cutter.ball else cutter.radius_mm - error_mm
+    sure_mm = max(cutter.floor_mm - error_mm, 0.0)
     return shapely.union_all(shapely.buffer(paths, sure_mm)), shapely.get_coordinates(spread)
 
 

@@ -8,9 +8,11 @@ from collections.abc import Iterator
 import numpy as np
 import shapely
 
+from CNCStepper.machine.tool import OWN_KEYS
 from CNCStepper.simulation.contact import RUB_MM, Remaining
-from CNCStepper.simulation.cutter import SIMULATED, Cutter, Tools, cutter_numbered, tool_numbered
+from CNCStepper.simulation.cutter import BEAM, Cutter, Tools, cutter_numbered, tool_numbered
 from CNCStepper.simulation.finding import Finding
+from CNCStepper.simulation.form import form_of
 from CNCStepper.simulation.gouge import Worst
 from CNCStepper.simulation.segments import segments
 from CNCStepper.simulation.stock import Stock
@@ -31,9 +33,10 @@ def tools_known(subject: Subject, tools: Tools) -> Iterator[Finding]:
         if tool is None:
             text = f"tool {number} is not known, so what it cuts is not checked"
             yield subject.finding(row, "error", "unknown-tool", text, advice="add the tool or correct the T word")
-        elif tool.shape not in SIMULATED:
-            text = f"a {tool.shape} tool is simulated as a flat one of its diameter"
-            yield subject.finding(row, "warning", "tool-shape", text, advice="judge its depth by hand")
+        elif tool.shape not in ("flat", *BEAM) and Cutter(form_of(tool)).is_flat:
+            text = f"the {tool.shape} tool's form is not given, so it is judged as a flat one of its diameter"
+            advice = f"give its {' and '.join(sorted(OWN_KEYS[tool.shape]))}"
+            yield subject.finding(row, "warning", "tool-shape", text, advice=advice)
 
 
 def blind(subject: Subject, stock: Stock) -> Iterator[Finding]:
@@ -53,7 +56,7 @@ class StockChecks:
         self.subject = subject
         self.stock = stock
         self.path = segments(subject.toolpath, FLATTEN_MM).known()
-        self.remaining = Remaining(stock, cutting_path(subject.toolpath, tools, stock.top_mm))
+        self.remaining = Remaining(stock, cutting_path(subject.toolpath, tools, stock.top_mm, stock))
         numbers = np.array([state.tool for state in subject.toolpath.states], int)[subject.table.state]
         self.cutters = {int(number): cutter_numbered(tools, int(number)) for number in np.unique(numbers)}
         self.numbers = numbers
