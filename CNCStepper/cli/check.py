@@ -9,16 +9,17 @@ from pathlib import Path
 import click
 
 from CNCStepper.cli.options import (
-    NumbersType,
     dialect_name,
     dialect_option,
     machine_option,
     program_argument,
     read_program,
+    start_of,
     stock_of,
     stock_options,
+    work_zero_option,
 )
-from CNCStepper.cli.show import show_findings, write_json
+from CNCStepper.cli.show import show_figures, show_findings, write_json
 from CNCStepper.machine.profile import Machine
 from CNCStepper.machine.tool import Tool
 
@@ -27,9 +28,10 @@ from CNCStepper.machine.tool import Tool
 @program_argument
 @machine_option(required=True)
 @stock_options(required=False)
-@click.option("--work-zero", type=NumbersType(), help="Where the work zero lies, in machine coordinates.")
+@work_zero_option
 @dialect_option
 @click.option("--json", "json_path", type=click.Path(path_type=Path), help="Also write the report there.")
+@click.option("--certificate", type=click.Path(path_type=Path), help="Also write the certificate there, for `send`.")
 def command(
     program: Path,
     machine: Machine,
@@ -39,6 +41,7 @@ def command(
     work_zero: tuple[float, float, float] | None,
     dialect: str | None,
     json_path: Path | None,
+    certificate: Path | None,
 ) -> None:
     """Check PROGRAM against a machine: travel, feeds, spindle; with --stock and --tool also rapids and plunges.
 
@@ -46,13 +49,13 @@ def command(
     the program on the table is reported as unknown.
     """
     from CNCStepper.gcode.read_back import refused_lines
+    from CNCStepper.job.certify import certificate_of
     from CNCStepper.job.prove import prove
-    from CNCStepper.state import Start
 
     if tool and not stock:
         raise click.UsageError("--tool goes with --stock")
     text, language = read_program(program), dialect_name(dialect, machine)
-    start = Start.with_work_zero(work_zero) if work_zero else None
+    start = start_of(work_zero)
     unreadable = list(refused_lines(text, start, language, str(program)))
     if unreadable:
         for error in unreadable:
@@ -71,6 +74,9 @@ def command(
     show_findings(proof.findings)
     if json_path:
         write_json(json_path, proof.report)
+    if certificate:
+        certificate.write_text(certificate_of(proof).to_json(), encoding="utf-8")
+    show_figures(proof.report)
     verdict = "refused" if proof.refused else "clean"
     click.echo(f"{program}: {verdict}; {proof.report['blocks']} blocks, {proof.report['time_s']:.1f} s")
     sys.exit(1 if proof.refused else 0)

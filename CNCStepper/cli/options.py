@@ -13,6 +13,7 @@ from CNCStepper.gcode.dialects import dialect_names
 from CNCStepper.machine.profile import Machine, load_machine
 from CNCStepper.machine.tool import tool_from_text
 from CNCStepper.simulation.stock import Stock
+from CNCStepper.state import Start
 
 
 class NumbersType(click.ParamType):
@@ -60,6 +61,16 @@ dialect_option = click.option(
     type=click.Choice(dialect_names()),
     help="How the program is to be read. [default: as the machine does; without one grbl, for trace linuxcnc]",
 )
+
+
+work_zero_option = click.option(
+    "--work-zero", type=NumbersType(), help="Where the work zero lies, in machine coordinates."
+)
+
+
+def start_of(work_zero_mm: tuple[float, float, float] | None) -> Start | None:
+    """Return the start state that --work-zero names, or None."""
+    return Start.with_work_zero(work_zero_mm) if work_zero_mm else None
 
 
 def machine_option(required: bool) -> Any:

@@ -19,6 +19,7 @@ from CNCStepper.cycles.form import Removal
 from CNCStepper.errors import JobError, Place
 from CNCStepper.gcode.prepare import WireText, prepare
 from CNCStepper.gcode.read_back import read_back
+from CNCStepper.job.certify import Given
 from CNCStepper.job.make import Made, make_program
 from CNCStepper.job.model import Job
 from CNCStepper.machine.profile import Machine
@@ -44,6 +45,7 @@ class Proof:
 
     wire: what would be sent. toolpath: its moves, naming the file's lines. times_s: end of every row.
     part: the stock after the program, or None without stock and tools. report: plain data for JSON.
+    given: what it was proven against.
     """
 
     wire: WireText
@@ -52,6 +54,7 @@ class Proof:
     findings: list[Finding]
     part: HeightMap | None
     report: dict[str, Any]
+    given: Given
 
     @property
     def refused(self) -> bool:
@@ -102,7 +105,7 @@ def prove(
     part = height_map(toolpath, tools, stock) if stock is not None and tools is not None else None
     tell("report")
     told = report(toolpath, ends_s, file=file, findings=findings, judgement=judgement, part=part)
-    return Proof(wire, toolpath, ends_s, findings, part, told)
+    return Proof(wire, toolpath, ends_s, findings, part, told, Given(text, language, machine, stock, tools, removals))
 
 
 def _begun(toolpath: Toolpath) -> Toolpath:

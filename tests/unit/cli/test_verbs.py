@@ -12,6 +12,7 @@ import pytest
 from click.testing import CliRunner, Result
 
 from CNCStepper.cli.main import VERBS, group
+from CNCStepper.control.certificate import Certificate
 
 ROOT = Path(__file__).parents[3]
 JOBS = ROOT / "examples" / "jobs"
@@ -41,6 +42,10 @@ def test_run_writes_program_report_and_picture(tmp_path: Path) -> None:
     assert result.exit_code == 0, result.output
     report = json.loads((tmp_path / "saída 1" / "report.json").read_text("utf-8"))
     assert report["time_s"] > 40 and report["gouge_mm"] <= 0.01
+    certificate = Certificate.read(tmp_path / "saída 1" / "certificate.json")
+    certificate.check_clean()
+    assert certificate.content["times"]["operations_s"][0]["time_s"] > 40
+    assert "pierces 1" in result.output and "engrave: " in result.output
     assert (tmp_path / "saída 1" / "part.png").read_bytes().startswith(b"\x89PNG")
     assert (tmp_path / "saída 1" / "program.nc").read_text("ascii").endswith("M2\n")
 
@@ -133,6 +138,8 @@ def test_run_tells_the_recalculated_stepover_and_what_no_tool_reaches(tmp_path: 
         ("check", "SQUARE"),
         ("virtual", "grbl"),
         ("send", "SQUARE"),
+        ("send", "SQUARE", "--port", "none", "--despite-certificate"),
+        ("send", "SQUARE", "--port", "none", "--tool", "flat:6"),
         ("nonsense",),
     ],
 )
