@@ -15,21 +15,47 @@ from CNCStepper.drawing.points import read_points
 from CNCStepper.errors import JobError, Place
 from CNCStepper.machine.profile import Machine, load_machine, profile_names, read_toml, validated
 from CNCStepper.machine.tool import Tool
+from CNCStepper.simulation.clamps import Clamp
 from CNCStepper.simulation.stock import Stock
 from CNCStepper.state import WORK_SYSTEMS
 
 
 class StockForm(BaseModel):
-    """The raw material as a job file names it."""
+    """The raw material as a job file names it; edge_mm: how far from a sheet's edge cuts must stay, if that matters."""
 
     model_config = ConfigDict(extra="forbid", frozen=True)
 
     size_mm: tuple[float, float, float]
     origin: str
+    edge_mm: float | None = Field(default=None, ge=0)
 
     def stock(self) -> Stock:
         """Return the stock in work coordinates."""
         return Stock(self.size_mm, self.origin)
+
+
+class ClampForm(BaseModel):
+    """A clamp as a job file names it: two opposite corners of a rectangle or those of a polygon, and its top's height.
+
+    Both in work coordinates.
+    """
+
+    model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
+
+    corners_mm: tuple[tuple[float, float], ...] = Field(min_length=2)
+    top_mm: float
+
+    @model_validator(mode="after")
+    def _encloses_something(self) -> ClampForm:
+        try:
+            self.clamp()
+        except JobError as error:
+            raise ValueError(f"{error.what}; {error.advice}") from error
+        return self
+
+    def clamp(self) -> Clamp:
+        """Return the clamp that the tool keeps clear of."""
+        return Clamp(self.corners_mm, self.top_mm)
 
 
 class Job(BaseModel):
@@ -48,6 +74,7 @@ class Job(BaseModel):
     retract_mm: float = Field(gt=0, allow_inf_nan=False)
     coolant: Literal["none", "mist", "flood"] = "none"
     stock: StockForm
+    clamp: tuple[ClampForm, ...] = ()
     tool: tuple[Tool, ...] = Field(min_length=1)
     operation: tuple[Any, ...] = Field(min_length=1)
 
@@ -71,6 +98,11 @@ class Job(BaseModel):
     def tools(self) -> dict[int, Tool]:
         """The tools by number."""
         return {tool.number: tool for tool in self.tool}
+
+    @property
+    def clamps(self) -> list[Clamp]:
+        """What the tool keeps clear of."""
+        return [clamp.clamp() for clamp in self.clamp]
 
     @property
     def cutters(self) -> str:

@@ -26,6 +26,7 @@ from CNCStepper.machine.profile import Machine
 from CNCStepper.machine.tool import Tool
 from CNCStepper.motion.plan import times_s
 from CNCStepper.simulation.check import check
+from CNCStepper.simulation.clamps import Clamp
 from CNCStepper.simulation.finding import Finding, refused
 from CNCStepper.simulation.heightmap import HeightMap, height_map
 from CNCStepper.simulation.report import report
@@ -83,13 +84,16 @@ def prove(
     stock: Stock | None = None,
     tools: dict[int, Tool] | Tool | None = None,
     removals: Sequence[Removal] = (),
+    keep_out: Sequence[Clamp] = (),
+    edge_mm: float | None = None,
     tell: Tell = lambda stage: None,
 ) -> Proof:
     """Return the proof of a program text; raises ProgramError for a text that cannot be read.
 
     start: where the machine stands; None is a machine whose position and zero are unknown (for the times it then
     begins at the work zero). removals: the shapes wanted, in work coordinates; without them gouge and left-over
-    are not judged. tell: called with the stage that begins, one of STAGES.
+    are not judged. keep_out: the clamps. edge_mm: how far from the sheet's edge cuts must stay. tell: called with the
+    stage that begins, one of STAGES.
     """
     language = dialect or machine.controller
     tell("read")
@@ -100,7 +104,9 @@ def prove(
     tell("judge")
     judgement = judge(toolpath, tools, list(removals), stock) if tools is not None and removals else None
     tell("check")
-    findings = check(toolpath, machine, file=file, stock=stock, tools=tools, judgement=judgement)
+    findings = check(
+        toolpath, machine, file=file, stock=stock, tools=tools, judgement=judgement, keep_out=keep_out, edge_mm=edge_mm
+    )
     tell("cut")
     part = height_map(toolpath, tools, stock) if stock is not None and tools is not None else None
     tell("report")
@@ -134,6 +140,8 @@ def prove_job(
         stock=job.stock.stock(),
         tools=job.tools,
         removals=made.removals,
+        keep_out=job.clamps,
+        edge_mm=job.stock.edge_mm,
         tell=tell,
     )
     findings = sorted(

@@ -18,7 +18,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from CNCStepper.machine.tool import Tool
-from CNCStepper.simulation.form import Form, form_of
+from CNCStepper.simulation.form import Form
 
 DISC_STEP_MM = 0.001  # along the profile, between the discs that stand for it when a gouge is judged
 BEAM = ("jet", "wire")  # cut through the whole stock wherever their height is
@@ -99,9 +99,3 @@ def tool_numbered(tools: Tools | None, number: int) -> Tool | None:
     if isinstance(tools, Tool):
         return tools
     return tools.get(number) if tools else None
-
-
-def cutter_numbered(tools: Tools, number: int) -> Cutter | None:
-    """Return the cutter of the tool with that number, or None."""
-    tool = tool_numbered(tools, number)
-    return None if tool is None else Cutter(form_of(tool))

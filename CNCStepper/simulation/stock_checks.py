@@ -8,13 +8,13 @@ from collections.abc import Iterator
 import numpy as np
 import shapely
 
-from CNCStepper.machine.tool import OWN_KEYS
+from CNCStepper.machine.tool import OWN_KEYS, Tool
 from CNCStepper.simulation.contact import RUB_MM, Remaining
-from CNCStepper.simulation.cutter import BEAM, Cutter, Tools, cutter_numbered, tool_numbered
+from CNCStepper.simulation.cutter import BEAM, Cutter, Tools, tool_numbered
 from CNCStepper.simulation.finding import Finding
 from CNCStepper.simulation.form import form_of
 from CNCStepper.simulation.gouge import Worst
-from CNCStepper.simulation.segments import segments
+from CNCStepper.simulation.segments import Segments, segments
 from CNCStepper.simulation.stock import Stock
 from CNCStepper.simulation.subject import Subject
 from CNCStepper.simulation.sweep import FLATTEN_MM, Judgement, cutting_path
@@ -58,8 +58,26 @@ class StockChecks:
         self.path = segments(subject.toolpath, FLATTEN_MM).known()
         self.remaining = Remaining(stock, cutting_path(subject.toolpath, tools, stock.top_mm, stock))
         numbers = np.array([state.tool for state in subject.toolpath.states], int)[subject.table.state]
-        self.cutters = {int(number): cutter_numbered(tools, int(number)) for number in np.unique(numbers)}
+        self.tools = {int(number): tool_numbered(tools, int(number)) for number in np.unique(numbers)}
         self.numbers = numbers
+
+    def tool(self, row: int) -> Tool | None:
+        """Return the tool of a row, or None where it is not known."""
+        return self.tools[int(self.numbers[row])]
+
+    def cutter(self, row: int) -> Cutter | None:
+        """Return the cutter of a row; None where it is not known, and for a beam, which touches nothing."""
+        tool = self.tool(row)
+        return None if tool is None or tool.shape in BEAM else Cutter(form_of(tool))
+
+    def pieces(self, row: int) -> Segments:
+        """Return the row's segments."""
+        first, last = np.searchsorted(self.path.row, [row, row + 1])
+        return self.path[first:last]
+
+    def contact(self, cutter: Cutter, move: Segments) -> tuple[float, ...] | None:
+        """Return the first place where the cutter, on segments of one row, touches stock; None where it does not."""
+        return self.remaining.first_contact(cutter, move) if len(move) else None
 
     def rapids(self) -> Iterator[Finding]:
         """Yield each rapid that touches stock which the moves before it have not cleared."""
@@ -101,21 +119,15 @@ class StockChecks:
             )
 
     def _over_stock(self, row: int) -> bool:
-        cutter = self._cutter(row)
+        cutter = self.cutter(row)
         ends = np.array([self.subject.begin[row, :2], self.subject.end[row, :2]])
         if cutter is None or not np.isfinite(ends).all():
             return False
         return bool(shapely.distance(shapely.LineString(ends), self.stock.outline) < cutter.radius_mm)
 
-    def _cutter(self, row: int) -> Cutter | None:
-        return self.cutters[int(self.numbers[row])]
-
     def _contact(self, row: int) -> tuple[float, ...] | None:
-        cutter = self._cutter(row)
-        first, last = np.searchsorted(self.path.row, [row, row + 1])
-        if cutter is None or first == last:
-            return None
-        return self.remaining.first_contact(cutter, self.path[first:last])
+        cutter = self.cutter(row)
+        return None if cutter is None else self.contact(cutter, self.pieces(row))
 
     def _touch(self, row: int, point: tuple[float, ...], code: str, text: str, advice: str) -> Finding:
         return self.subject.finding(

@@ -10,6 +10,8 @@ import pytest
 from CNCStepper.errors import CNCStepperError, JobError
 from CNCStepper.job.make import make_program
 from CNCStepper.job.model import Job, load_job, save_job
+from CNCStepper.job.prove import prove_job
+from CNCStepper.simulation.clamps import Clamp
 
 EXAMPLES = Path(__file__).parents[3] / "examples"
 POCKET = EXAMPLES / "jobs" / "elliptical-pocket.toml"
@@ -93,3 +95,21 @@ def test_two_tools_of_one_number_are_refused() -> None:
     job, _ = load_job(POCKET)
     with pytest.raises(ValueError, match="same number"):
         Job.model_validate(job.model_dump() | {"tool": job.tool * 2, "operation": job.operation})
+
+
+def test_clamps_and_the_sheets_edge_are_kept_and_go_into_the_proof(tmp_path: Path) -> None:
+    stock = 'origin = "top-centre"'
+    path = changed(tmp_path, stock, f"{stock}\nedge_mm = 30\n\n[[clamp]]\ncorners_mm = [[-2, -2], [2, 2]]\ntop_mm = 6")
+    job, machine = load_job(path)
+    save_job(job, tmp_path / "job.json")
+    again, _ = load_job(tmp_path / "job.json")
+    assert again.clamps == job.clamps == [Clamp(((-2, -2), (2, 2)), 6)]
+    codes = {finding.code for finding in prove_job(again, machine, make_program(again, machine).program).findings}
+    assert {"clamp", "sheet-edge"} <= codes
+
+
+def test_a_clamp_that_encloses_nothing_is_refused(tmp_path: Path) -> None:
+    stock = 'origin = "top-centre"'
+    path = changed(tmp_path, stock, f"{stock}\n\n[[clamp]]\ncorners_mm = [[-2, 2], [-2, 4]]\ntop_mm = 6")
+    with pytest.raises(JobError, match="enclose nothing"):
+        load_job(path)
