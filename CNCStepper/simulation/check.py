@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 
 from CNCStepper.cycles.form import Removal
 from CNCStepper.machine.profile import Machine
-from CNCStepper.simulation import machine_checks, motor_checks, stock_checks, tool_checks
+from CNCStepper.simulation import load_checks, machine_checks, motor_checks, stock_checks, tool_checks
 from CNCStepper.simulation.clamps import Clamp, clamps, sheet_edge
 from CNCStepper.simulation.cutter import Tools
 from CNCStepper.simulation.finding import Finding
@@ -71,3 +71,4 @@ def _at_stock(subject: Subject, stock: Stock, tools: Tools) -> Iterator[Finding]
         yield from one()
     yield from tool_checks.plunges(checks)
     yield from tool_checks.sideways(checks)
+    yield from load_checks.loads(subject, stock, tools)
