@@ -19,6 +19,7 @@ from CNCStepper.simulation.stock import Stock
 RUB_MM = 0.005  # contact that is no deeper is no contact
 STEP_MM = 0.25  # between the places of the tool on a move
 LEVEL_STEP_MM = 0.05  # places on a ramp are looked at together within this height, from its upper end
+SAME_TIP_MM = 1e-4  # heights of the tip are rounded up to it: a level below the path would not see it
 DISCS = 9  # of a cutter that is not flat are looked at, spread over what is below the stock's top
 RIM_RAD = np.arange(64) * np.pi / 32
 SHARES = (1.0, 0.7, 0.4, 0.1)  # of the radius, at which points lie
@@ -80,7 +81,8 @@ def _levels_of(cutter: Cutter, pieces: Segments, z_mm: float) -> np.ndarray:
     """Return the heights of the tip to look at: the lowest cut widest, a flat is as wide everywhere."""
     if cutter.is_flat:
         return np.array([z_mm])
-    tips = np.unique(np.round(np.r_[pieces.low_mm, pieces.begin[:, 2], pieces.end[:, 2]], 4))
+    steps = np.r_[pieces.low_mm, pieces.begin[:, 2], pieces.end[:, 2]] / SAME_TIP_MM
+    tips = (np.unique(np.ceil(steps)) + 1e-6) * SAME_TIP_MM
     tips = tips[tips < z_mm]
     return tips[np.unique(np.linspace(0, max(len(tips) - 1, 0), 40).astype(int))] if len(tips) else tips
 

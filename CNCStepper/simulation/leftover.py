@@ -255,10 +255,10 @@ def _islands(removal: Removal, middles: _Candidates, most_mm: float) -> list[Isl
 
 
 def _nearest_row(point: np.ndarray, covers: list[_Cover]) -> int:
-    """Return the row of the table whose path comes nearest to the point, or -1."""
-    nearest = (np.inf, -1)
+    """Return the row of the table whose path comes nearest to the point, the last of those as near, or -1."""
+    found = []
     for _, pieces, tree in covers[-1].parts if covers else []:
         index, distance = tree.nearest(shapely.points(point[None, :]))
-        if len(pieces) and distance[0] < nearest[0]:
-            nearest = (distance[0], int(pieces.row[index[0]]))
-    return nearest[1]
+        if len(pieces):
+            found.append((round(float(distance[0]), 6), -int(pieces.row[index[0]])))
+    return -min(found)[1] if found else -1

@@ -67,6 +67,11 @@ def test_a_rapid_along_a_wall_touches_only_when_it_leaves_the_cleared_width(x, t
     assert bool(codes(program)) is touches
 
 
+def test_a_ball_leaves_its_hole_whatever_the_decimals_of_its_depth():
+    for z in (-0.7, -1.00004, -1.00006, -2.0 / 3):
+        assert codes(begun().feed(0, 0, z).rapid(0, 0, 5), tool=BALL) == []
+
+
 def test_a_rapid_down_before_the_pocket_is_cut_is_found():
     program = begun().rapid(0, 0, -2).feed(5, 0, -2).rapid(5, 0, 5)
     assert codes(program) == [("rapid-in-stock", 3)]
