@@ -10,7 +10,7 @@ import math
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from shapely import union_all
@@ -34,6 +34,10 @@ from CNCStepper.simulation.stock import Stock
 from CNCStepper.simulation.sweep import judge
 from CNCStepper.state import Start
 from CNCStepper.toolpath import Toolpath
+
+if TYPE_CHECKING:
+    from CNCStepper.simulation.scene import Scene
+    from CNCStepper.simulation.timeline import Moment
 
 ON_EDGE_MM = 0.01  # a shape may end on the stock's edge
 STAGES = ("make", "read", "time", "judge", "check", "cut", "report")  # what `tell` hears, in this order
@@ -62,16 +66,24 @@ class Proof:
         """Whether a finding forbids sending it."""
         return refused(self.findings)
 
-    def draw(self, path: Path, title: str, tools: str) -> None:
-        """Draw the cut part and the tool's paths as PNG; `tools` names the cutters for people.
+    def scene(self, moment: Moment | None = None, part: HeightMap | None = None) -> Scene:
+        """Return what a picture shows of the program's end, or of a moment and the part at that moment.
 
         Raises JobError for a program that was proven without stock and tools.
         """
-        from CNCStepper.simulation.picture import save_picture
+        from CNCStepper.simulation.scene import scene_at
 
-        if self.part is None:
+        part = part or self.part
+        if part is None or self.given.tools is None:
             raise JobError("picture", "there is no part to draw", advice="give the stock and the tools")
-        save_picture(path, self.toolpath, self.part, title=title, tools=tools, time_s=self.report["time_s"])
+        return scene_at(self.toolpath, self.times_s, part, self.given.tools, moment, self.given.machine)
+
+    def draw(self, path: Path, title: str, tools: str) -> None:
+        """Draw the cut part and the tool's paths as PNG or SVG; `tools` names the cutters for people."""
+        from CNCStepper.simulation.picture import facts_of, save_picture
+
+        scene = self.scene()
+        save_picture(path, scene, title, facts_of(scene, tools, self.report["time_s"]))
 
 
 def prove(
