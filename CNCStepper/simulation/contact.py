@@ -53,6 +53,7 @@ class Remaining:
                 continue
             points = _disc_points(centres, max(radius - RUB_MM, 0.0))
             points = points[shapely.contains_xy(self.outline, points)]
+            points = points[self.stock.tops_at(points) > z_mm + RUB_MM]
             open_ = points[~self._cut(points, z_mm + RUB_MM, row)] if len(points) else points
             if len(open_):
                 return (*open_[0].tolist(), z_mm)

@@ -9,7 +9,7 @@ from CNCStepper.errors import Place
 from CNCStepper.machine.profile import load_machine
 from CNCStepper.simulation.check import check
 from CNCStepper.simulation.finding import Finding, refused
-from CNCStepper.simulation.stock import Stock
+from CNCStepper.simulation.stock import HeightField, Stock
 from CNCStepper.toolpath import ARC_CCW
 
 MACHINE = load_machine("table-a")
@@ -70,6 +70,13 @@ def test_a_rapid_along_a_wall_touches_only_when_it_leaves_the_cleared_width(x, t
 def test_a_ball_leaves_its_hole_whatever_the_decimals_of_its_depth():
     for z in (-0.7, -1.00004, -1.00006, -2.0 / 3):
         assert codes(begun().feed(0, 0, z).rapid(0, 0, 5), tool=BALL) == []
+
+
+def test_a_rapid_over_the_low_side_of_a_height_field_touches_nothing():
+    field = HeightField((60, 50, 20), heights_mm=np.array([[20.0, 10.0], [20.0, 10.0]]))  # falls from left to right
+    for x, z, touches in ((10, -6, False), (10, -6.3, True), (20, -7.5, False), (20, -8, True)):
+        program = begun().rapid(x, 0, 5).rapid(x, 0, z).rapid(x, 0, 5)
+        assert codes(program, stock=field) == ([("rapid-in-stock", 4)] if touches else [])
 
 
 def test_a_rapid_down_before_the_pocket_is_cut_is_found():
