@@ -17,6 +17,7 @@ from CNCStepper.cycles.form import Removal
 from CNCStepper.gcode.prepare import WireText
 from CNCStepper.machine.profile import Machine
 from CNCStepper.machine.tool import Tool
+from CNCStepper.simulation.clamps import Clamp
 from CNCStepper.simulation.cutter import Tools
 from CNCStepper.simulation.stock import HeightField, Stock
 from CNCStepper.state import ZERO3, Start
@@ -40,6 +41,8 @@ class Given:
     stock: Stock | None = None
     tools: Tools | None = None
     removals: Sequence[Removal] = ()
+    keep_out: Sequence[Clamp] = ()
+    edge_mm: float | None = None
 
 
 def certificate_of(proof: Proof) -> Certificate:
@@ -56,6 +59,8 @@ def certificate_of(proof: Proof) -> Certificate:
             "machine": {"sha256": machine_digest(given.machine), "name": given.machine.name},
             "stock": {"sha256": stock_digest(given.stock), "stock": _stock(given.stock)},
             "tools": {"sha256": tools_digest(given.tools), "tools": _tools(given.tools)},
+            "clamps": [asdict(clamp) for clamp in given.keep_out],
+            "edge_mm": given.edge_mm,
             "tolerance": _tolerance(proof),
             "times": {"program_s": report["time_s"], "operations_s": _times(report["operations"])},
             "figures": {name: report[name] for name in (*FIGURES, *VERDICT)},

@@ -123,7 +123,8 @@ def prove(
     part = height_map(toolpath, tools, stock) if stock is not None and tools is not None else None
     tell("report")
     told = report(toolpath, ends_s, file=file, findings=findings, judgement=judgement, part=part)
-    return Proof(wire, toolpath, ends_s, findings, part, told, Given(text, language, machine, stock, tools, removals))
+    given = Given(text, language, machine, stock, tools, removals, keep_out, edge_mm)
+    return Proof(wire, toolpath, ends_s, findings, part, told, given)
 
 
 def _begun(toolpath: Toolpath) -> Toolpath:

@@ -21,6 +21,7 @@ from CNCStepper.job.certify import certificate_of, machine_digest, send_job, sto
 from CNCStepper.job.prove import Proof, prove
 from CNCStepper.machine.profile import load_machine
 from CNCStepper.machine.tool import Tool
+from CNCStepper.simulation.clamps import Clamp
 from CNCStepper.simulation.stock import Cylinder, HeightField, Stock
 from CNCStepper.state import Start
 
@@ -31,11 +32,12 @@ TEXT = (
 MACHINE = load_machine("table-a")
 START = Start.with_work_zero((-200.0, -150.0, -40.0))
 STOCK = Stock((40, 40, 5))
+CLAMP = Clamp(((30.0, 30.0), (35.0, 35.0)), 8.0)
 TOOLS = {1: Tool(number=1, shape="flat", diameter_mm=6.0)}
 
 
 def proof_of(text: str = TEXT, **instead: Any) -> Proof:
-    words = {"file": "p.nc", "start": START, "stock": STOCK, "tools": TOOLS} | instead
+    words = {"file": "p.nc", "start": START, "stock": STOCK, "tools": TOOLS, "keep_out": [CLAMP]} | instead
     return prove(text, words.pop("machine", MACHINE), **words)
 
 
@@ -50,6 +52,8 @@ def test_it_names_what_was_proven_and_what_was_found() -> None:
     assert content["start"]["sha256"] == START.sha256()
     assert content["start"]["state"]["work_offsets_mm"] == {"G54": [-200.0, -150.0, -40.0]}
     assert content["machine"]["name"] == MACHINE.name
+    assert content["clamps"] == [{"corners_mm": [[30.0, 30.0], [35.0, 35.0]], "top_mm": 8.0}]
+    assert content["edge_mm"] is None
     assert content["stock"]["stock"] == {"form": "stock", "size_mm": [40.0, 40.0, 5.0], "origin": "top-centre"}
     assert content["tools"]["tools"]["1"]["diameter_mm"] == 6.0
     assert content["findings"] == PROOF.report["findings"]
