@@ -78,6 +78,14 @@ class Cutter:
             return self.floor_mm + np.sqrt(height * (2 * self.form.corner_mm - height))
         return self.floor_mm + height / self.form.slope
 
+    def heights_at(self, beside_mm: np.ndarray) -> np.ndarray:
+        """Return the height over the tip of its lower face at distances from the axis; infinite beyond its radius."""
+        beyond = np.clip(beside_mm - self.floor_mm, 0.0, self.radius_mm - self.floor_mm)
+        height = beyond * self.form.slope
+        if self.form.corner_mm:
+            height = self.form.corner_mm - np.sqrt(np.maximum(self.form.corner_mm**2 - beyond**2, 0.0))
+        return np.where(beside_mm <= self.radius_mm, height, np.inf)
+
     def gap(self, beside_mm: np.ndarray, drop_mm: float) -> np.ndarray:
         """Return the distance to the cutter from points `drop_mm` (not negative) below its tip, beside its axis."""
         beyond = np.maximum(beside_mm - self.floor_mm, 0.0)

@@ -19,13 +19,14 @@ import numpy as np
 import shapely
 
 from CNCStepper.simulation.cutter import Cutter
-from CNCStepper.simulation.region import EdgeTree, Region, climbed, flat_edges
+from CNCStepper.simulation.region import EdgeTree, Region, climbed, flat_edges, zoomed
 from CNCStepper.simulation.segments import Segments, split_ramps
 
 SMALL_MM = 0.0003  # what flattening may add; less is no gouge
 RAMP_STEP_MM = 0.05  # a ramp counts with the lower end of parts of this height
 WORST_PIECES = 64
 COARSE_DISCS = 32  # with which the pieces that enter nothing are told from the rest
+FACE_RINGS = 12  # on the face of a cutter that is not flat
 MOST_AT_ONCE = 2_000_000  # discs of pieces
 ROUND_RAD = np.arange(72) * np.pi / 36
 
@@ -128,7 +129,7 @@ def deepest(found: Entries, kept: Kept) -> Worst:
         centres[[best.centre]], tip[[best.centre]], index[[best.centre]], worst, kept, fine[None, :], (1.0,)
     )
     best = max(best, fine_best, key=lambda candidate: candidate.depth)
-    place = _climbed_inside(best, worst, kept)
+    place = _climbed_inside(best, worst, kept) if found.cutter.is_flat else _on_face(best, centres, index, worst, kept)
     depth = float(kept.depth(np.array([place[:2]]), np.array([place[2]]))[0])
     return Worst(depth, place, int(worst.pieces.row[best.piece]))
 
@@ -147,6 +148,37 @@ def _climbed_inside(best: _Best, worst: Entries, kept: Kept) -> tuple[float, ...
     (found,) = climbed(np.array([best.place[:2]]), depth, step_mm=radius_mm / 8, stop_mm=1e-4)
     climbed_place = (*found.tolist(), z_mm)
     return climbed_place if depth(found[None, :])[0] > best.depth else best.place
+
+
+def _on_face(best: _Best, centres: np.ndarray, index: np.ndarray, worst: Entries, kept: Kept) -> tuple[float, ...]:
+    """Return the deepest place on the lower face of a cutter that is not flat.
+
+    At any place seen from above the tool enters deepest where it is lowest, so that only x and y are looked for:
+    first about each centre, then ever finer where that was deepest, against all pieces that go as low.
+    """
+    cutter = worst.cutter
+    radius, angle = cutter.radius_mm * np.arange(1, FACE_RINGS + 1) / FACE_RINGS, ROUND_RAD[::2]
+    face = np.stack([np.outer(radius, np.cos(angle)), np.outer(radius, np.sin(angle))], axis=2).reshape(-1, 2)
+    rise = cutter.heights_at(np.repeat(radius * (1 - 1e-12), len(angle)))
+    points = (centres[:, None, :2] + face).reshape(-1, 2)
+    tips = np.maximum(centres[:, 2], kept.stock_bottom_mm)
+    k = int(kept.depth(points, (tips[:, None] + rise).ravel()).argmax())
+    tip = float(tips[k // len(face)])
+    lower = np.maximum(worst.pieces.low_mm, kept.stock_bottom_mm) <= tip + 1e-9
+    lower[index[k // len(face)]] = True
+    path = EdgeTree.of_pieces(worst.pieces[lower])
+
+    def height(places: np.ndarray) -> np.ndarray:
+        return tip + cutter.heights_at(path.distance(places))
+
+    def depth(places: np.ndarray) -> np.ndarray:
+        z = height(places)
+        return np.where(np.isfinite(z), kept.depth(places, np.where(np.isfinite(z), z, 0.0)), -1.0)
+
+    starts = np.array([points[k], best.place[:2]])
+    place = zoomed(starts[depth(starts).argmax()], depth, cutter.radius_mm / FACE_RINGS, stop_mm=1e-5)
+    found = (*place.tolist(), float(height(place[None, :])[0]))
+    return found if depth(place[None, :])[0] > best.depth else best.place
 
 
 @dataclass(frozen=True)

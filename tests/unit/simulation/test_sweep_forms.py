@@ -5,6 +5,7 @@ import numpy as np
 import pytest
 import shapely
 from programs import begun
+from shapely import affinity
 
 from CNCStepper.cycles.form import Removal
 from CNCStepper.machine.profile import load_machine
@@ -134,16 +135,23 @@ def test_a_form_that_is_not_given_is_said_to_be_judged_as_a_flat(shape):
     assert "_mm" in found[0].advice or "_deg" in found[0].advice
 
 
-def test_a_bull_nose_that_enters_a_boss_along_the_diagonal_is_judged_by_its_deepest_point():
-    """The deepest point of all discs, by brute force over the profile and the angles."""
-    tool = TOOLS["bullnose"]
-    boss = shapely.box(-20, -20, 20, 20).difference(shapely.box(0, 0, 30, 30))
-    centre = -3 / np.sqrt(2) + 0.5
-    program = begun().rapid(-10, -10, 5).feed(-10, -10, -3).feed(centre, centre, -3).rapid(-10, -10, -3)
-    verdict = judged(program, Removal(boss, 0, -3), tool)
-    angle = np.linspace(0, np.pi / 2, 20001)
+@solid_tool
+@pytest.mark.parametrize("turn_deg", [0, 25, 70])
+@pytest.mark.parametrize(("off", "z"), [(0.5, -3.0), (0.2, -2.0), (-0.3, -2.5)])
+def test_a_corner_of_the_part_is_entered_by_the_deepest_point_of_the_whole_face(name, turn_deg, off, z):
+    """Beside a convex corner the deepest point is not on the disc that a straight wall would meet first."""
+    tool = TOOLS[name]
+    turn = np.radians(turn_deg)
+    corner = affinity.rotate(shapely.box(0, 0, 60, 60), turn_deg, (0, 0))
+    removal = Removal(shapely.box(-20, -20, 20, 20).difference(corner), 0, -3)
+    there = -off * np.array([np.cos(turn + np.pi / 4), np.sin(turn + np.pi / 4)])
+    program = begun().rapid(*20 * there / abs(off) * np.sign(off), 5).feed(*there, z).rapid(*there, 5)
     height, radius = profile(tool)
-    widest = radius.max()
-    expected = np.minimum(centre + widest * np.cos(angle), centre + widest * np.sin(angle)).max()
-    assert height.max() < 3
-    assert verdict.gouge_mm == pytest.approx(expected, abs=0.001)
+    height, radius = height[::400], radius[::400]
+    angle = np.linspace(0, 2 * np.pi, 1441)
+    place = np.array([np.outer(radius, np.cos(angle)), np.outer(radius, np.sin(angle))])
+    place = np.tensordot([[np.cos(turn), np.sin(turn)], [-np.sin(turn), np.cos(turn)]], place, axes=1)
+    beyond = np.maximum(np.minimum(*(place - off * np.sqrt(0.5))), 0.0)
+    level = (z + height)[:, None]
+    expected = np.minimum(-level, np.hypot(beyond, np.maximum(-3 - level, 0.0))).max()
+    assert judged(program, removal, tool).gouge_mm == pytest.approx(max(expected, 0.0), abs=0.003)  # of the brute force
