@@ -2,7 +2,9 @@
 """The motor's torque against what a move asks of it, worked out by hand."""
 
 import math
+import tomllib
 from dataclasses import replace
+from pathlib import Path
 
 import pytest
 from programs import begun
@@ -11,6 +13,7 @@ from CNCStepper.machine.profile import Machine, Motor, load_machine
 from CNCStepper.simulation.check import check
 from CNCStepper.state import Start
 
+README = Path(__file__).parents[3] / "README.md"
 MACHINE = load_machine("table-a")  # X: 5000 mm/min, 250 mm/s²
 LOAD = {"travel_per_turn_mm": 10.0, "mass_kg": 8.0, "inertia_kg_m2": 5e-5, "force_n": 40.0, "efficiency": 0.8}
 NEEDED = 5e-5 * 0.25 / (0.01 / math.tau) + (8 * 0.25 + 40) * 0.01 / math.tau / 0.8  # Nm while X speeds up
@@ -78,3 +81,9 @@ def test_an_unknown_start_and_a_table_without_moves():
 def test_a_torque_curve_rises_in_speed(torque):
     with pytest.raises(ValueError):
         with_motor(torque=torque)
+
+
+def test_the_motor_of_the_readme_is_read():
+    text = README.read_text("utf-8").split("```toml\n")[1].split("```")[0]
+    motor = Motor(**tomllib.loads(text)["axis"]["x"]["motor"])
+    assert motor.torque_at_nm(450) == pytest.approx(0.75)
