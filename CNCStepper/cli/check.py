@@ -5,12 +5,15 @@ from __future__ import annotations
 
 import sys
 from pathlib import Path
+from typing import Any
 
 import click
 
 from CNCStepper.cli.options import (
+    check_stock,
     dialect_name,
     dialect_option,
+    job_option,
     machine_option,
     program_argument,
     read_program,
@@ -28,6 +31,7 @@ from CNCStepper.machine.tool import Tool
 @program_argument
 @machine_option(required=True)
 @stock_options(required=False)
+@job_option
 @work_zero_option
 @dialect_option
 @click.option("--json", "json_path", type=click.Path(path_type=Path), help="Also write the report there.")
@@ -38,22 +42,24 @@ def command(
     stock: tuple[float, float, float] | None,
     origin: str,
     tool: Tool | None,
+    job_path: Path | None,
     work_zero: tuple[float, float, float] | None,
     dialect: str | None,
     json_path: Path | None,
     certificate: Path | None,
 ) -> None:
-    """Check PROGRAM against a machine: travel, feeds, spindle; with --stock and --tool also rapids and plunges.
+    """Check PROGRAM against a machine: travel, feeds, spindle; with --stock and --tool also rapids and plunges, with
+    --job gouge and material left too.
 
     Exit 0 clean, 1 refused; each finding is file:line:column: text. Where --work-zero is not given, the place of
     the program on the table is reported as unknown.
     """
     from CNCStepper.gcode.read_back import refused_lines
     from CNCStepper.job.certify import certificate_of
-    from CNCStepper.job.prove import prove
+    from CNCStepper.job.model import read_job
+    from CNCStepper.job.prove import prove, prove_job
 
-    if tool and not stock:
-        raise click.UsageError("--tool goes with --stock")
+    check_stock(stock, tool, job_path)
     text, language = read_program(program), dialect_name(dialect, machine)
     start = start_of(work_zero)
     unreadable = list(refused_lines(text, start, language, str(program)))
@@ -62,15 +68,11 @@ def command(
             click.echo(str(error))
         click.echo(f"{program}: refused; it cannot be read")
         sys.exit(1)
-    proof = prove(
-        text,
-        machine,
-        file=str(program),
-        dialect=language,
-        start=start,
-        stock=stock_of(stock, origin),
-        tools=tool,
-    )
+    words: dict[str, Any] = {"file": str(program), "dialect": language, "start": start}
+    if job_path:
+        proof = prove_job(read_job(job_path), machine, text, **words)
+    else:
+        proof = prove(text, machine, stock=stock_of(stock, origin), tools=tool, **words)
     show_findings(proof.findings)
     if json_path:
         write_json(json_path, proof.report)

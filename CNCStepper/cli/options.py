@@ -63,6 +63,21 @@ dialect_option = click.option(
 )
 
 
+job_option = click.option(
+    "--job", "job_path", type=FilePath, help="Take stock, tools, clamps and the shapes wanted from this job file."
+)
+
+
+def check_stock(stock: Any, tool: Any, job_path: Path | None, required: bool = False) -> None:
+    """Refuse what says too little or two things of the stock; raises a usage error."""
+    if job_path and (stock or tool):
+        raise click.UsageError("--job says the stock and the tools: leave --stock and --tool out")
+    if tool and not stock:
+        raise click.UsageError("--tool goes with --stock")
+    if required and not job_path and not (stock and tool):
+        raise click.UsageError("give --stock and --tool, or --job")
+
+
 work_zero_option = click.option(
     "--work-zero", type=NumbersType(), help="Where the work zero lies, in machine coordinates."
 )

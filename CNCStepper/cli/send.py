@@ -14,8 +14,10 @@ import click
 
 from CNCStepper.cli.options import (
     FilePath,
+    check_stock,
     dialect_name,
     dialect_option,
+    job_option,
     machine_option,
     program_argument,
     read_program,
@@ -33,6 +35,7 @@ if TYPE_CHECKING:
     from CNCStepper.control.certificate import Certificate
     from CNCStepper.control.outcome import Outcome
     from CNCStepper.control.send_job import SendJob
+    from CNCStepper.simulation.cutter import Tools
     from CNCStepper.simulation.stock import Stock
     from CNCStepper.state import Start
 
@@ -43,6 +46,7 @@ if TYPE_CHECKING:
 @click.option("--certificate", type=FilePath, help="What `check` or `run` wrote for it; other bytes are refused.")
 @machine_option(required=False)
 @stock_options(required=False)
+@job_option
 @work_zero_option
 @dialect_option
 @click.option("--baud", type=click.IntRange(min=300), default=115200, show_default=True)
@@ -60,6 +64,7 @@ def command(
     stock: tuple[float, float, float] | None,
     origin: str,
     tool: Tool | None,
+    job_path: Path | None,
     work_zero: tuple[float, float, float] | None,
     dialect: str | None,
     baud: int,
@@ -76,12 +81,16 @@ def command(
     Ctrl-C holds the machine and asks what to do. A stop here is not an emergency stop.
     """
     from CNCStepper.cli.watch import watch
+    from CNCStepper.job.model import read_job
 
-    if tool and not stock and not certificate:
-        raise click.UsageError("--tool goes with --stock")
+    if not certificate or job_path:
+        check_stock(stock, tool, job_path)
     if despite_certificate and not certificate:
         raise click.UsageError("--despite-certificate goes with --certificate")
     wanted = _Wanted(read_program(program), str(program), machine, stock_of(stock, origin), tool, start_of(work_zero))
+    if job_path:
+        job_file = read_job(job_path)
+        wanted = replace(wanted, stock=job_file.stock.stock(), tools=job_file.tools)
     if certificate:
         job = _certified(certificate, wanted, dialect, despite_certificate)
     else:
@@ -98,7 +107,7 @@ class _Wanted:
     file: str
     machine: Machine | None
     stock: Stock | None
-    tool: Tool | None
+    tools: Tools | None
     start: Start | None
 
 
@@ -135,7 +144,7 @@ def _refusals(certificate: Certificate, wanted: _Wanted, dialect: str) -> Iterat
         "machine": wanted.machine and machine_digest(wanted.machine),
         "start": wanted.start and wanted.start.sha256(),
         "stock": wanted.stock and stock_digest(wanted.stock),
-        "tools": wanted.tool and tools_digest(wanted.tool),
+        "tools": wanted.tools and tools_digest(wanted.tools),
     }
     checks: list[Callable[[], None]] = [
         partial(certificate.compare, what, digest) for what, digest in digests.items() if digest
@@ -158,7 +167,7 @@ def _checked(wanted: _Wanted, dialect: str) -> SendJob:
     wire = prepare(wanted.text, dialect, wanted.file)
     toolpath = read_back(wire, wanted.text, wanted.start, dialect, wanted.file)
     if wanted.machine:
-        findings = check(toolpath, wanted.machine, file=wanted.file, stock=wanted.stock, tools=wanted.tool)
+        findings = check(toolpath, wanted.machine, file=wanted.file, stock=wanted.stock, tools=wanted.tools)
         show_findings(finding for finding in findings if finding.severity == "error")
         if refused(findings):
             sys.exit(1)

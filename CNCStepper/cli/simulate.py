@@ -6,14 +6,16 @@ from __future__ import annotations
 import sys
 from collections.abc import Iterator
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import click
 import numpy as np
 
 from CNCStepper.cli.options import (
+    check_stock,
     dialect_name,
     dialect_option,
+    job_option,
     machine_option,
     program_argument,
     read_program,
@@ -37,7 +39,8 @@ ANIMATION_S = 6.0
 
 @click.command("simulate")
 @program_argument
-@stock_options(required=True)
+@stock_options(required=False)
+@job_option
 @click.option(
     "--out",
     type=click.Path(dir_okay=False, path_type=Path),
@@ -54,9 +57,10 @@ ANIMATION_S = 6.0
 @dialect_option
 def command(
     program: Path,
-    stock: tuple[float, float, float],
+    stock: tuple[float, float, float] | None,
     origin: str,
-    tool: Tool,
+    tool: Tool | None,
+    job_path: Path | None,
     out: Path,
     view: str | None,
     at_s: float | None,
@@ -67,24 +71,27 @@ def command(
     work_zero: tuple[float, float, float] | None,
     dialect: str | None,
 ) -> None:
-    """Draw what PROGRAM leaves of a block of stock, at its end or at a moment; times are table-a's unless told.
+    """Draw what PROGRAM leaves of the stock, at its end or at a moment; times are the job's machine's
+    or table-a's unless told.
 
     With --work-zero the pictures of one view show the machine's work surface. Exit 1 when a finding is an error.
     """
-    from CNCStepper.job.prove import prove
+    from CNCStepper.job.model import load_job
+    from CNCStepper.job.prove import prove, prove_job
 
+    check_stock(stock, tool, job_path, required=True)
     if at_s is not None and line is not None:
         raise click.UsageError("give either --at or --line")
-    proof = prove(
-        read_program(program),
-        machine or load_machine("table-a"),
-        file=str(program),
-        dialect=dialect_name(dialect, machine),
-        start=start_of(work_zero),
-        stock=stock_of(stock, origin),
-        tools=tool,
-    )
-    show = _Show(proof, program.stem, tool)
+    job, job_machine = load_job(job_path) if job_path else (None, load_machine("table-a"))
+    machine = machine or job_machine
+    text = read_program(program)
+    words: dict[str, Any] = {"file": str(program), "start": start_of(work_zero)}
+    words["dialect"] = dialect_name(dialect, machine)
+    if job:
+        proof = prove_job(job, machine, text, **words)
+    else:
+        proof = prove(text, machine, stock=stock_of(stock, origin), tools=tool, **words)
+    show = _Show(proof, program.stem)
     out.parent.mkdir(parents=True, exist_ok=True)
     show.draw(out, view, show.time_s(at_s, line))
     if stl:
@@ -99,10 +106,11 @@ def command(
 class _Show:
     """A proof to look at; after `draw`, the moment that was drawn."""
 
-    def __init__(self, proof: Proof, title: str, tool: Tool):
+    def __init__(self, proof: Proof, title: str):
+        assert proof.given.tools is not None
         self._proof = proof
         self._title = title
-        self._tool = tool
+        self._tools = proof.given.tools
         self._scene = proof.scene()
         self._moment: Moment | None = None
 
@@ -156,7 +164,7 @@ class _Show:
         from CNCStepper.simulation.timeline import Timeline
 
         stock = self._scene.part.stock
-        return Timeline(self._proof.toolpath, self._proof.times_s, self._tool, stock)
+        return Timeline(self._proof.toolpath, self._proof.times_s, self._tools, stock)
 
     def _at(self, timeline: Timeline, time_s: float) -> Scene:
         self._moment = timeline.moment(time_s)
@@ -165,4 +173,6 @@ class _Show:
     def _facts(self) -> list[str]:
         from CNCStepper.simulation.picture import facts_of
 
-        return facts_of(self._scene, self._tool.words, self._proof.report["time_s"], self._moment)
+        tools = [self._tools] if isinstance(self._tools, Tool) else self._tools.values()
+        words = ", ".join(tool.words for tool in tools)
+        return facts_of(self._scene, words, self._proof.report["time_s"], self._moment)

@@ -141,6 +141,7 @@ def prove_job(
     file: str = "",
     start: Start | None = None,
     tell: Tell = lambda stage: None,
+    dialect: str = "",
 ) -> Proof:
     """Return the proof of a job's program text, as `prove` does, against the shapes that the job wants removed."""
     tell("make")
@@ -149,6 +150,7 @@ def prove_job(
         text,
         machine,
         file=file,
+        dialect=dialect,
         start=start,
         stock=job.stock.stock(),
         tools=job.tools,

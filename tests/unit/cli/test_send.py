@@ -184,3 +184,19 @@ def test_a_certificate_with_errors_is_refused_unless_told(
     assert sent.returncode == 1 and "[certificate-errors]" in sent.stderr and f"{program}:3:" in sent.stderr
     sent = certified(program, table[0], path, "--despite-certificate", "--allow-differences")
     assert sent.returncode == 0, sent.stderr
+
+
+def test_a_job_whose_tools_were_changed_since_is_refused(tmp_path: Path) -> None:
+    folder = Path(__file__).parents[3] / "examples" / "jobs"
+    text = (folder / "elliptical-pocket.toml").read_text("utf-8").replace("../machines/table-a.toml", "table-a")
+    job = tmp_path / "job.toml"
+    job.write_text(text, encoding="utf-8")
+    assert subprocess.run(command("run", job, "--out", tmp_path), capture_output=True).returncode == 0
+    program, path = tmp_path / "program.nc", tmp_path / "certificate.json"
+    same = certified(program, "/dev/no-such-port", path, "--job", job)
+    assert "/dev/no-such-port" in same.stderr and "[certificate" not in same.stderr
+    for old, new, word in (("= 6.0", "= 5.9", "tools"), ("70, 20]", "70, 21]", "stock")):
+        assert old in text
+        job.write_text(text.replace(old, new), encoding="utf-8")
+        other = certified(program, "/dev/no-such-port", path, "--job", job)
+        assert other.returncode == 1 and f"[certificate-{word}]" in other.stderr, other.stderr

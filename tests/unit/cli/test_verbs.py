@@ -18,6 +18,7 @@ from CNCStepper.simulation.mesh import STL_FACET
 
 ROOT = Path(__file__).parents[3]
 JOBS = ROOT / "examples" / "jobs"
+POCKET = JOBS / "elliptical-pocket.toml"
 PLATE = ("--stock", "40,40,5", "--origin", "top-left-front", "--tool", "flat:6")
 SQUARE = "G21 G90 G17\nT1\nM3 S10000\nG4 P3\nG0 Z5\nG0 X0 Y0\nG1 Z-1 F100\nG1 X20 F500\nY20\nX0\nY0\nG0 Z5\nM5\nM2\n"
 
@@ -142,6 +143,9 @@ def test_run_tells_the_recalculated_stepover_and_what_no_tool_reaches(tmp_path: 
         ("simulate", "SQUARE", *PLATE, "--out", "p.gif"),
         ("simulate", "SQUARE", *PLATE, "--out", "p.png", "--at", "1", "--line", "2"),
         ("simulate", "SQUARE", *PLATE, "--out", "p.png", "--view", "yz"),
+        ("simulate", "SQUARE", "--out", "p.png"),
+        ("simulate", "SQUARE", *PLATE, "--job", POCKET, "--out", "p.png"),
+        ("check", "SQUARE", "--machine", "table-a", "--tool", "flat:6", "--job", POCKET),
         ("virtual", "grbl"),
         ("send", "SQUARE"),
         ("send", "SQUARE", "--port", "none", "--despite-certificate"),
@@ -210,6 +214,23 @@ def test_simulate_animates(square: Path, tmp_path: Path, monkeypatch: pytest.Mon
     out = tmp_path / "part.gif"
     assert run("simulate", square, *PLATE, "--view", "depth", "--out", out).exit_code == 0
     assert out.read_bytes().startswith(b"GIF89a")
+
+
+def test_a_program_changed_by_hand_is_checked_against_its_job(tmp_path: Path) -> None:
+    assert run("run", POCKET, "--out", tmp_path).exit_code == 0
+    program, told = tmp_path / "program.nc", tmp_path / "told.json"
+    against = ("--job", POCKET, "--json", told)
+    certificate = tmp_path / "again.json"
+    clean = run("check", program, "--machine", "table-a", *against, "--certificate", certificate)
+    assert clean.exit_code == 0, clean.output
+    assert Certificate.read(certificate).content == Certificate.read(tmp_path / "certificate.json").content
+    lines = program.read_text("ascii").splitlines()
+    last = max(number for number, line in enumerate(lines) if line.startswith("G3"))
+    program.write_text("\n".join(lines[: last - 40] + lines[last + 1 :]), encoding="ascii")
+    refused = run("check", program, "--machine", "table-a", *against)
+    assert refused.exit_code == 1 and json.loads(told.read_text("utf-8"))["left_over_mm"] > 0.1
+    drawn = run("simulate", program, "--job", POCKET, "--out", tmp_path / "p.png", "--view", "xy", "--line", "60")
+    assert drawn.exit_code == 1 and "[left-over]" in drawn.output and ", line 60" in drawn.output
 
 
 def test_trace_prints_canonical_calls(square: Path) -> None:
