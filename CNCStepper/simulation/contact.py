@@ -18,7 +18,9 @@ from CNCStepper.simulation.stock import Stock
 
 RUB_MM = 0.005  # contact that is no deeper is no contact
 STEP_MM = 0.25  # between the places of the tool on a move
-LEVEL_STEP_MM = 0.05  # places on a ramp are looked at together within this height, from its upper end
+LEVEL_STEP_MM = (
+    0.05  # places on a ramp are looked at together within this height: all at its upper end, then the lowest
+)
 SAME_TIP_MM = 1e-4  # heights of the tip are rounded up to it: a level below the path would not see it
 DISCS = 9  # of a cutter that is not flat are looked at, spread over what is below the stock's top
 RIM_RAD = np.arange(64) * np.pi / 32
@@ -39,10 +41,11 @@ class Remaining:
         below = clipped_below(move, self.stock.top_mm - RUB_MM)
         places = _places(below)
         for first, last in _runs(np.ceil(places[:, 2] / LEVEL_STEP_MM)):
-            z_mm = float(places[first:last, 2].max())
-            point = self._contact(cutter, places[first:last, :2], z_mm, int(move.row[0]))
-            if point is not None:
-                return point
+            run = places[first:last]
+            for some in (run, run[[run[:, 2].argmin()]])[: 1 + int(np.ptp(run[:, 2]) > 0)]:
+                point = self._contact(cutter, some[:, :2], float(some[:, 2].max()), int(move.row[0]))
+                if point is not None:
+                    return point
         return None
 
     def _contact(self, cutter: Cutter, centres: np.ndarray, tip_mm: float, row: int) -> tuple[float, ...] | None:

@@ -34,6 +34,7 @@ VORONOI_STEP = 0.1  # share of the radius between the points of that path
 RUN_POINTS = 400  # of the path are simplified at once
 ISLAND_REACH_MM = 0.5  # middles closer than twice this belong to one island
 MOST_CLIMBED = 100
+AS_NEAR_MM = 0.001
 Cuts = list[tuple[Cutter, Segments]]  # the path below the stock's top, by cutter
 
 
@@ -260,5 +261,6 @@ def _nearest_row(point: np.ndarray, covers: list[_Cover]) -> int:
     for _, pieces, tree in covers[-1].parts if covers else []:
         index, distance = tree.nearest(shapely.points(point[None, :]))
         if len(pieces):
-            found.append((round(float(distance[0]), 6), -int(pieces.row[index[0]])))
-    return -min(found)[1] if found else -1
+            found.append((float(distance[0]), int(pieces.row[index[0]])))
+    nearest = min(found, default=(0.0, -1))[0]
+    return max((row for distance, row in found if distance <= nearest + AS_NEAR_MM), default=-1)

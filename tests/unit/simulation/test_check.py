@@ -84,6 +84,11 @@ def test_a_rapid_down_before_the_pocket_is_cut_is_found():
     assert codes(program) == [("rapid-in-stock", 3)]
 
 
+def test_a_ramp_that_ends_a_few_hundredths_deep_is_found():
+    program = begun(spindle="off", spindle_rpm=0).feed(0, 0, 1).feed(20, 0, -0.02).feed(0, 0, -1).rapid(0, 0, 5)
+    assert codes(program) == [("spindle-off", 4)]
+
+
 def test_a_cut_without_the_spindle_is_found_once():
     program = begun(spindle="off", spindle_rpm=0).feed(0, 0, -1).feed(5, 0, -1).feed(9, 0, -1).rapid(9, 0, 5)
     assert codes(program) == [("spindle-off", 3)]
