@@ -56,8 +56,10 @@ make_debian() {
     unshare --mount bash -c '
         mount --bind "$1" "$2"
         debootstrap --variant=minbase --include=ca-certificates "$3" "$2" "$4" "$5"
-    ' debian "$1" "$plain" "$suite" "$mirror" "$script" >>"$log" 2>&1 ||
+    ' debian "$1" "$plain" "$suite" "$mirror" "$script" >>"$log" 2>&1 || {
+        rmdir "$plain"
         fail "debootstrap could not make $suite from $mirror: check the network and run it again"
+    }
     rmdir "$plain"
 }
 

@@ -15,7 +15,6 @@ from PIL import Image
 ROOT = Path(__file__).resolve().parents[1]
 TAKEN = ROOT / "build" / "window"
 KEPT = ROOT / "docs" / "pictures"
-COLOURS = 128  # enough for a window, and a third of the bytes
 WIDEST = {"plain": 1600, "scaled": 2000}  # pixels
 SUFFIX = {"plain": "", "scaled": "-2x"}
 
@@ -28,7 +27,7 @@ def keep(kind: str) -> None:
         with Image.open(taken) as picture:
             small = picture.convert("RGB")
             small.thumbnail((WIDEST[kind], WIDEST[kind]), Image.Resampling.LANCZOS)
-            small.quantize(COLOURS).save(KEPT / f"{taken.stem}{SUFFIX[kind]}.png", optimize=True)
+            small.save(KEPT / f"{taken.stem}{SUFFIX[kind]}.png", optimize=True)
 
 
 if __name__ == "__main__":

@@ -35,6 +35,7 @@ RUN_POINTS = 400  # of the path are simplified at once
 ISLAND_REACH_MM = 0.5  # middles closer than twice this belong to one island
 MOST_CLIMBED = 100
 AS_NEAR_MM = 0.001
+BESIDE_MM = 1.0  # a path may lie this far beside what it was meant to remove, and is still measured
 Cuts = list[tuple[Cutter, Segments]]  # the path below the stock's top, by cutter
 
 
@@ -127,8 +128,8 @@ class _Candidates:
 
 
 def _near(cuts: Cuts, region: BaseGeometry) -> Cuts:
-    """Return the cuts whose discs can reach the bounds of the region."""
-    low_x, low_y, high_x, high_y = region.bounds
+    """Return the cuts whose discs reach the bounds of the region, or nearly: a point that engraves has no disc."""
+    low_x, low_y, high_x, high_y = np.array(region.bounds) + BESIDE_MM * np.array([-1, -1, 1, 1])
     result = []
     for cutter, pieces in cuts:
         low = np.minimum(pieces.begin, pieces.end) - cutter.radius_mm

@@ -24,6 +24,7 @@ from PySide import QtGui
 
 PICTURES = Path(os.environ["CNCSTEPPER_WINDOW_PICTURES"])
 APPEARS_S = 5.0  # so long may a window or an entry take to appear
+FINGER_S = 0.05  # between the clicks of a double click
 Target = Any  # an objectName or a widget
 Point = tuple[float, float]
 
@@ -129,7 +130,7 @@ class Hand:
         while True:
             try:
                 return self.main(where, *arguments)
-            except AssertionError:
+            except (AssertionError, RuntimeError):  # not there yet, or going away at this moment
                 if time.monotonic() > until_s:
                     raise
             time.sleep(0.05)
@@ -142,6 +143,7 @@ class Hand:
         for _ in range(2 if double else 1):
             self.mouse.down(button)
             self.mouse.up(button)
+            time.sleep(FINGER_S)
         for key in reversed(modifiers):
             self.keyboard.up(key)
         self.settle()
@@ -249,14 +251,16 @@ class Hand:
         self.main(report_view.clear)
 
     def tidy(self) -> None:
-        """Release keys, close dialogs and documents, whatever a failed test has left."""
+        """Release keys, rest the pointer where nothing answers it, close dialogs and documents."""
         self.mouse.release_all()
+        self.mouse.move(*self.main(places.at_rest))
         self.keyboard.release_all()
         for _ in range(5):
             if not self.main(places.close_one_popup):
                 break
             self.settle()
         self.main(FreeCADGui.Control.closeDialog)
+        self.main(places.hide_our_docks)
         self.settle()
         for name in self.main(lambda: list(FreeCAD.listDocuments())):
             self.main(FreeCAD.closeDocument, name)

@@ -87,8 +87,10 @@ class Keeper:
             self._kept.append(dict(frame.f_locals))
 
     def let_go(self) -> None:
-        """Delete what was kept; runs on the interface thread."""
+        """Delete what was kept, also by the last error's traceback; runs on the interface thread."""
         self._kept.clear()
+        for name in ("last_exc", "last_type", "last_value", "last_traceback"):
+            vars(sys).pop(name, None)
         gc.collect()
 
     def _collect(self) -> None:

@@ -7,6 +7,8 @@ WITHOUT = "CNCSTEPPER_WINDOW_WITHOUT"  # packages that FreeCAD's Python shall no
 
 AUTOLOAD = "CNCSTEPPER_WINDOW_AUTOLOAD"  # the workbench that FreeCAD opens at its start
 
+RENAMED = {"1.1.3": {"Portuguese, Brazilian": "Portuguese (Brazilian)"}}  # languages, by the FreeCAD that renamed them
+
 KINDS: dict[str, dict[str, str]] = {
     "plain": {},
     "scaled": {"QT_SCALE_FACTOR": "2"},

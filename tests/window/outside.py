@@ -178,6 +178,7 @@ def run(version: str, kind: str, arguments: Sequence[str], environment: Mapping[
     ):
         status_file = Path(folder) / "status"
         language, autoload = asked.get(kinds.LANGUAGE, "English"), asked.get(kinds.AUTOLOAD, "CNCStepperWorkbench")
+        language = kinds.RENAMED.get(version, {}).get(language, language)
         make_home(Path(folder) / "home", language, autoload)
         variables = {
             "CNCSTEPPER_PYTEST": "\n".join(arguments),

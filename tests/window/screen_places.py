@@ -168,7 +168,8 @@ def of_tree_item(label: str) -> Point:
         if items:
             tree.scrollToItem(items[0])
             rect = tree.visualItemRect(items[0])
-            return _on_screen(tree.viewport(), QtCore.QPoint(rect.left() + 30, rect.center().y()))
+            on_text = min(rect.left() + 60, rect.right() - 6)  # not on the eye before it, which hides the object
+            return _on_screen(tree.viewport(), QtCore.QPoint(on_text, rect.center().y()))
     raise AssertionError(f"the tree shows no {label!r}")
 
 
@@ -221,6 +222,19 @@ def describe() -> str:
     modal, popup = QtGui.QApplication.activeModalWidget(), QtGui.QApplication.activePopupWidget()
     focus = QtGui.QApplication.focusWidget()
     return f"modal dialog: {_chain(modal)}; popup: {_chain(popup)}; focus: {_chain(focus)}"
+
+
+def at_rest() -> Point:
+    """Return a place on the left of the status bar, where no panel of FreeCAD unfolds under the pointer."""
+    bar = FreeCADGui.getMainWindow().statusBar()
+    return _on_screen(bar, QtCore.QPoint(bar.width() // 4, bar.height() // 2))
+
+
+def hide_our_docks() -> None:
+    """Hide the workbench's docks: they make the 3D view narrower, as it was not when FreeCAD started."""
+    for dock in FreeCADGui.getMainWindow().findChildren(QtGui.QDockWidget):
+        if dock.objectName().startswith("CNCStepper_"):
+            dock.hide()
 
 
 def close_one_popup() -> bool:

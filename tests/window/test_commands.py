@@ -146,7 +146,7 @@ def test_of_several_jobs_one_must_be_meant(hand: Hand) -> None:
     jobs = hand.main(lambda: [new_job(document), new_job(document)])
     hand.main(select)
     expect_enabled(hand, NEW_JOB, FREEHAND, CONTROLLER)
-    assert reason(hand, SEND) == "Select the job in the tree: this document has several"
+    hand.wait(lambda: reason(hand, SEND) == "Select the job in the tree: this document has several")
     hand.main(select, jobs[1].Operations[0])
     expect_enabled(hand, NEW_JOB, FREEHAND, POCKET, SIMULATE, SEND, CONTROLLER)
     hand.main(select, *jobs)

@@ -283,7 +283,8 @@ def test_a_drawing_is_chosen_taken_and_let_go(hand: Hand, bench: Bench) -> None:
     assert hand.main(lambda: hand_box("CNCStepper_Panel_radius_x_mm").isEnabled())
     hand.main(FreeCADGui.Selection.clearSelection)
     hand.main(FreeCADGui.Selection.addSelection, bench.line)
-    hand.click("CNCStepper_Panel_drawing_take")
+    hand.main(lambda: keyboard_into(bench, "CNCStepper_Panel_drawing_take"))
+    hand.key("space")
     hand.wait(lambda: "no ellipse" in bench.note("drawing") or bench.panel_problem(), 5, "why it cannot be taken")
     assert hand.main(lambda: bench.pocket.Drawing) is None
 

@@ -44,7 +44,7 @@ def labelled(obj: Any, label: str) -> Any:
 
 
 def show_all() -> None:
-    """Let the active 3D view show all there is: the first path of a job is seldom where the camera looks."""
+    """Let the active 3D view show all there is: the stock of a new job is seldom where the camera looks."""
     import FreeCADGui
 
     FreeCADGui.SendMsgToActiveView("ViewFit")
@@ -58,12 +58,9 @@ class Operation(Command):
         return missing.why_not() or choice.why_no_panel() or choice.why_no_job()
 
     def run(self) -> None:
-        """Add the operation and open its panel; the first of a job is brought into view."""
+        """Add the operation and open its panel."""
         job, drawing = choice.job(), choice.drawing()
-        first = not job.Operations
         create(job.Document, self.text(), lambda: self.add(job, drawing))
-        if first:
-            show_all()
 
     def add(self, job: Any, drawing: Any) -> Any:
         """Return the new operation of the job, with what is drawn (None: nothing); raises a CNCStepperError."""

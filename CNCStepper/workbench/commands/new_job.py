@@ -8,7 +8,7 @@ from typing import Any
 from CNCStepper.workbench import missing
 from CNCStepper.workbench.commands import choice, defaults
 from CNCStepper.workbench.commands.base import Command
-from CNCStepper.workbench.commands.creation import create, labelled
+from CNCStepper.workbench.commands.creation import create, labelled, show_all
 from CNCStepper.workbench.words import QT_TRANSLATE_NOOP, tr
 
 
@@ -24,11 +24,12 @@ class NewJob(Command):
         return missing.why_not() or choice.why_no_panel()
 
     def run(self) -> None:
-        """Make the job and open its panel."""
+        """Make the job, open its panel, and bring its stock into view."""
         import FreeCAD
 
         document = choice.document() or FreeCAD.newDocument()
         create(document, tr("New job"), lambda: _job(document))
+        show_all()
 
 
 def _job(document: Any) -> Any:

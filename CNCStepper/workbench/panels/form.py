@@ -12,6 +12,7 @@ from CNCStepper.workbench.panels.fields import NAME, Field, field_class
 from CNCStepper.workbench.panels.measures import text_of
 from CNCStepper.workbench.words import tr
 
+MOST_BESIDE_LABEL = 2  # more lines to type into stand below their label: the task view is narrow
 LABEL_LETTERS = 16  # longer labels take a second line: Portuguese is longer, and the values need room
 MARGINS = (6, 5, 6, 5)
 
@@ -124,7 +125,12 @@ class Form(QtGui.QWidget):
         field = kind(self.obj, entry, self)
         field.changed.connect(self.changed)
         self.fields[entry.key] = field
-        _layout(self.box(entry.group, folded)).addRow(field.label, field.widget)
+        layout = _layout(self.box(entry.group, folded))
+        if len(field.editors) > MOST_BESIDE_LABEL:
+            layout.addRow(field.label)
+            layout.addRow(field.widget)
+        else:
+            layout.addRow(field.label, field.widget)
 
     def _add_result(self, entry: Property) -> None:
         value = QtGui.QLabel(self)

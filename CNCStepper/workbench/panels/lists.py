@@ -35,6 +35,7 @@ class ObjectList(QtGui.QWidget):
         self.list = QtGui.QListWidget(self)
         self.list.setObjectName(self.name)
         self.list.setIconSize(QtCore.QSize(ICON_PX, ICON_PX))
+        self.list.setHorizontalScrollBarPolicy(QtCore.Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.note = note_label(f"{self.name}_error", ERROR_COLOUR, self)
         self.buttons = QtGui.QHBoxLayout()
         self.buttons.setSpacing(3)

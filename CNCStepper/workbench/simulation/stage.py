@@ -36,9 +36,12 @@ class Stage:
             obj.ViewObject.Visibility = False
 
     def look(self) -> None:
-        """Look at everything from above at a slant."""
+        """Look at everything from above at a slant, at once: a camera that still moves later would undo `restore`."""
+        moves = self._view.isAnimationEnabled()
+        self._view.setAnimationEnabled(False)
         self._view.viewIsometric()
         self._view.fitAll()
+        self._view.setAnimationEnabled(moves)
 
     def restore(self) -> None:
         """Show what was hidden, and look as before; what was deleted or closed meanwhile is left alone."""

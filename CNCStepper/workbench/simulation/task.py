@@ -120,24 +120,30 @@ class SimulationTask:
         self.form.say("\n".join(part for part in (tell.sentence(error), translated(error.advice)) if part), again=True)
 
     def _show(self, result: ProofResult) -> None:
-        from CNCStepper.workbench.simulation.scene import Scene
-
         self._result = result
-        self._player = player = Player(result.moves)
+        self._player = Player(result.moves)
         view = view_of(self._job.Document)
         if view is None:
             self._refuse(_no_view())
             return
-        self._stage = Stage(self._job, view)
-        self._scene = Scene(view, result)
-        self.form.show_result(result, player, self._scene.height_range_mm)
-        self.form.program.chosen.connect(tell.guarded(self._go_to_line))
-        self.form.findings.chosen.connect(tell.guarded(self._go_to_finding))
-        self._loading = self._scene.load()
+        self._loading = self._show_bit_by_bit(result, self._player, view)
         self._loader.start()
 
+    def _show_bit_by_bit(self, result: ProofResult, player: Player, view: Any) -> Iterator[None]:
+        """Bring in scene and panel, a few ms at a time: run it on from a timer until it ends."""
+        from CNCStepper.workbench.simulation.scene import Scene
+
+        self._stage = Stage(self._job, view)
+        self._scene = scene = Scene(view, result)
+        yield
+        self.form.show_result(result, player, scene.height_range_mm)
+        self.form.program.chosen.connect(tell.guarded(self._go_to_line))
+        self.form.findings.chosen.connect(tell.guarded(self._go_to_finding))
+        yield
+        yield from scene.load()
+
     def _load_on(self) -> None:
-        """Bring a bit more of the scene in; when all is there, the tool appears and follows the player."""
+        """Bring a bit more in; when all is there, the tool appears and follows the player."""
         if next(self._loading, self) is None:
             return
         self._loader.stop()

@@ -8,11 +8,43 @@ from typing import Any
 from CNCStepper.workbench.features.base import proxy_type
 from CNCStepper.workbench.tell import guarded, polled
 from CNCStepper.workbench.viewproviders.base import Entry, ViewProvider
+from CNCStepper.workbench.viewproviders.stock_box import SHAPED_BY, StockBox
 from CNCStepper.workbench.words import tr
+
+STOCK = "Stock"  # the one way in which a job is drawn
 
 
 class Job(ViewProvider):
-    """The view of a job."""
+    """The view of a job: in the 3D view it is the edges of its stock."""
+
+    stock: StockBox | None = None  # FreeCAD tells of properties before it attaches the view of an opened document
+
+    @polled
+    def attach(self, view: Any) -> None:
+        """Draw the stock; FreeCAD calls this for a new view and when a document is opened."""
+        super().attach(view)
+        self.stock = StockBox()
+        view.addDisplayMode(self.stock.node, STOCK)
+        self._draw_stock()
+
+    def getDisplayModes(self, view: Any) -> list[str]:
+        """Return the one way to draw a job."""
+        return [STOCK]
+
+    def getDefaultDisplayMode(self) -> str:
+        """Return the one way to draw a job."""
+        return STOCK
+
+    @polled
+    def updateData(self, obj: Any, name: str) -> None:
+        """Follow the stock too; FreeCAD calls this at every change of a property."""
+        super().updateData(obj, name)
+        if name in SHAPED_BY:
+            self._draw_stock()
+
+    def _draw_stock(self) -> None:
+        if self.stock is not None and set(SHAPED_BY) <= set(self.obj.PropertiesList):
+            self.stock.update(self.obj)
 
     @polled
     def claimChildren(self) -> list[Any]:

@@ -144,6 +144,13 @@ def test_an_engraving_is_judged_by_the_tools_centre_and_depth():
     assert short.left_over_mm == pytest.approx(1.0, abs=0.001)
 
 
+@pytest.mark.parametrize("rounded_mm", [-0.0004, 0.0004])
+def test_an_engraving_rounded_off_the_edge_of_its_line_leaves_nothing(rounded_mm):
+    line = Removal(shapely.LineString([(0, 0), (10, 0), (20, 10)]), 0.0, -1.0)
+    rounded = judged(engraving(shift_mm=rounded_mm), [line], BALL)
+    assert rounded.left_over_mm == pytest.approx(0.0004, abs=0.0001)
+
+
 def test_an_engraving_beside_a_pocket_does_not_gouge_it():
     program = square_pocket()
     program.rapid(22, -10, 5).feed(22, -10, -0.5).feed(22, 10, -0.5).rapid(22, 10, 5)
