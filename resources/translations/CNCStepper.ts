@@ -2126,6 +2126,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>CNCStepper certificate</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>FreeCAD's Python lacks {0}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2147,6 +2151,10 @@
         </message>
         <message>
             <source>a bulge is not that of an arc in mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a chip load needs flutes</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2174,6 +2182,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a drill goes sideways through stock</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a height field needs two rows and two columns of finite heights at least</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2191,6 +2203,10 @@
         </message>
         <message>
             <source>a limit switch was hit</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a mill that does not cut over its centre ({0}) goes down into stock too steeply</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2226,6 +2242,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a tooth of the {0} tool takes too thick a chip</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a value is negative where only positive ones are allowed</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2238,11 +2258,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>a {0} tool has no {1}</source>
+            <source>a {0} tool has no core_diameter_mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>a {0} tool is simulated as a flat one of its diameter</source>
+            <source>a {0} tool has no {1}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2378,7 +2398,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>check the program again, and send it with the certificate that this gives</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>check the switches, and travel $130 to $132</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>chip_load_min_mm must not exceed chip_load_max_mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2454,6 +2482,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>core_diameter_mm must not exceed diameter_mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>corner_radius_mm must not exceed half of diameter_mm</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2486,11 +2518,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>correct the program, and check it again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>correct work zero or program, then unlock with $X; the position is kept</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>curves do not meet</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>cut in more levels, or take a longer tool</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2507,6 +2547,14 @@
         </message>
         <message>
             <source>enable homing ($22=1) or switch soft limits off ($20=0)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>end it in .gif, or install ffmpeg</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>enter by a helix or ramp, or in the middle of a hole drilled before</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2566,11 +2614,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>give every row as many</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>give heights over the bottom, and the largest as the stock's Z</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>give its diameter for X and for Y</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>give its {0}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2587,6 +2643,14 @@
         </message>
         <message>
             <source>give the work zero to have the travel checked</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>give two opposite corners of a rectangle, or three and more of a polygon in their order</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>heights belong to a stock of the form 'height_field', and to no other</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2650,10 +2714,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>judge its depth by hand</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>laser mode needs a variable spindle output</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2678,7 +2738,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>let the tool stick out farther</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>lift the tool before it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>lift the tool over it, move the clamp or move the shape</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2690,11 +2758,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>lower F, or turn the spindle faster</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>lower F; the machine will take longer than the feed says</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>lower steps/mm or maximum rate</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>lower the feed here, or the axis' rate and acceleration in controller and profile</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>lower the stepover, enter by a helix, or leave less in the corners</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2734,6 +2814,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>more of the {0} tool's rim is in the material than it may</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>move the shape inwards, or take a larger sheet</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>move the shape or the work zero, or take larger stock</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2743,6 +2831,10 @@
         </message>
         <message>
             <source>name X and Y in a rapid above the stock first</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>no encoder for '{0}' is installed</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2838,11 +2930,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>prove parts of the program alone</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>pyserial is not installed</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>radii and resolution must be positive</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>raise F, or turn the spindle slower</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2895,6 +2995,10 @@
         </message>
         <message>
             <source>set the zero on the stock, then confirm it (--zero-confirmed)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>set the zero there, or check the program again with the zero that is set (--work-zero)</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2979,6 +3083,22 @@
         </message>
         <message>
             <source>the arc's radius does not fit its end point</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the certificate cannot be read</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the certificate is of another version</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the certificate lacks what a sender needs</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the certificate was changed after it was made</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3070,11 +3190,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the corners of a clamp enclose nothing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the curve is not smooth here</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>the cut begins without waiting for the spindle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the cut comes too near to the sheet's edge</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3127,6 +3255,10 @@
         </message>
         <message>
             <source>the heights do not fit their box</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the holder of the {0} tool goes into stock</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3186,6 +3318,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the lines to send are not those that were proven</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the link to {0} broke: {1}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3234,6 +3370,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the motor of {0} may lose steps: at {1} mm/s ({2} rpm) and {3} mm/s² it has too little torque</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the move leaves the travel of {0} by {1} mm</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3278,6 +3418,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the program is not the one that was proven: its text differs</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the program moves nothing</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3286,11 +3430,35 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the program was proven for another machine, or its profile was changed since</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the program was proven from another start state: work zero, offsets or tool lengths differ</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the program was proven with another stock</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the program was proven with other tools</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the proof failed by a fault of its own: {0}: {1}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the proof found {0} error(s) in the program, the first: {1}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the resolution is too fine for the ellipse</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the rows of heights differ in length</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3339,6 +3507,10 @@
         </message>
         <message>
             <source>the session's log</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the shank of the {0} tool rubs along the wall over its flutes</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3422,6 +3594,26 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the {0} goes into clamp {1}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the {0} tool cuts deeper than its flutes are long</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the {0} tool is too small against its path for its engagement to be measured</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the {0} tool rubs: a tooth takes too thin a chip</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the {0} tool's form is not given, so it is judged as a flat one of its diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>there is no command '{0}'</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3474,6 +3666,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>this is no certificate</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>tip_diameter_mm must be below diameter_mm</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3487,6 +3683,14 @@
         </message>
         <message>
             <source>tool {0} is not known, so what it cuts is not checked</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>torque must be points (rpm, Nm) that rise in rpm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>torque must not be below zero</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3535,6 +3739,10 @@
         </message>
         <message>
             <source>use a flat tool</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>use a mill, or lift the drill before it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3703,6 +3911,14 @@
         </message>
         <message>
             <source>{0} is no port: {1}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} is not the work system in force</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} is {1}, wanted {2} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

@@ -2126,6 +2126,10 @@
             <translation>0 a {0} mm</translation>
         </message>
         <message>
+            <source>CNCStepper certificate</source>
+            <translation>certificado do CNCStepper</translation>
+        </message>
+        <message>
             <source>FreeCAD's Python lacks {0}</source>
             <translation>Falta no Python do FreeCAD: {0}</translation>
         </message>
@@ -2148,6 +2152,10 @@
         <message>
             <source>a bulge is not that of an arc in mm</source>
             <translation>um bulge não é o de um arco em mm</translation>
+        </message>
+        <message>
+            <source>a chip load needs flutes</source>
+            <translation>um avanço por dente precisa do número de dentes</translation>
         </message>
         <message>
             <source>a coordinate is not a length in mm</source>
@@ -2174,6 +2182,10 @@
             <translation>um cilindro é tão comprido em X quanto em Y</translation>
         </message>
         <message>
+            <source>a drill goes sideways through stock</source>
+            <translation>uma broca anda de lado dentro do material</translation>
+        </message>
+        <message>
             <source>a height field needs two rows and two columns of finite heights at least</source>
             <translation>um campo de alturas precisa de ao menos duas linhas e duas colunas de alturas finitas</translation>
         </message>
@@ -2192,6 +2204,10 @@
         <message>
             <source>a limit switch was hit</source>
             <translation>um fim de curso foi atingido</translation>
+        </message>
+        <message>
+            <source>a mill that does not cut over its centre ({0}) goes down into stock too steeply</source>
+            <translation>uma fresa sem corte no centro ({0}) desce no material com inclinação demais</translation>
         </message>
         <message>
             <source>a move would end outside the travel (soft limit)</source>
@@ -2226,6 +2242,10 @@
             <translation>uma tolerância deve ser maior que 0</translation>
         </message>
         <message>
+            <source>a tooth of the {0} tool takes too thick a chip</source>
+            <translation>um dente da ferramenta {0} tira um cavaco espesso demais</translation>
+        </message>
+        <message>
             <source>a value is negative where only positive ones are allowed</source>
             <translation>um valor é negativo onde só positivos são permitidos</translation>
         </message>
@@ -2238,12 +2258,12 @@
             <translation>uma palavra aparece duas vezes na linha</translation>
         </message>
         <message>
-            <source>a {0} tool has no {1}</source>
-            <translation>uma ferramenta {0} não tem {1}</translation>
+            <source>a {0} tool has no core_diameter_mm</source>
+            <translation>uma ferramenta {0} não tem core_diameter_mm</translation>
         </message>
         <message>
-            <source>a {0} tool is simulated as a flat one of its diameter</source>
-            <translation>uma ferramenta {0} é simulada como fresa reta do mesmo diâmetro</translation>
+            <source>a {0} tool has no {1}</source>
+            <translation>uma ferramenta {0} não tem {1}</translation>
         </message>
         <message>
             <source>a {0} tool leaves no flat floor</source>
@@ -2378,8 +2398,16 @@
             <translation>verifique a fiação e a placa do apalpador e destrave com $X</translation>
         </message>
         <message>
+            <source>check the program again, and send it with the certificate that this gives</source>
+            <translation>verifique o programa de novo e envie-o com o certificado que isso gera</translation>
+        </message>
+        <message>
             <source>check the switches, and travel $130 to $132</source>
             <translation>verifique os fins de curso e os cursos $130 a $132</translation>
+        </message>
+        <message>
+            <source>chip_load_min_mm must not exceed chip_load_max_mm</source>
+            <translation>chip_load_min_mm não pode exceder chip_load_max_mm</translation>
         </message>
         <message>
             <source>choose S from {0} to {1}</source>
@@ -2454,6 +2482,10 @@
             <translation>feche a porta de segurança e retome</translation>
         </message>
         <message>
+            <source>core_diameter_mm must not exceed diameter_mm</source>
+            <translation>core_diameter_mm não pode exceder diameter_mm</translation>
+        </message>
+        <message>
             <source>corner_radius_mm must not exceed half of diameter_mm</source>
             <translation>corner_radius_mm não pode passar da metade de diameter_mm</translation>
         </message>
@@ -2486,12 +2518,20 @@
             <translation>corrija a trajetória, o diâmetro da ferramenta ou a profundidade</translation>
         </message>
         <message>
+            <source>correct the program, and check it again</source>
+            <translation>corrija o programa e verifique-o de novo</translation>
+        </message>
+        <message>
             <source>correct work zero or program, then unlock with $X; the position is kept</source>
             <translation>corrija o zero-peça ou o programa e destrave com $X; a posição se mantém</translation>
         </message>
         <message>
             <source>curves do not meet</source>
             <translation>as curvas não se encontram</translation>
+        </message>
+        <message>
+            <source>cut in more levels, or take a longer tool</source>
+            <translation>usine em mais níveis, ou use uma ferramenta mais longa</translation>
         </message>
         <message>
             <source>draw at least two points</source>
@@ -2508,6 +2548,14 @@
         <message>
             <source>enable homing ($22=1) or switch soft limits off ($20=0)</source>
             <translation>habilite o referenciamento ($22=1) ou desligue os limites de software ($20=0)</translation>
+        </message>
+        <message>
+            <source>end it in .gif, or install ffmpeg</source>
+            <translation>use a extensão .gif, ou instale o ffmpeg</translation>
+        </message>
+        <message>
+            <source>enter by a helix or ramp, or in the middle of a hole drilled before</source>
+            <translation>entre em hélice ou rampa, ou no meio de um furo já aberto</translation>
         </message>
         <message>
             <source>exclusively lock</source>
@@ -2566,12 +2614,20 @@
             <translation>escreva uma palavra F antes do primeiro movimento de avanço</translation>
         </message>
         <message>
+            <source>give every row as many</source>
+            <translation>dê a mesma quantidade a cada linha</translation>
+        </message>
+        <message>
             <source>give heights over the bottom, and the largest as the stock's Z</source>
             <translation>dê alturas acima do fundo, e a maior como Z do bloco</translation>
         </message>
         <message>
             <source>give its diameter for X and for Y</source>
             <translation>dê o diâmetro para X e para Y</translation>
+        </message>
+        <message>
+            <source>give its {0}</source>
+            <translation>informe {0} dela</translation>
         </message>
         <message>
             <source>give the path of a TOML job file</source>
@@ -2588,6 +2644,14 @@
         <message>
             <source>give the work zero to have the travel checked</source>
             <translation>informe o zero-peça para que o curso seja verificado</translation>
+        </message>
+        <message>
+            <source>give two opposite corners of a rectangle, or three and more of a polygon in their order</source>
+            <translation>informe dois cantos opostos de um retângulo, ou três ou mais de um polígono, na ordem</translation>
+        </message>
+        <message>
+            <source>heights belong to a stock of the form 'height_field', and to no other</source>
+            <translation>alturas pertencem a um bloco da forma 'height_field', e a nenhum outro</translation>
         </message>
         <message>
             <source>heights differ by {0} mm</source>
@@ -2650,10 +2714,6 @@
             <translation>mova menos</translation>
         </message>
         <message>
-            <source>judge its depth by hand</source>
-            <translation>avalie a profundidade por conta própria</translation>
-        </message>
-        <message>
             <source>laser mode needs a variable spindle output</source>
             <translation>o modo laser exige saída de spindle variável</translation>
         </message>
@@ -2678,8 +2738,16 @@
             <translation>saia do modo de verificação com $C</translation>
         </message>
         <message>
+            <source>let the tool stick out farther</source>
+            <translation>deixe a ferramenta mais para fora do porta-ferramenta</translation>
+        </message>
+        <message>
             <source>lift the tool before it</source>
             <translation>levante a ferramenta antes dele</translation>
+        </message>
+        <message>
+            <source>lift the tool over it, move the clamp or move the shape</source>
+            <translation>levante a ferramenta acima dele, mude o grampo de lugar ou desloque a forma</translation>
         </message>
         <message>
             <source>look at its switches</source>
@@ -2690,12 +2758,24 @@
             <translation>procure o código na documentação do controlador</translation>
         </message>
         <message>
+            <source>lower F, or turn the spindle faster</source>
+            <translation>diminua F, ou aumente a rotação do spindle</translation>
+        </message>
+        <message>
             <source>lower F; the machine will take longer than the feed says</source>
             <translation>diminua F; a máquina levará mais tempo do que o avanço indica</translation>
         </message>
         <message>
             <source>lower steps/mm or maximum rate</source>
             <translation>diminua os passos/mm ou a velocidade máxima</translation>
+        </message>
+        <message>
+            <source>lower the feed here, or the axis' rate and acceleration in controller and profile</source>
+            <translation>diminua o avanço aqui, ou a velocidade e a aceleração do eixo no controlador e no perfil</translation>
+        </message>
+        <message>
+            <source>lower the stepover, enter by a helix, or leave less in the corners</source>
+            <translation>diminua a penetração de trabalho, entre em hélice, ou deixe menos material nos cantos</translation>
         </message>
         <message>
             <source>make finish_{0} smaller</source>
@@ -2734,6 +2814,14 @@
             <translation>corrija antes esse objeto</translation>
         </message>
         <message>
+            <source>more of the {0} tool's rim is in the material than it may</source>
+            <translation>o ângulo de contato da ferramenta {0} com o material é maior que o permitido</translation>
+        </message>
+        <message>
+            <source>move the shape inwards, or take a larger sheet</source>
+            <translation>desloque a forma para dentro, ou use uma chapa maior</translation>
+        </message>
+        <message>
             <source>move the shape or the work zero, or take larger stock</source>
             <translation>mova a forma ou o zero-peça, ou use um bloco maior</translation>
         </message>
@@ -2744,6 +2832,10 @@
         <message>
             <source>name X and Y in a rapid above the stock first</source>
             <translation>indique antes X e Y em um rápido acima do bloco</translation>
+        </message>
+        <message>
+            <source>no encoder for '{0}' is installed</source>
+            <translation>não há codificador instalado para '{0}'</translation>
         </message>
         <message>
             <source>no feed rate was set</source>
@@ -2838,12 +2930,20 @@
             <translation>prepare o programa de novo</translation>
         </message>
         <message>
+            <source>prove parts of the program alone</source>
+            <translation>verifique partes do programa em separado</translation>
+        </message>
+        <message>
             <source>pyserial is not installed</source>
             <translation>o pyserial não está instalado</translation>
         </message>
         <message>
             <source>radii and resolution must be positive</source>
             <translation>os semieixos e a resolução devem ser positivos</translation>
+        </message>
+        <message>
+            <source>raise F, or turn the spindle slower</source>
+            <translation>aumente F, ou diminua a rotação do spindle</translation>
         </message>
         <message>
             <source>raise the pull-off $27 or check the switch</source>
@@ -2896,6 +2996,10 @@
         <message>
             <source>set the zero on the stock, then confirm it (--zero-confirmed)</source>
             <translation>defina o zero no bloco e confirme-o (--zero-confirmed)</translation>
+        </message>
+        <message>
+            <source>set the zero there, or check the program again with the zero that is set (--work-zero)</source>
+            <translation>defina o zero ali, ou verifique o programa de novo com o zero que está definido (--work-zero)</translation>
         </message>
         <message>
             <source>shorten or split that line</source>
@@ -2980,6 +3084,22 @@
         <message>
             <source>the arc's radius does not fit its end point</source>
             <translation>o raio do arco não combina com o ponto final</translation>
+        </message>
+        <message>
+            <source>the certificate cannot be read</source>
+            <translation>o certificado não pode ser lido</translation>
+        </message>
+        <message>
+            <source>the certificate is of another version</source>
+            <translation>o certificado é de outra versão</translation>
+        </message>
+        <message>
+            <source>the certificate lacks what a sender needs</source>
+            <translation>falta no certificado o que o envio precisa</translation>
+        </message>
+        <message>
+            <source>the certificate was changed after it was made</source>
+            <translation>o certificado foi alterado depois de emitido</translation>
         </message>
         <message>
             <source>the character {0} would act as a command of its own or is not ASCII</source>
@@ -3070,12 +3190,20 @@
             <translation>o controlador foi reiniciado em movimento</translation>
         </message>
         <message>
+            <source>the corners of a clamp enclose nothing</source>
+            <translation>os cantos de um grampo não delimitam nenhuma área</translation>
+        </message>
+        <message>
             <source>the curve is not smooth here</source>
             <translation>a curva não é suave aqui</translation>
         </message>
         <message>
             <source>the cut begins without waiting for the spindle</source>
             <translation>o corte começa sem esperar o spindle</translation>
+        </message>
+        <message>
+            <source>the cut comes too near to the sheet's edge</source>
+            <translation>o corte chega perto demais da borda da chapa</translation>
         </message>
         <message>
             <source>the desk cannot be started: {0}</source>
@@ -3128,6 +3256,10 @@
         <message>
             <source>the heights do not fit their box</source>
             <translation>as alturas não cabem na sua caixa</translation>
+        </message>
+        <message>
+            <source>the holder of the {0} tool goes into stock</source>
+            <translation>o porta-ferramenta da ferramenta {0} entra no material</translation>
         </message>
         <message>
             <source>the job cannot be read: {0}</source>
@@ -3186,6 +3318,10 @@
             <translation>o número da linha não está entre 0 e 9999999</translation>
         </message>
         <message>
+            <source>the lines to send are not those that were proven</source>
+            <translation>as linhas a enviar não são as que foram verificadas</translation>
+        </message>
+        <message>
             <source>the link to {0} broke: {1}</source>
             <translation>a ligação com {0} caiu: {1}</translation>
         </message>
@@ -3234,6 +3370,10 @@
             <translation>a posição da máquina é desconhecida: veja se o spindle e as saídas estão desligados, depois referencie ou defina o zero de novo</translation>
         </message>
         <message>
+            <source>the motor of {0} may lose steps: at {1} mm/s ({2} rpm) and {3} mm/s² it has too little torque</source>
+            <translation>o motor de {0} pode perder passos: a {1} mm/s ({2} rpm) e {3} mm/s² falta-lhe torque</translation>
+        </message>
+        <message>
             <source>the move leaves the travel of {0} by {1} mm</source>
             <translation>o movimento sai do curso de {0} por {1} mm</translation>
         </message>
@@ -3278,6 +3418,10 @@
             <translation>o programa é maior que o curso de {0}</translation>
         </message>
         <message>
+            <source>the program is not the one that was proven: its text differs</source>
+            <translation>o programa não é o que foi verificado: o texto é outro</translation>
+        </message>
+        <message>
             <source>the program moves nothing</source>
             <translation>o programa não move nada</translation>
         </message>
@@ -3286,12 +3430,36 @@
             <translation>o programa espera com o spindle girando</translation>
         </message>
         <message>
+            <source>the program was proven for another machine, or its profile was changed since</source>
+            <translation>o programa foi verificado para outra máquina, ou o perfil dela mudou desde então</translation>
+        </message>
+        <message>
+            <source>the program was proven from another start state: work zero, offsets or tool lengths differ</source>
+            <translation>o programa foi verificado a partir de outro estado inicial: zero-peça, deslocamentos ou comprimentos de ferramenta diferem</translation>
+        </message>
+        <message>
+            <source>the program was proven with another stock</source>
+            <translation>o programa foi verificado com outro bloco</translation>
+        </message>
+        <message>
+            <source>the program was proven with other tools</source>
+            <translation>o programa foi verificado com outras ferramentas</translation>
+        </message>
+        <message>
             <source>the proof failed by a fault of its own: {0}: {1}</source>
             <translation>a verificação falhou por um defeito próprio: {0}: {1}</translation>
         </message>
         <message>
+            <source>the proof found {0} error(s) in the program, the first: {1}</source>
+            <translation>a verificação encontrou {0} erro(s) no programa, o primeiro: {1}</translation>
+        </message>
+        <message>
             <source>the resolution is too fine for the ellipse</source>
             <translation>a resolução é fina demais para a elipse</translation>
+        </message>
+        <message>
+            <source>the rows of heights differ in length</source>
+            <translation>as linhas de alturas têm comprimentos diferentes</translation>
         </message>
         <message>
             <source>the safety door is open or the machine is parking ({0}): resume later</source>
@@ -3340,6 +3508,10 @@
         <message>
             <source>the session's log</source>
             <translation>o registro da sessão</translation>
+        </message>
+        <message>
+            <source>the shank of the {0} tool rubs along the wall over its flutes</source>
+            <translation>a haste da ferramenta {0} atrita na parede acima da parte cortante</translation>
         </message>
         <message>
             <source>the spindle cannot turn at this speed</source>
@@ -3422,6 +3594,26 @@
             <translation>o zero de {0} em {1} não foi aceito</translation>
         </message>
         <message>
+            <source>the {0} goes into clamp {1}</source>
+            <translation>{0} bate no grampo {1}</translation>
+        </message>
+        <message>
+            <source>the {0} tool cuts deeper than its flutes are long</source>
+            <translation>a ferramenta {0} corta mais fundo que o seu comprimento de corte</translation>
+        </message>
+        <message>
+            <source>the {0} tool is too small against its path for its engagement to be measured</source>
+            <translation>a ferramenta {0} é pequena demais diante da trajetória para se medir o seu ângulo de contato</translation>
+        </message>
+        <message>
+            <source>the {0} tool rubs: a tooth takes too thin a chip</source>
+            <translation>a ferramenta {0} atrita em vez de cortar: um dente tira um cavaco fino demais</translation>
+        </message>
+        <message>
+            <source>the {0} tool's form is not given, so it is judged as a flat one of its diameter</source>
+            <translation>a forma da ferramenta {0} não foi informada, por isso é avaliada como fresa reta do mesmo diâmetro</translation>
+        </message>
+        <message>
             <source>there is no command '{0}'</source>
             <translation>não há comando '{0}'</translation>
         </message>
@@ -3474,6 +3666,10 @@
             <translation>este cliente está desligado</translation>
         </message>
         <message>
+            <source>this is no certificate</source>
+            <translation>isto não é um certificado</translation>
+        </message>
+        <message>
             <source>tip_diameter_mm must be below diameter_mm</source>
             <translation>tip_diameter_mm deve ser menor que diameter_mm</translation>
         </message>
@@ -3488,6 +3684,14 @@
         <message>
             <source>tool {0} is not known, so what it cuts is not checked</source>
             <translation>a ferramenta {0} não é conhecida, por isso o que ela corta não é verificado</translation>
+        </message>
+        <message>
+            <source>torque must be points (rpm, Nm) that rise in rpm</source>
+            <translation>torque deve ser uma lista de pontos (rpm, Nm) com rpm crescente</translation>
+        </message>
+        <message>
+            <source>torque must not be below zero</source>
+            <translation>torque não pode ser negativo</translation>
         </message>
         <message>
             <source>travel_min_mm must be below travel_max_mm</source>
@@ -3536,6 +3740,10 @@
         <message>
             <source>use a flat tool</source>
             <translation>use uma fresa de topo reto</translation>
+        </message>
+        <message>
+            <source>use a mill, or lift the drill before it</source>
+            <translation>use uma fresa, ou levante a broca antes disso</translation>
         </message>
         <message>
             <source>use a tool number up to 255</source>
@@ -3704,6 +3912,14 @@
         <message>
             <source>{0} is no port: {1}</source>
             <translation>{0} não é uma porta: {1}</translation>
+        </message>
+        <message>
+            <source>{0} is not the work system in force</source>
+            <translation>{0} não é o sistema de coordenadas em vigor</translation>
+        </message>
+        <message>
+            <source>{0} is {1}, wanted {2} mm</source>
+            <translation>{0} é {1}, esperado {2} mm</translation>
         </message>
         <message>
             <source>{0} may not be opened by this user</source>
