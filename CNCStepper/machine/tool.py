@@ -10,24 +10,10 @@
 
 from __future__ import annotations
 
-from typing import Literal
-
 from pydantic import BaseModel, ConfigDict, Field, model_validator
 
 from CNCStepper.errors import JobError
-
-Shape = Literal["flat", "ball", "bullnose", "v", "drill", "engraver", "jet", "wire"]
-
-OWN_KEYS = {  # the keys that say more of a shape than its diameter; no other shape may have them
-    "bullnose": {"corner_radius_mm"},
-    "v": {"tip_angle_deg", "tip_diameter_mm"},
-    "engraver": {"tip_angle_deg", "tip_diameter_mm"},
-    "drill": {"point_angle_deg"},
-    "jet": {"taper_deg"},
-    "wire": {"taper_deg"},
-}
-
-MILLS = ("flat", "ball", "bullnose")
+from CNCStepper.machine.shapes import Shape, foreign_keys
 
 
 class Tool(BaseModel):
@@ -64,15 +50,13 @@ class Tool(BaseModel):
 
     @model_validator(mode="after")
     def _keys_fit_the_shape(self) -> Tool:
-        for key in sorted(set.union(*OWN_KEYS.values()) - OWN_KEYS.get(self.shape, set())):
-            if getattr(self, key) is not None:
+        for key in sorted(foreign_keys(self.shape)):
+            if getattr(self, key) != type(self).model_fields[key].default:
                 raise ValueError(f"a {self.shape} tool has no {key}")
         if self.corner_radius_mm is not None and self.corner_radius_mm > self.radius_mm:
             raise ValueError("corner_radius_mm must not exceed half of diameter_mm")
         if self.tip_diameter_mm is not None and self.tip_diameter_mm >= self.diameter_mm:
             raise ValueError("tip_diameter_mm must be below diameter_mm")
-        if self.core_diameter_mm and self.shape not in MILLS:
-            raise ValueError(f"a {self.shape} tool has no core_diameter_mm")
         if self.core_diameter_mm > self.diameter_mm:
             raise ValueError("core_diameter_mm must not exceed diameter_mm")
         if self.chip_load_max_mm and self.chip_load_min_mm > self.chip_load_max_mm:

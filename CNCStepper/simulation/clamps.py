@@ -110,11 +110,11 @@ def _by_tool(subject: Subject) -> list[tuple[int, Segments]]:
 
 def _bodies(tool: Tool | None) -> list[_Body]:
     if tool is None:
-        return [_Body("tool", POINT, 0.0)]
-    found = [_Body("tool", Cutter(form_of(tool)), 0.0)]
+        return [_Body("the tool", POINT, 0.0)]
+    found = [_Body("the tool", Cutter(form_of(tool)), 0.0)]
     if tool.length_mm and tool.holder_diameter_mm:
         radius = tool.holder_diameter_mm / 2
-        found.append(_Body("holder", Cutter(Form(radius, radius)), tool.length_mm))
+        found.append(_Body("the holder", Cutter(Form(radius, radius)), tool.length_mm))
     return found
 
 
@@ -134,7 +134,7 @@ def _touched(subject: Subject, path: Segments, body: _Body, clamp: Clamp, number
             int(low.row[worst]),
             "error",
             "clamp",
-            f"the {body.name} goes into clamp {number}",
+            f"{body.name} goes into clamp {number}",
             advice="lift the tool over it, move the clamp or move the shape",
             place_mm=(*near.tolist(), float(low.low_mm[worst])),
             value=float(into[worst]),

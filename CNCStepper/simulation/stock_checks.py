@@ -8,7 +8,8 @@ from collections.abc import Iterator
 import numpy as np
 import shapely
 
-from CNCStepper.machine.tool import OWN_KEYS, Tool
+from CNCStepper.machine.shapes import OWN_KEYS
+from CNCStepper.machine.tool import Tool
 from CNCStepper.simulation.contact import RUB_MM, Remaining
 from CNCStepper.simulation.cutter import BEAM, Cutter, Tools, tool_numbered
 from CNCStepper.simulation.finding import Finding

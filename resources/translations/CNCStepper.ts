@@ -20,7 +20,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Between the two sides of a V-bit or engraver; 0: not given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Between the two sides of a drill's point; 0: not given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Centre</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Chip Load Max</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Chip Load Min</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -37,6 +53,22 @@
         </message>
         <message>
             <source>Coolant</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Core Diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Core diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Corner Radius</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Corner radius</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -80,6 +112,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Engagement Max</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Entry</source>
             <translation type="unfinished"></translation>
         </message>
@@ -112,11 +148,43 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Flute Length</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Flute length</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Flutes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>For a mill that does not cut over its centre; 0: 10°</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Free length</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>From X to the ellipse's first axis</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>From here down the tool feeds</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>From the tip to the holder; 0: not given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Greatest chip load</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Greatest engagement</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -129,6 +197,14 @@
         </message>
         <message>
             <source>Heights</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Holder Diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Holder diameter</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -149,6 +225,14 @@
         </message>
         <message>
             <source>How many points the wire has</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How many teeth; 0: not given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How much of the rim may be in the material, as an angle; 0: not given</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -180,7 +264,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Least chip load</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Length</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Length, width and height</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Lengths and limits</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -220,6 +316,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Of a bull nose; 0: not given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Of one wall that a jet or wire leaves, against the vertical; 0: none</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Of the written program</source>
             <translation type="unfinished"></translation>
         </message>
@@ -245,6 +349,14 @@
         </message>
         <message>
             <source>Plunge feed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Point Angle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Point angle</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -288,6 +400,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Ramp Max</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Recalculated to whole passes</source>
             <translation type="unfinished"></translation>
         </message>
@@ -321,6 +437,10 @@
         </message>
         <message>
             <source>Spindle turns a minute</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Steepest ramp</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -360,6 +480,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Taper</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The T word of the program</source>
             <translation type="unfinished"></translation>
         </message>
@@ -388,11 +512,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The diameter of what holds the tool; 0: not given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The drawing it followed, when that was deleted</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>The feed of the last pass at the wall; 0: the tool's own feed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The flat at the tip of a V-bit or engraver; 0: it is pointed</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -413,6 +545,14 @@
         </message>
         <message>
             <source>The length of all lines</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The length of the cutting edges; 0: not given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The middle of a mill's end that does not cut; 0: it cuts over its centre</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -448,6 +588,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The thickest chip that a tooth bears; 0: not given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The thinnest chip of a tooth, below which it rubs; 0: not given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The tool that cuts it</source>
             <translation type="unfinished"></translation>
         </message>
@@ -465,6 +613,26 @@
         </message>
         <message>
             <source>The work coordinate system</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Tip</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Tip Angle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Tip Diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Tip angle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Tip diameter</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -627,6 +795,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>A tool of this shape has none</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>A value is missing here</source>
             <translation type="unfinished"></translation>
         </message>
@@ -672,6 +844,14 @@
         </message>
         <message>
             <source>Attached again to the controller at {0}.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Between the two sides of a V-bit or engraver; 0: not given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Between the two sides of a drill's point; 0: not given</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -776,6 +956,14 @@
         </message>
         <message>
             <source>Coolant</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Core diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Corner radius</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -939,7 +1127,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Flute length</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Flutes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Follow the drawing that is selected in the tree or in the 3D view</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>For a mill that does not cut over its centre; 0: 10°</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Free length</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -967,11 +1171,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>From the tip to the holder; 0: not given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Go on</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Go on after a hold, a pause or the door.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Greatest chip load</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Greatest engagement</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1000,6 +1216,10 @@
         </message>
         <message>
             <source>Hold: slow down and stand still; nothing is lost, the spindle goes on turning.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Holder diameter</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1047,11 +1267,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>How many teeth; 0: not given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>How many times faster than a real one the virtual machine moves</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>How many times faster than the machine</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How much of the rim may be in the material, as an angle; 0: not given</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1111,11 +1339,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Least chip load</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Leave out of the program</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Length, width and height</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Lengths and limits</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1239,6 +1475,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Of a bull nose; 0: not given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Of one wall that a jet or wire leaves, against the vertical; 0: none</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Of the written program</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1296,6 +1540,10 @@
         </message>
         <message>
             <source>Plunge feed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Point angle</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1479,6 +1727,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Steepest ramp</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Step ({0})</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1532,6 +1784,10 @@
         </message>
         <message>
             <source>Take the alarm away without homing: only when the position is surely right.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Taper</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1599,6 +1855,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The diameter of what holds the tool; 0: not given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The drawing gives this value</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1608,6 +1868,10 @@
         </message>
         <message>
             <source>The feed of the last pass at the wall; 0: the tool's own feed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The flat at the tip of a V-bit or engraver; 0: it is pointed</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1632,6 +1896,10 @@
         </message>
         <message>
             <source>The length of all lines</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The length of the cutting edges; 0: not given</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1679,6 +1947,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The middle of a mill's end that does not cut; 0: it cuts over its centre</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The parts and bodies that the drawing moves with</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1716,6 +1988,14 @@
         </message>
         <message>
             <source>The step of the published method</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The thickest chip that a tooth bears; 0: not given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The thinnest chip of a tooth, below which it rubs; 0: not given</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1764,6 +2044,18 @@
         </message>
         <message>
             <source>Timing the moves…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Tip</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Tip angle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Tip diameter</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1959,6 +2251,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>jet (water, plasma, laser)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>limit {0}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2040,6 +2336,10 @@
         </message>
         <message>
             <source>value {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>wire</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2255,10 +2555,6 @@
         </message>
         <message>
             <source>a word stands twice in one line</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>a {0} tool has no core_diameter_mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3258,6 +3554,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the holder</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the holder of the {0} tool goes into stock</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3550,6 +3850,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the tool</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the tool cuts into the wanted part</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3591,10 +3895,6 @@
         </message>
         <message>
             <source>the zero of {0} in {1} was not taken over</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>the {0} goes into clamp {1}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3879,6 +4179,10 @@
         </message>
         <message>
             <source>{0} does not answer {1}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} goes into clamp {1}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

@@ -20,8 +20,24 @@
             <translation>Arcos dentro de uma tolerância, ou os pontos publicados</translation>
         </message>
         <message>
+            <source>Between the two sides of a V-bit or engraver; 0: not given</source>
+            <translation>Entre os dois lados de uma fresa em V ou de gravação; 0: não informado</translation>
+        </message>
+        <message>
+            <source>Between the two sides of a drill's point; 0: not given</source>
+            <translation>Entre os dois lados da ponta de uma broca; 0: não informado</translation>
+        </message>
+        <message>
             <source>Centre</source>
             <translation>Centro</translation>
+        </message>
+        <message>
+            <source>Chip Load Max</source>
+            <translation>Avanço por dente máximo</translation>
+        </message>
+        <message>
+            <source>Chip Load Min</source>
+            <translation>Avanço por dente mínimo</translation>
         </message>
         <message>
             <source>Clearance</source>
@@ -38,6 +54,22 @@
         <message>
             <source>Coolant</source>
             <translation>Refrigeração</translation>
+        </message>
+        <message>
+            <source>Core Diameter</source>
+            <translation>Diâmetro do núcleo</translation>
+        </message>
+        <message>
+            <source>Core diameter</source>
+            <translation>Diâmetro do núcleo</translation>
+        </message>
+        <message>
+            <source>Corner Radius</source>
+            <translation>Raio de canto</translation>
+        </message>
+        <message>
+            <source>Corner radius</source>
+            <translation>Raio de canto</translation>
         </message>
         <message>
             <source>Cut</source>
@@ -80,6 +112,10 @@
             <translation>Elipse</translation>
         </message>
         <message>
+            <source>Engagement Max</source>
+            <translation>Ângulo de contato máximo</translation>
+        </message>
+        <message>
             <source>Entry</source>
             <translation>Entrada</translation>
         </message>
@@ -112,12 +148,44 @@
             <translation>Última penetração de trabalho</translation>
         </message>
         <message>
+            <source>Flute Length</source>
+            <translation>Comprimento de corte</translation>
+        </message>
+        <message>
+            <source>Flute length</source>
+            <translation>Comprimento de corte</translation>
+        </message>
+        <message>
+            <source>Flutes</source>
+            <translation>Dentes</translation>
+        </message>
+        <message>
+            <source>For a mill that does not cut over its centre; 0: 10°</source>
+            <translation>Para uma fresa sem corte no centro; 0: 10°</translation>
+        </message>
+        <message>
+            <source>Free length</source>
+            <translation>Comprimento livre</translation>
+        </message>
+        <message>
             <source>From X to the ellipse's first axis</source>
             <translation>De X até o primeiro eixo da elipse</translation>
         </message>
         <message>
             <source>From here down the tool feeds</source>
             <translation>Daqui para baixo a ferramenta avança em velocidade de corte</translation>
+        </message>
+        <message>
+            <source>From the tip to the holder; 0: not given</source>
+            <translation>Da ponta ao porta-ferramenta; 0: não informado</translation>
+        </message>
+        <message>
+            <source>Greatest chip load</source>
+            <translation>Avanço por dente máximo</translation>
+        </message>
+        <message>
+            <source>Greatest engagement</source>
+            <translation>Ângulo de contato máximo</translation>
         </message>
         <message>
             <source>Half the width along its second axis</source>
@@ -130,6 +198,14 @@
         <message>
             <source>Heights</source>
             <translation>Alturas</translation>
+        </message>
+        <message>
+            <source>Holder Diameter</source>
+            <translation>Diâmetro do porta-ferramenta</translation>
+        </message>
+        <message>
+            <source>Holder diameter</source>
+            <translation>Diâmetro do porta-ferramenta</translation>
         </message>
         <message>
             <source>How far the path may be off an ellipse or a B-spline; lines and arcs are exact</source>
@@ -150,6 +226,14 @@
         <message>
             <source>How many points the wire has</source>
             <translation>Número de pontos do arame</translation>
+        </message>
+        <message>
+            <source>How many teeth; 0: not given</source>
+            <translation>Quantos dentes; 0: não informado</translation>
+        </message>
+        <message>
+            <source>How much of the rim may be in the material, as an angle; 0: not given</source>
+            <translation>Quanto do contorno pode estar no material, em ângulo; 0: não informado</translation>
         </message>
         <message>
             <source>How steeply a helix or ramp goes down</source>
@@ -180,8 +264,20 @@
             <translation>Última penetração de trabalho</translation>
         </message>
         <message>
+            <source>Least chip load</source>
+            <translation>Avanço por dente mínimo</translation>
+        </message>
+        <message>
+            <source>Length</source>
+            <translation>Comprimento livre</translation>
+        </message>
+        <message>
             <source>Length, width and height</source>
             <translation>Comprimento, largura e altura</translation>
+        </message>
+        <message>
+            <source>Lengths and limits</source>
+            <translation>Comprimentos e limites</translation>
         </message>
         <message>
             <source>Levels</source>
@@ -220,6 +316,14 @@
             <translation>Número</translation>
         </message>
         <message>
+            <source>Of a bull nose; 0: not given</source>
+            <translation>De uma fresa toroidal; 0: não informado</translation>
+        </message>
+        <message>
+            <source>Of one wall that a jet or wire leaves, against the vertical; 0: none</source>
+            <translation>De uma parede deixada pelo jato ou fio, em relação à vertical; 0: nenhuma</translation>
+        </message>
+        <message>
             <source>Of the written program</source>
             <translation>Do programa gerado</translation>
         </message>
@@ -246,6 +350,14 @@
         <message>
             <source>Plunge feed</source>
             <translation>Avanço de mergulho</translation>
+        </message>
+        <message>
+            <source>Point Angle</source>
+            <translation>Ângulo da broca</translation>
+        </message>
+        <message>
+            <source>Point angle</source>
+            <translation>Ângulo da broca</translation>
         </message>
         <message>
             <source>Points</source>
@@ -288,6 +400,10 @@
             <translation>Semieixo y</translation>
         </message>
         <message>
+            <source>Ramp Max</source>
+            <translation>Rampa máxima</translation>
+        </message>
+        <message>
             <source>Recalculated to whole passes</source>
             <translation>Em passes inteiros</translation>
         </message>
@@ -322,6 +438,10 @@
         <message>
             <source>Spindle turns a minute</source>
             <translation>Rotações do spindle por minuto</translation>
+        </message>
+        <message>
+            <source>Steepest ramp</source>
+            <translation>Rampa máxima</translation>
         </message>
         <message>
             <source>Stepdown</source>
@@ -360,6 +480,10 @@
             <translation>Tamanho do bloco</translation>
         </message>
         <message>
+            <source>Taper</source>
+            <translation>Conicidade</translation>
+        </message>
+        <message>
             <source>The T word of the program</source>
             <translation>A palavra T do programa</translation>
         </message>
@@ -388,12 +512,20 @@
             <translation>O diâmetro da fresa</translation>
         </message>
         <message>
+            <source>The diameter of what holds the tool; 0: not given</source>
+            <translation>O diâmetro do que segura a ferramenta; 0: não informado</translation>
+        </message>
+        <message>
             <source>The drawing it followed, when that was deleted</source>
             <translation>O desenho que ela seguia, se foi excluído</translation>
         </message>
         <message>
             <source>The feed of the last pass at the wall; 0: the tool's own feed</source>
             <translation>O avanço do último passe na parede; 0: o avanço da própria ferramenta</translation>
+        </message>
+        <message>
+            <source>The flat at the tip of a V-bit or engraver; 0: it is pointed</source>
+            <translation>O plano na ponta de uma fresa em V ou de gravação; 0: ela é pontiaguda</translation>
         </message>
         <message>
             <source>The form of the cutter</source>
@@ -414,6 +546,14 @@
         <message>
             <source>The length of all lines</source>
             <translation>O comprimento de todas as linhas</translation>
+        </message>
+        <message>
+            <source>The length of the cutting edges; 0: not given</source>
+            <translation>O comprimento das arestas de corte; 0: não informado</translation>
+        </message>
+        <message>
+            <source>The middle of a mill's end that does not cut; 0: it cuts over its centre</source>
+            <translation>O meio do topo da fresa que não corta; 0: ela tem corte no centro</translation>
         </message>
         <message>
             <source>The parts and bodies that the drawing moves with</source>
@@ -448,6 +588,14 @@
             <translation>O passo do método publicado</translation>
         </message>
         <message>
+            <source>The thickest chip that a tooth bears; 0: not given</source>
+            <translation>O cavaco mais espesso que um dente suporta; 0: não informado</translation>
+        </message>
+        <message>
+            <source>The thinnest chip of a tooth, below which it rubs; 0: not given</source>
+            <translation>O cavaco mais fino de um dente, abaixo do qual ele só atrita; 0: não informado</translation>
+        </message>
+        <message>
             <source>The tool that cuts it</source>
             <translation>A ferramenta que a executa</translation>
         </message>
@@ -466,6 +614,26 @@
         <message>
             <source>The work coordinate system</source>
             <translation>O sistema de coordenadas da peça</translation>
+        </message>
+        <message>
+            <source>Tip</source>
+            <translation>Ponta</translation>
+        </message>
+        <message>
+            <source>Tip Angle</source>
+            <translation>Ângulo da ponta</translation>
+        </message>
+        <message>
+            <source>Tip Diameter</source>
+            <translation>Diâmetro da ponta</translation>
+        </message>
+        <message>
+            <source>Tip angle</source>
+            <translation>Ângulo da ponta</translation>
+        </message>
+        <message>
+            <source>Tip diameter</source>
+            <translation>Diâmetro da ponta</translation>
         </message>
         <message>
             <source>Tolerance</source>
@@ -627,6 +795,10 @@
             <translation>Um esboço ou arame com uma elipse; sem ele valem os números</translation>
         </message>
         <message>
+            <source>A tool of this shape has none</source>
+            <translation>Uma ferramenta desta forma não tem este valor</translation>
+        </message>
+        <message>
             <source>A value is missing here</source>
             <translation>Falta um valor aqui</translation>
         </message>
@@ -673,6 +845,14 @@
         <message>
             <source>Attached again to the controller at {0}.</source>
             <translation>Reconectado ao controlador em {0}.</translation>
+        </message>
+        <message>
+            <source>Between the two sides of a V-bit or engraver; 0: not given</source>
+            <translation>Entre os dois lados de uma fresa em V ou de gravação; 0: não informado</translation>
+        </message>
+        <message>
+            <source>Between the two sides of a drill's point; 0: not given</source>
+            <translation>Entre os dois lados da ponta de uma broca; 0: não informado</translation>
         </message>
         <message>
             <source>Busy</source>
@@ -777,6 +957,14 @@
         <message>
             <source>Coolant</source>
             <translation>Refrigeração</translation>
+        </message>
+        <message>
+            <source>Core diameter</source>
+            <translation>Diâmetro do núcleo</translation>
+        </message>
+        <message>
+            <source>Corner radius</source>
+            <translation>Raio de canto</translation>
         </message>
         <message>
             <source>Cut</source>
@@ -939,8 +1127,24 @@
             <translation>Ajustar ao desenho</translation>
         </message>
         <message>
+            <source>Flute length</source>
+            <translation>Comprimento de corte</translation>
+        </message>
+        <message>
+            <source>Flutes</source>
+            <translation>Dentes</translation>
+        </message>
+        <message>
             <source>Follow the drawing that is selected in the tree or in the 3D view</source>
             <translation>Seguir o desenho selecionado na árvore ou na vista 3D</translation>
+        </message>
+        <message>
+            <source>For a mill that does not cut over its centre; 0: 10°</source>
+            <translation>Para uma fresa sem corte no centro; 0: 10°</translation>
+        </message>
+        <message>
+            <source>Free length</source>
+            <translation>Comprimento livre</translation>
         </message>
         <message>
             <source>FreeCAD's Python lacks numba. All works without, but planning and simulating are slow.</source>
@@ -967,12 +1171,24 @@
             <translation>Daqui para baixo a ferramenta avança em velocidade de corte</translation>
         </message>
         <message>
+            <source>From the tip to the holder; 0: not given</source>
+            <translation>Da ponta ao porta-ferramenta; 0: não informado</translation>
+        </message>
+        <message>
             <source>Go on</source>
             <translation>Continuar</translation>
         </message>
         <message>
             <source>Go on after a hold, a pause or the door.</source>
             <translation>Continua após uma pausa, uma espera ou a porta.</translation>
+        </message>
+        <message>
+            <source>Greatest chip load</source>
+            <translation>Avanço por dente máximo</translation>
+        </message>
+        <message>
+            <source>Greatest engagement</source>
+            <translation>Ângulo de contato máximo</translation>
         </message>
         <message>
             <source>Half the width along its second axis</source>
@@ -1001,6 +1217,10 @@
         <message>
             <source>Hold: slow down and stand still; nothing is lost, the spindle goes on turning.</source>
             <translation>Pausar: desacelera e fica parada; nada se perde, o spindle continua girando.</translation>
+        </message>
+        <message>
+            <source>Holder diameter</source>
+            <translation>Diâmetro do porta-ferramenta</translation>
         </message>
         <message>
             <source>Holding…</source>
@@ -1047,12 +1267,20 @@
             <translation>Número de pontos do arame</translation>
         </message>
         <message>
+            <source>How many teeth; 0: not given</source>
+            <translation>Quantos dentes; 0: não informado</translation>
+        </message>
+        <message>
             <source>How many times faster than a real one the virtual machine moves</source>
             <translation>Quantas vezes mais rápido que uma real a máquina virtual se move</translation>
         </message>
         <message>
             <source>How many times faster than the machine</source>
             <translation>Quantas vezes mais rápido que a máquina</translation>
+        </message>
+        <message>
+            <source>How much of the rim may be in the material, as an angle; 0: not given</source>
+            <translation>Quanto do contorno pode estar no material, em ângulo; 0: não informado</translation>
         </message>
         <message>
             <source>How steeply a helix or ramp goes down</source>
@@ -1111,12 +1339,20 @@
             <translation>Depois</translation>
         </message>
         <message>
+            <source>Least chip load</source>
+            <translation>Avanço por dente mínimo</translation>
+        </message>
+        <message>
             <source>Leave out of the program</source>
             <translation>Deixar fora do programa</translation>
         </message>
         <message>
             <source>Length, width and height</source>
             <translation>Comprimento, largura e altura</translation>
+        </message>
+        <message>
+            <source>Lengths and limits</source>
+            <translation>Comprimentos e limites</translation>
         </message>
         <message>
             <source>Let go of the controller.</source>
@@ -1239,6 +1475,14 @@
             <translation>Número</translation>
         </message>
         <message>
+            <source>Of a bull nose; 0: not given</source>
+            <translation>De uma fresa toroidal; 0: não informado</translation>
+        </message>
+        <message>
+            <source>Of one wall that a jet or wire leaves, against the vertical; 0: none</source>
+            <translation>De uma parede deixada pelo jato ou fio, em relação à vertical; 0: nenhuma</translation>
+        </message>
+        <message>
             <source>Of the written program</source>
             <translation>Do programa gerado</translation>
         </message>
@@ -1297,6 +1541,10 @@
         <message>
             <source>Plunge feed</source>
             <translation>Avanço de mergulho</translation>
+        </message>
+        <message>
+            <source>Point angle</source>
+            <translation>Ângulo da broca</translation>
         </message>
         <message>
             <source>Points</source>
@@ -1479,6 +1727,10 @@
             <translation>Iniciando</translation>
         </message>
         <message>
+            <source>Steepest ramp</source>
+            <translation>Rampa máxima</translation>
+        </message>
+        <message>
             <source>Step ({0})</source>
             <translation>Passo ({0})</translation>
         </message>
@@ -1533,6 +1785,10 @@
         <message>
             <source>Take the alarm away without homing: only when the position is surely right.</source>
             <translation>Retira o alarme sem referenciar: só quando a posição está certa com certeza.</translation>
+        </message>
+        <message>
+            <source>Taper</source>
+            <translation>Conicidade</translation>
         </message>
         <message>
             <source>The T word of the program</source>
@@ -1599,6 +1855,10 @@
             <translation>O diâmetro da fresa</translation>
         </message>
         <message>
+            <source>The diameter of what holds the tool; 0: not given</source>
+            <translation>O diâmetro do que segura a ferramenta; 0: não informado</translation>
+        </message>
+        <message>
             <source>The drawing gives this value</source>
             <translation>O desenho define este valor</translation>
         </message>
@@ -1609,6 +1869,10 @@
         <message>
             <source>The feed of the last pass at the wall; 0: the tool's own feed</source>
             <translation>O avanço do último passe na parede; 0: o avanço da própria ferramenta</translation>
+        </message>
+        <message>
+            <source>The flat at the tip of a V-bit or engraver; 0: it is pointed</source>
+            <translation>O plano na ponta de uma fresa em V ou de gravação; 0: ela é pontiaguda</translation>
         </message>
         <message>
             <source>The form of the cutter</source>
@@ -1633,6 +1897,10 @@
         <message>
             <source>The length of all lines</source>
             <translation>O comprimento de todas as linhas</translation>
+        </message>
+        <message>
+            <source>The length of the cutting edges; 0: not given</source>
+            <translation>O comprimento das arestas de corte; 0: não informado</translation>
         </message>
         <message>
             <source>The link to the controller is being started.</source>
@@ -1679,6 +1947,10 @@
             <translation>A máquina está parada; nada se perdeu. Retome ou pare.</translation>
         </message>
         <message>
+            <source>The middle of a mill's end that does not cut; 0: it cuts over its centre</source>
+            <translation>O meio do topo da fresa que não corta; 0: ela tem corte no centro</translation>
+        </message>
+        <message>
             <source>The parts and bodies that the drawing moves with</source>
             <translation>As peças e corpos com que o desenho se move</translation>
         </message>
@@ -1717,6 +1989,14 @@
         <message>
             <source>The step of the published method</source>
             <translation>O passo do método publicado</translation>
+        </message>
+        <message>
+            <source>The thickest chip that a tooth bears; 0: not given</source>
+            <translation>O cavaco mais espesso que um dente suporta; 0: não informado</translation>
+        </message>
+        <message>
+            <source>The thinnest chip of a tooth, below which it rubs; 0: not given</source>
+            <translation>O cavaco mais fino de um dente, abaixo do qual ele só atrita; 0: não informado</translation>
         </message>
         <message>
             <source>The tool that cuts it</source>
@@ -1765,6 +2045,18 @@
         <message>
             <source>Timing the moves…</source>
             <translation>Cronometrando os movimentos…</translation>
+        </message>
+        <message>
+            <source>Tip</source>
+            <translation>Ponta</translation>
+        </message>
+        <message>
+            <source>Tip angle</source>
+            <translation>Ângulo da ponta</translation>
+        </message>
+        <message>
+            <source>Tip diameter</source>
+            <translation>Diâmetro da ponta</translation>
         </message>
         <message>
             <source>To get what is missing, type in a terminal, with Python {0}, and start FreeCAD again:</source>
@@ -1959,6 +2251,10 @@
             <translation>polegadas (G20)</translation>
         </message>
         <message>
+            <source>jet (water, plasma, laser)</source>
+            <translation>jato (água, plasma, laser)</translation>
+        </message>
+        <message>
             <source>limit {0}</source>
             <translation>limite {0}</translation>
         </message>
@@ -2041,6 +2337,10 @@
         <message>
             <source>value {0}</source>
             <translation>valor {0}</translation>
+        </message>
+        <message>
+            <source>wire</source>
+            <translation>fio</translation>
         </message>
         <message>
             <source>{0} %</source>
@@ -2256,10 +2556,6 @@
         <message>
             <source>a word stands twice in one line</source>
             <translation>uma palavra aparece duas vezes na linha</translation>
-        </message>
-        <message>
-            <source>a {0} tool has no core_diameter_mm</source>
-            <translation>uma ferramenta {0} não tem core_diameter_mm</translation>
         </message>
         <message>
             <source>a {0} tool has no {1}</source>
@@ -3258,6 +3554,10 @@
             <translation>as alturas não cabem na sua caixa</translation>
         </message>
         <message>
+            <source>the holder</source>
+            <translation>o porta-ferramenta</translation>
+        </message>
+        <message>
             <source>the holder of the {0} tool goes into stock</source>
             <translation>o porta-ferramenta da ferramenta {0} entra no material</translation>
         </message>
@@ -3550,6 +3850,10 @@
             <translation>a tolerância não pode ser negativa</translation>
         </message>
         <message>
+            <source>the tool</source>
+            <translation>a ferramenta</translation>
+        </message>
+        <message>
             <source>the tool cuts into the wanted part</source>
             <translation>a ferramenta corta a peça desejada</translation>
         </message>
@@ -3592,10 +3896,6 @@
         <message>
             <source>the zero of {0} in {1} was not taken over</source>
             <translation>o zero de {0} em {1} não foi aceito</translation>
-        </message>
-        <message>
-            <source>the {0} goes into clamp {1}</source>
-            <translation>{0} bate no grampo {1}</translation>
         </message>
         <message>
             <source>the {0} tool cuts deeper than its flutes are long</source>
@@ -3880,6 +4180,10 @@
         <message>
             <source>{0} does not answer {1}</source>
             <translation>{0} não responde a {1}</translation>
+        </message>
+        <message>
+            <source>{0} goes into clamp {1}</source>
+            <translation>{0} bate no grampo {1}</translation>
         </message>
         <message>
             <source>{0} has changed since the program was made</source>
