@@ -49,7 +49,7 @@ def command(
     certificate: Path | None,
 ) -> None:
     """Check PROGRAM against a machine: travel, feeds, spindle; with --stock and --tool also rapids and plunges, with
-    --job gouge and material left too.
+    --job gouge and material left, clamps and the sheet's edge too.
 
     Exit 0 clean, 1 refused; each finding is file:line:column: text. Where --work-zero is not given, the place of
     the program on the table is reported as unknown.

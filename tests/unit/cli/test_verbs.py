@@ -233,6 +233,17 @@ def test_a_program_changed_by_hand_is_checked_against_its_job(tmp_path: Path) ->
     assert drawn.exit_code == 1 and "[left-over]" in drawn.output and ", line 60" in drawn.output
 
 
+def test_a_job_file_brings_its_clamps_and_edge_into_the_check(tmp_path: Path) -> None:
+    text = POCKET.read_text("utf-8").replace("../machines/", f"{(ROOT / 'examples' / 'machines').as_posix()}/")
+    careful, clamped = tmp_path / "careful.toml", tmp_path / "clamped.toml"
+    careful.write_text(text.replace("[stock]", "[stock]\nedge_mm = 10.5"), encoding="utf-8")
+    clamped.write_text(f"{text}\n[[clamp]]\ncorners_mm = [[35, -5], [48, 5]]\ntop_mm = 12\n", encoding="utf-8")
+    assert run("run", POCKET, "--out", tmp_path).exit_code == 0
+    for job, code in ((careful, "sheet-edge"), (clamped, "clamp")):
+        result = run("check", tmp_path / "program.nc", "--machine", "table-a", "--job", job)
+        assert result.exit_code == 1 and f"[{code}]" in result.output, result.output
+
+
 def test_trace_prints_canonical_calls(square: Path) -> None:
     assert "STRAIGHT_FEED(20.0000, 0.0000, -1.0000, 0.0000, 0.0000, 0.0000)" in run("trace", square).output
 
