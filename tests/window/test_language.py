@@ -139,15 +139,11 @@ def test_the_property_editor_is_portuguese(hand: Hand) -> None:
     hand.shot("language-properties")
 
 
-def forget_dock() -> None:
-    """Take away a dock of an earlier test: one that is there keeps its words when the language is switched."""
-    for dock in FreeCADGui.getMainWindow().findChildren(QtGui.QDockWidget, "CNCStepper_Dock"):
-        dock.setObjectName("")
-        dock.deleteLater()
-
-
 def test_the_dock_is_portuguese(hand: Hand) -> None:
-    hand.main(forget_dock)
+    hand.main(FreeCADGui.setLocale, STARTED_IN)
+    hand.command("CNCStepper_Controller")
+    hand.wait(lambda: hand.exists("CNCStepper_Dock_State"))
+    hand.main(FreeCADGui.setLocale, PORTUGUESE)
     hand.command("CNCStepper_Controller")
     hand.wait(lambda: FreeCADGui.getMainWindow().findChild(QtGui.QDockWidget, "CNCStepper_Dock").isVisible())
     hand.settle()

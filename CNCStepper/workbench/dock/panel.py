@@ -6,6 +6,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
+import FreeCADGui
 from PySide import QtCore, QtGui
 
 from CNCStepper.errors import CNCStepperError
@@ -32,12 +33,13 @@ MARGINS = (8, 4, 8, 4)
 
 
 class Panel(QtGui.QWidget):
-    """All of the dock's content; `link` is its controller, `sending` the job on its way."""
+    """All of the dock's content; `link` is its controller, `sending` the job on its way, `language` FreeCAD's then."""
 
-    def __init__(self) -> None:
+    def __init__(self, link: Link) -> None:
         super().__init__()
         parts.named(self, "Panel")
-        self.link, self.log = Link(), LogView()
+        self.language = FreeCADGui.getLocale()
+        self.link, self.log = link, LogView()
         lengths, point = settings.lengths(), settings.decimal_point()
         self.findings = parts.named(FindingsList(), "Findings")
         self.sending = Sending(self, self.link, self.findings.show, self.connect_chosen, self.refresh)

@@ -11,6 +11,7 @@ from PySide import QtCore, QtGui
 from CNCStepper.control.desk_client import running_desks
 from CNCStepper.workbench import packages, tell
 from CNCStepper.workbench.dock.closing import ClosingGuard
+from CNCStepper.workbench.dock.link import Link
 from CNCStepper.workbench.dock.panel import Panel
 from CNCStepper.workbench.words import tr
 
@@ -18,10 +19,16 @@ NAME = "CNCStepper_Dock"
 
 
 def dock() -> Any:
-    """Return the dock of this window, made at its last place when it is not there yet."""
+    """Return the dock of this window, made at its last place when it is not there yet, in FreeCAD's language."""
     window = FreeCADGui.getMainWindow()
     found = window.findChild(QtGui.QDockWidget, NAME)
-    return found or _made(window)
+    if found is None:
+        return _made(window)
+    shown = found.widget()
+    if shown.language != FreeCADGui.getLocale() and not shown.sending.flow.active:
+        _fill(found, shown.link)
+        shown.deleteLater()
+    return found
 
 
 def panel() -> Panel:
@@ -60,12 +67,18 @@ def attach_running(shown: Panel) -> None:
 
 
 def _made(window: Any) -> Any:
-    made = QtGui.QDockWidget(tr("Controller"), window)
+    made, link = QtGui.QDockWidget(window), Link()
     made.setObjectName(NAME)
     area = QtCore.Qt.DockWidgetArea
     made.setAllowedAreas(area.LeftDockWidgetArea | area.RightDockWidgetArea)
-    made.setWidget(Panel())
+    _fill(made, link)
     if not window.restoreDockWidget(made):
         window.addDockWidget(area.RightDockWidgetArea, made)
-    ClosingGuard(window, made.widget().link)
+    ClosingGuard(window, link)
     return made
+
+
+def _fill(dock: Any, link: Link) -> None:
+    """Give a dock its title and its panel."""
+    dock.setWindowTitle(tr("Controller"))
+    dock.setWidget(Panel(link))
