@@ -11,10 +11,14 @@ import os
 from collections.abc import Callable
 from pathlib import Path
 
+import numpy as np
 import pytest
 from hypothesis import settings
 
 GOLDEN = Path(__file__).parent / "golden"
+PICTURES = GOLDEN / "pictures"
+PIXEL_DIFFERS = 32  # of 255, in any colour
+PIXELS_DIFFER = 0.001  # share of all pixels
 
 settings.register_profile("desk", deadline=None, print_blob=True)
 settings.register_profile("ci", deadline=None, print_blob=True, derandomize=True)
@@ -25,10 +29,14 @@ def pytest_addoption(parser: pytest.Parser) -> None:
     parser.addoption("--update-golden", action="store_true", help="write the golden files anew")
 
 
+def _updates(request: pytest.FixtureRequest) -> bool:
+    return bool(request.config.getoption("--update-golden") or os.environ.get("UPDATE_GOLDEN") == "1")
+
+
 @pytest.fixture
 def golden(request: pytest.FixtureRequest) -> Callable[[str, str], None]:
     """Return check(name, text): `text` must equal tests/golden/NAME (UPDATE_GOLDEN=1 or --update-golden writes it)."""
-    update = request.config.getoption("--update-golden") or os.environ.get("UPDATE_GOLDEN") == "1"
+    update = _updates(request)
 
     def check(name: str, text: str) -> None:
         path = GOLDEN / name
@@ -38,3 +46,45 @@ def golden(request: pytest.FixtureRequest) -> Callable[[str, str], None]:
         assert text == path.read_text("utf-8"), f"{path} differs; look at it, then run with --update-golden"
 
     return check
+
+
+@pytest.fixture
+def differs() -> Callable[[str, np.ndarray], bool]:
+    """Return whether a picture, uint8[rows, columns, 3], is another than tests/golden/pictures/NAME.png.
+
+    Both are compared at half their size; a few pixels may differ, for fonts and edges are not drawn alike everywhere.
+    """
+
+    def answer(name: str, picture: np.ndarray) -> bool:
+        from matplotlib.image import imread
+
+        stored = np.rint(imread(PICTURES / f"{name}.png")[..., :3] * 255)
+        seen = halved(picture)
+        if stored.shape != seen.shape:
+            return True
+        return float((np.abs(stored - seen).max(axis=2) > PIXEL_DIFFERS).mean()) > PIXELS_DIFFER
+
+    return answer
+
+
+@pytest.fixture
+def stored_picture(
+    request: pytest.FixtureRequest, differs: Callable[[str, np.ndarray], bool]
+) -> Callable[[str, np.ndarray], None]:
+    """Return check(name, picture): it must look as the stored one does (--update-golden stores it anew)."""
+
+    def check(name: str, picture: np.ndarray) -> None:
+        if _updates(request):
+            from matplotlib.image import imsave
+
+            PICTURES.mkdir(parents=True, exist_ok=True)
+            imsave(PICTURES / f"{name}.png", halved(picture))
+        assert not differs(name, picture), f"{name} looks different; look at it, then run with --update-golden"
+
+    return check
+
+
+def halved(picture: np.ndarray) -> np.ndarray:
+    """Return a picture at half its size, uint8[rows, columns, 3]."""
+    rows, columns = picture.shape[0] // 2, picture.shape[1] // 2
+    return picture[: 2 * rows, : 2 * columns].reshape(rows, 2, columns, 2, 3).mean(axis=(1, 3)).astype(np.uint8)

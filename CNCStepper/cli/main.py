@@ -12,7 +12,7 @@ from CNCStepper import __version__
 from CNCStepper.errors import CNCStepperError
 
 VERBS = {
-    "run": "Make program, report and picture from a job file.",
+    "run": "Make program, report, certificate and picture from a job file.",
     "check": "Check a program against a machine; exit 0 clean, 1 refused.",
     "time": "Print the seconds that a program takes.",
     "simulate": "Draw the part that a program cuts.",

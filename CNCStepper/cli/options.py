@@ -13,6 +13,7 @@ from CNCStepper.gcode.dialects import dialect_names
 from CNCStepper.machine.profile import Machine, load_machine
 from CNCStepper.machine.tool import tool_from_text
 from CNCStepper.simulation.stock import Stock
+from CNCStepper.state import Start
 
 
 class NumbersType(click.ParamType):
@@ -60,6 +61,31 @@ dialect_option = click.option(
     type=click.Choice(dialect_names()),
     help="How the program is to be read. [default: as the machine does; without one grbl, for trace linuxcnc]",
 )
+
+
+job_option = click.option(
+    "--job", "job_path", type=FilePath, help="Take stock, tools, clamps and the shapes wanted from this job file."
+)
+
+
+def check_stock(stock: Any, tool: Any, job_path: Path | None, required: bool = False) -> None:
+    """Refuse what says too little or two things of the stock; raises a usage error."""
+    if job_path and (stock or tool):
+        raise click.UsageError("--job says the stock and the tools: leave --stock and --tool out")
+    if tool and not stock:
+        raise click.UsageError("--tool goes with --stock")
+    if required and not job_path and not (stock and tool):
+        raise click.UsageError("give --stock and --tool, or --job")
+
+
+work_zero_option = click.option(
+    "--work-zero", type=NumbersType(), help="Where the work zero lies, in machine coordinates."
+)
+
+
+def start_of(work_zero_mm: tuple[float, float, float] | None) -> Start | None:
+    """Return the start state that --work-zero names, or None."""
+    return Start.with_work_zero(work_zero_mm) if work_zero_mm else None
 
 
 def machine_option(required: bool) -> Any:

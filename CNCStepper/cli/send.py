@@ -4,72 +4,183 @@
 from __future__ import annotations
 
 import sys
-from dataclasses import replace
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, replace
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import click
 
-from CNCStepper.cli.options import dialect_name, dialect_option, machine_option, program_argument, read_program
+from CNCStepper.cli.options import (
+    FilePath,
+    check_stock,
+    dialect_name,
+    dialect_option,
+    job_option,
+    machine_option,
+    program_argument,
+    read_program,
+    start_of,
+    stock_of,
+    stock_options,
+    work_zero_option,
+)
 from CNCStepper.cli.show import show_findings
+from CNCStepper.errors import JobError
 from CNCStepper.machine.profile import Machine
+from CNCStepper.machine.tool import Tool
 
 if TYPE_CHECKING:
+    from CNCStepper.control.certificate import Certificate
     from CNCStepper.control.outcome import Outcome
     from CNCStepper.control.send_job import SendJob
+    from CNCStepper.simulation.cutter import Tools
+    from CNCStepper.simulation.stock import Stock
+    from CNCStepper.state import Start
 
 
 @click.command("send")
 @program_argument
 @click.option("--port", required=True, help="A serial port (COM3, /dev/ttyUSB0) or a URL (socket://127.0.0.1:2217).")
+@click.option("--certificate", type=FilePath, help="What `check` or `run` wrote for it; other bytes are refused.")
 @machine_option(required=False)
+@stock_options(required=False)
+@job_option
+@work_zero_option
 @dialect_option
 @click.option("--baud", type=click.IntRange(min=300), default=115200, show_default=True)
 @click.option("--zero-confirmed", is_flag=True, help="The work zero is set on the stock; without it you are asked.")
 @click.option("--resume-pauses", is_flag=True, help="Go on by itself at M0: for a virtual machine or a dry run.")
-@click.option("--allow-differences", is_flag=True, help="Send though the controller's settings differ from --machine.")
+@click.option(
+    "--allow-differences", is_flag=True, help="Send though the controller's settings or offsets are not those wanted."
+)
+@click.option("--despite-certificate", is_flag=True, help="Send though the certificate does not fit, or has errors.")
 def command(
     program: Path,
     port: str,
+    certificate: Path | None,
     machine: Machine | None,
+    stock: tuple[float, float, float] | None,
+    origin: str,
+    tool: Tool | None,
+    job_path: Path | None,
+    work_zero: tuple[float, float, float] | None,
     dialect: str | None,
     baud: int,
     zero_confirmed: bool,
     resume_pauses: bool,
     allow_differences: bool,
+    despite_certificate: bool,
 ) -> None:
     """Send PROGRAM to the controller at --port and wait until the machine is idle again.
 
-    With --machine the program is checked against it first, and the controller's settings are compared with it.
+    With --certificate only the program that was proven is sent, to the machine, from the start state and with the
+    tools and the stock of the proof, as far as these are given here. Without one, and with --machine, the program
+    is checked first. The controller's settings, and its work zero where the proof knows it, are compared.
     Ctrl-C holds the machine and asks what to do. A stop here is not an emergency stop.
     """
     from CNCStepper.cli.watch import watch
+    from CNCStepper.job.model import read_job
 
-    job = _job(program, port, machine, dialect_name(dialect, machine), baud, allow_differences)
-    outcome = watch(_confirmed(job, zero_confirmed), resume_pauses)
-    _conclude(outcome)
+    if not certificate or job_path:
+        check_stock(stock, tool, job_path)
+    if despite_certificate and not certificate:
+        raise click.UsageError("--despite-certificate goes with --certificate")
+    wanted = _Wanted(read_program(program), str(program), machine, stock_of(stock, origin), tool, start_of(work_zero))
+    if job_path:
+        job_file = read_job(job_path)
+        wanted = replace(wanted, stock=job_file.stock.stock(), tools=job_file.tools)
+    if certificate:
+        job = _certified(certificate, wanted, dialect, despite_certificate)
+    else:
+        job = _checked(wanted, dialect_name(dialect, machine))
+    job = replace(job, port=port, baud=baud, allow_differences=allow_differences)
+    _conclude(watch(_confirmed(job, zero_confirmed), resume_pauses))
 
 
-def _job(
-    program: Path, port: str, machine: Machine | None, dialect: str, baud: int, allow_differences: bool
-) -> SendJob:
+@dataclass(frozen=True)
+class _Wanted:
+    """What is to be sent, and against what, as far as the command line says it."""
+
+    text: str
+    file: str
+    machine: Machine | None
+    stock: Stock | None
+    tools: Tools | None
+    start: Start | None
+
+
+def _certified(path: Path, wanted: _Wanted, dialect: str | None, despite: bool) -> SendJob:
+    """Return the certificate's own job; refuses whatever differs from it, or tells it when `despite`."""
+    from CNCStepper.control.certificate import Certificate
+
+    try:
+        certificate = Certificate.read(path)
+    except JobError as error:
+        if not despite:
+            raise
+        click.echo(f"cncstepper: {error}", err=True)
+        return _uncertified(wanted, dialect_name(dialect, wanted.machine))
+    refusals = list(_refusals(certificate, wanted, dialect or certificate.dialect))
+    if refusals and not despite:
+        raise refusals[0]
+    for refusal in refusals:
+        click.echo(f"cncstepper: {refusal}", err=True)
+    if any(refusal.code in ("certificate-program", "certificate-wire") for refusal in refusals):
+        return _uncertified(wanted, dialect or certificate.dialect)
+    return certificate.send_job(file=wanted.file)
+
+
+def _refusals(certificate: Certificate, wanted: _Wanted, dialect: str) -> Iterator[JobError]:
+    """Yield each thing in which what is wanted is not what was proven, and the proof's own errors."""
+    from CNCStepper.control.certificate import digest_of_text
+    from CNCStepper.gcode.prepare import prepare
+    from CNCStepper.job.certify import machine_digest, stock_digest, tools_digest
+
+    digests = {
+        "program": digest_of_text(wanted.text),
+        "wire": prepare(wanted.text, dialect, wanted.file).sha256,
+        "machine": wanted.machine and machine_digest(wanted.machine),
+        "start": wanted.start and wanted.start.sha256(),
+        "stock": wanted.stock and stock_digest(wanted.stock),
+        "tools": wanted.tools and tools_digest(wanted.tools),
+    }
+    checks: list[Callable[[], None]] = [
+        partial(certificate.compare, what, digest) for what, digest in digests.items() if digest
+    ]
+    for check in [*checks, certificate.check_clean]:
+        try:
+            check()
+        except JobError as error:
+            yield error
+
+
+def _checked(wanted: _Wanted, dialect: str) -> SendJob:
     """Read the program back and check it; exits with 1 where a check refuses it."""
     from CNCStepper.gcode.prepare import prepare
     from CNCStepper.gcode.read_back import read_back
-    from CNCStepper.job.send import send_job
+    from CNCStepper.job.certify import send_job
     from CNCStepper.simulation.check import check
     from CNCStepper.simulation.finding import refused
 
-    text = read_program(program)
-    wire = prepare(text, dialect, str(program))
-    toolpath = read_back(wire, text, None, dialect, str(program))
-    if machine:
-        findings = check(toolpath, machine, file=str(program))
+    wire = prepare(wanted.text, dialect, wanted.file)
+    toolpath = read_back(wire, wanted.text, wanted.start, dialect, wanted.file)
+    if wanted.machine:
+        findings = check(toolpath, wanted.machine, file=wanted.file, stock=wanted.stock, tools=wanted.tools)
         show_findings(finding for finding in findings if finding.severity == "error")
         if refused(findings):
             sys.exit(1)
-    job = send_job(wire, machine, str(program))
-    return replace(job, port=port, baud=baud, allow_differences=allow_differences)
+    return send_job(wire, wanted.machine, wanted.file, toolpath.start)
+
+
+def _uncertified(wanted: _Wanted, dialect: str) -> SendJob:
+    """Return the job of a program that no certificate covers, which somebody wants sent all the same."""
+    from CNCStepper.gcode.prepare import prepare
+    from CNCStepper.job.certify import send_job
+
+    wire = prepare(wanted.text, dialect, wanted.file)
+    return send_job(wire, wanted.machine, wanted.file, wanted.start)
 
 
 def _confirmed(job: SendJob, confirmed: bool) -> SendJob:

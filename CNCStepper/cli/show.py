@@ -19,6 +19,17 @@ def show_findings(findings: Iterable[Finding]) -> None:
         click.echo(str(finding))
 
 
+def show_figures(report: dict[str, Any]) -> None:
+    """Print what a program does: its lengths, pierces and removed volume, and each operation's time."""
+    lengths = "cut {cut_length_mm:.1f} mm, in air {air_length_mm:.1f} mm, rapid {rapid_length_mm:.1f} mm"
+    volume_mm3 = report["removed_volume_mm3"]
+    removed = "" if volume_mm3 is None else f", {volume_mm3 / 1000:.3g} cm³ removed"
+    click.echo(f"{lengths.format(**report)}, pierces {report['pierces']}{removed}")
+    for operation in report["operations"]:
+        told = ", ".join(f"{name} {value:.4g}" for name, value in operation.get("figures", {}).items())
+        click.echo(f"{operation['name']}: {operation['time_s']:.1f} s" + (f", {told}" if told else ""))
+
+
 def write_json(path: Path, report: dict[str, Any]) -> None:
     """Write a report as strict JSON."""
     path.write_text(json.dumps(report, indent=2, allow_nan=False) + "\n", encoding="utf-8")

@@ -17,6 +17,7 @@ from pathlib import Path
 
 from CNCStepper.control import connect
 from CNCStepper.control.acts import fresh_status
+from CNCStepper.control.certificate import sendable
 from CNCStepper.control.command import VALUES, Command, Inbox
 from CNCStepper.control.grbl import Grbl, Received
 from CNCStepper.control.idle import Idle, is_fatal
@@ -178,17 +179,17 @@ class Desk:
             text = file.read_text("utf-8")
         except (OSError, ValueError) as error:
             raise JobError("send-job", f"the job cannot be read: {error}", advice="make it again") from error
-        return SendJob.from_json(
+        return sendable(
             text, port=self.port, baud=self._baud, zero_confirmed=zero_confirmed, allow_differences=allow_differences
         )
 
-    def _ready(self) -> dict[int, float]:
-        """Return the settings of the machine, read anew: somebody may have changed them since it was met."""
+    def _ready(self) -> connect.Found:
+        """Return what the machine is, read anew: somebody may have changed it since it was met."""
         assert self._driver and self._run and self._idle
         self._run.driver = self._driver
         self._idle.check_no_jog()
         check_state(fresh_status(self._driver, self._timing))
-        return connect.learn(self._driver, self._timing).settings
+        return connect.learn(self._driver, self._timing)
 
     # --- the end -------------------------------------------------------------------------------
 

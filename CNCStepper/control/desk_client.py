@@ -88,7 +88,7 @@ class DeskClient:
         return events
 
     def run(self, job_file: Path, zero_confirmed: bool, allow_differences: bool = False) -> None:
-        """Let the job of a file (`SendJob` as JSON) run; its port and its confirmations are not looked at."""
+        """Let the job of a certificate's file, or of a `SendJob` as JSON, run; its port and consents do not count."""
         self.outcome = None
         self._ask("run", file=str(job_file), zero_confirmed=zero_confirmed, allow_differences=allow_differences)
 

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -16,6 +16,7 @@ if TYPE_CHECKING:
 STEPS_PER_MM, MAX_RATE, ACCELERATION = 100, 110, 120  # of the first axis; the next axes follow
 LASER_MODE = 32
 TOLERANCE = 0.0005  # grbl prints three decimals
+OFFSET_TOLERANCE_MM = 0.002  # and in inches four
 
 WHAT_TO_DO = {
     "Alarm": "home the machine ($H), or unlock it ($X) if its position is surely right",
@@ -80,6 +81,37 @@ def differences(settings: Mapping[int, float], wanted: Mapping[int, float]) -> l
         for number, value in wanted.items()
         if number in settings and abs(settings[number] - value) > TOLERANCE + 1e-6 * abs(value)
     ]
+
+
+def offset_differences(
+    offsets_mm: Mapping[str, Sequence[float] | None], modes: str, wanted_mm: Mapping[str, Sequence[float]], system: str
+) -> list[str]:
+    """Return in words where the controller's work offsets and system are not those wanted.
+
+    offsets_mm: by name, in mm. modes: the words of `$G`. What the controller does not report is left out.
+    """
+    found = []
+    if system and modes and system not in modes.split():
+        found.append(f"{system} is not the work system in force")
+    for name, wanted in wanted_mm.items():
+        offset = offsets_mm.get(name)
+        if offset and any(abs(a - b) > OFFSET_TOLERANCE_MM for a, b in zip(offset, wanted, strict=False)):
+            found.append(f"{name} is {_vector(offset)}, wanted {_vector(wanted)} mm")
+    return found
+
+
+def _vector(values: Sequence[float]) -> str:
+    return ",".join(f"{value:.3f}" for value in values)
+
+
+def check_offsets(found: Sequence[str]) -> None:
+    """Refuse a controller whose work zero is not where the program was proven; raises MachineRefusal."""
+    if found:
+        raise MachineRefusal(
+            "start-differs",
+            "the work zero is not where the program was proven: " + "; ".join(found),
+            advice="set the zero there, or check the program again with the zero that is set (--work-zero)",
+        )
 
 
 def check_settings(settings: Mapping[int, float], wanted: Mapping[int, float]) -> None:

@@ -27,7 +27,7 @@ from CNCStepper.control.moment import moment
 from CNCStepper.control.outcome import DONE, FAILED, REFUSED, STOPPED, Outcome, SenderStatus
 from CNCStepper.control.overrides import override_byte
 from CNCStepper.control.phases import Phases
-from CNCStepper.control.readiness import check_settings, check_zero, differences
+from CNCStepper.control.readiness import check_offsets, check_settings, check_zero, differences, offset_differences
 from CNCStepper.control.send_job import SendJob
 from CNCStepper.control.timing import Timing
 from CNCStepper.control.watch import Watch
@@ -97,10 +97,10 @@ class JobRun:
                 if message := self.job.messages.get(report.sent.index):
                     self._tell("message", message)
 
-    def run(self, connected: Callable[[], dict[int, float]]) -> Outcome:
+    def run(self, connected: Callable[[], connect.Found]) -> Outcome:
         """Send the job and return how it ended; refusals and failures are in the outcome, not raised.
 
-        connected: sets `driver` to that of an idle machine and returns its settings; called once the job
+        connected: sets `driver` to that of an idle machine and returns what it found; called once the job
         itself is found good. It may raise `Stopped` or any error of ours.
         """
         outcome = self._begun(connected) or self._streamed()
@@ -109,7 +109,7 @@ class JobRun:
 
     # --- before the first line -----------------------------------------------------------------
 
-    def _begun(self, connected: Callable[[], dict[int, float]]) -> Outcome | None:
+    def _begun(self, connected: Callable[[], connect.Found]) -> Outcome | None:
         try:
             check_zero(self.job.zero_confirmed)
             self.job.check()
@@ -122,13 +122,20 @@ class JobRun:
         self._phases.set("running")
         return None
 
-    def _compare(self, settings: dict[int, float]) -> None:
-        for number in sorted(set(self.job.expected) - set(settings)):
+    def _compare(self, found: connect.Found) -> None:
+        for number in sorted(set(self.job.expected) - set(found.settings)):
             self._tell("warning", f"the controller does not report ${number}: it was not compared")
+        moved = self._moved_offsets(found)
         if not self.job.allow_differences:
-            check_settings(settings, self.job.expected)
-        for difference in differences(settings, self.job.expected):
+            check_settings(found.settings, self.job.expected)
+            check_offsets(moved)
+        for difference in [*differences(found.settings, self.job.expected), *moved]:
             self._tell("warning", str(difference))
+
+    def _moved_offsets(self, found: connect.Found) -> list[str]:
+        assert self.driver
+        offsets_mm = {name: self.driver.mm(offset) for name, offset in found.offsets.items()}
+        return offset_differences(offsets_mm, found.modes, self.job.work_offsets_mm, self.job.work_system)
 
     # --- streaming -----------------------------------------------------------------------------
 

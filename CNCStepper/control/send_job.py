@@ -19,7 +19,8 @@ class SendJob:
     lines: wire lines without line ends. file_lines: the file's line of each, from 1 (empty: they are
     the file's own lines). messages: what to show at a pause, by index of the wire line, from 0.
     expected: grbl settings that must hold, by number; differences are only told when
-    `allow_differences`. zero_confirmed: somebody said that the work zero is right.
+    `allow_differences`. zero_confirmed: somebody said that the work zero is right. work_offsets_mm, work_system:
+    where the program was proven to begin (G54..G59.3 and G92 by name); empty: nobody knows, so nothing is compared.
     """
 
     port: str
@@ -31,6 +32,8 @@ class SendJob:
     expected: Mapping[int, float] = field(default_factory=dict)
     allow_differences: bool = False
     baud: int = 115_200
+    work_offsets_mm: Mapping[str, Sequence[float]] = field(default_factory=dict)
+    work_system: str = ""
 
     def __post_init__(self) -> None:
         if len(self.file_lines) not in (0, len(self.lines)):
@@ -55,26 +58,46 @@ class SendJob:
         for index, text in enumerate(self.lines):
             check_line(text, self.place(index))
 
-    def to_json(self) -> str:
-        """Return the job as one line of JSON."""
-        content = {entry.name: getattr(self, entry.name) for entry in fields(self)} | {
+    def to_content(self) -> dict[str, Any]:
+        """Return the job as plain data."""
+        return {entry.name: getattr(self, entry.name) for entry in fields(self)} | {
             "lines": list(self.lines),
             "file_lines": [int(line) for line in self.file_lines],
             "messages": {str(index): text for index, text in self.messages.items()},
             "expected": {str(number): value for number, value in self.expected.items()},
+            "work_offsets_mm": {name: list(offset) for name, offset in self.work_offsets_mm.items()},
         }
-        return json.dumps(content)
+
+    def to_json(self) -> str:
+        """Return the job as one line of JSON."""
+        return json.dumps(self.to_content())
 
     @classmethod
     def from_json(cls, text: str, **instead: Any) -> SendJob:
         """Return the job of `to_json`, with other values for some fields; raises JobError when it is not one."""
         try:
-            content = json.loads(text) | instead
+            return cls.from_content(json.loads(text) | instead)
+        except (ValueError, TypeError) as error:
+            if isinstance(error, JobError):
+                raise
+            raise _no_job(error) from error
+
+    @classmethod
+    def from_content(cls, content: Mapping[str, Any]) -> SendJob:
+        """Return the job of `to_content`, after its way through JSON; raises JobError when it is not one."""
+        try:
             unknown = set(content) - {entry.name for entry in fields(cls)}
             if unknown:
                 raise ValueError(f"unknown keys {sorted(unknown)}")
-            content["messages"] = {int(key): str(value) for key, value in content.get("messages", {}).items()}
-            content["expected"] = {int(key): float(value) for key, value in content.get("expected", {}).items()}
-            return cls(**content)
+            known = dict(content)
+            known["messages"] = {int(key): str(value) for key, value in content.get("messages", {}).items()}
+            known["expected"] = {int(key): float(value) for key, value in content.get("expected", {}).items()}
+            return cls(**known)
         except (ValueError, TypeError, AttributeError) as error:
-            raise JobError("send-job", f"not a job to send: {error}", advice="start it with cncstepper send") from error
+            if isinstance(error, JobError):
+                raise
+            raise _no_job(error) from error
+
+
+def _no_job(error: Exception) -> JobError:
+    return JobError("send-job", f"not a job to send: {error}", advice="start it with cncstepper send")

@@ -73,7 +73,7 @@ class Sender:
             if self._inbox.link:
                 self._inbox.link.close()
 
-    def _connected(self) -> dict[int, float]:
+    def _connected(self) -> connect.Found:
         self._inbox.link = self._opener(self.job.port, self.job.baud)
         self._run.driver = driver = Grbl(self._inbox.link, self._clock, self._listen)
         found = connect.meet(driver, self._timing)
@@ -82,7 +82,7 @@ class Sender:
         self._connecting = False
         for command in self._early:
             self._inbox.put(command)
-        return found.settings
+        return found
 
     def _listen(self, received: list[Received]) -> None:
         """Count and tell what came; while connecting, obey a stop too, all else waits for the first line."""

@@ -7,29 +7,84 @@ import json
 from pathlib import Path
 from typing import Any, Literal
 
+import numpy as np
 from pydantic import BaseModel, ConfigDict, Field, model_validator
 
 from CNCStepper.cycles.catalogue import cycle_class
 from CNCStepper.cycles.form import Cycle, Setup
+from CNCStepper.drawing.heights import read_heights
 from CNCStepper.drawing.points import read_points
 from CNCStepper.errors import JobError, Place
 from CNCStepper.machine.profile import Machine, load_machine, profile_names, read_toml, validated
 from CNCStepper.machine.tool import Tool
-from CNCStepper.simulation.stock import Stock
+from CNCStepper.simulation.clamps import Clamp
+from CNCStepper.simulation.stock import Cylinder, HeightField, Stock
 from CNCStepper.state import WORK_SYSTEMS
 
 
 class StockForm(BaseModel):
-    """The raw material as a job file names it."""
+    """The raw material as a job file names it.
 
-    model_config = ConfigDict(extra="forbid", frozen=True)
+    size_mm: of the box around it, for a cylinder diameter, diameter, height. heights_mm: of a height field over its
+    bottom, rows along X from the front to the back; a job file names a file of them as `heights`. edge_mm: how far
+    from a sheet's edge cuts must stay, if that matters.
+    """
 
+    model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
+
+    form: Literal["box", "sheet", "cylinder", "height_field"] = "box"
     size_mm: tuple[float, float, float]
     origin: str
+    heights_mm: tuple[tuple[float, ...], ...] | None = None
+    edge_mm: float | None = Field(default=None, ge=0)
+
+    @model_validator(mode="after")
+    def _is_a_stock(self) -> StockForm:
+        if (self.heights_mm is not None) != (self.form == "height_field"):
+            raise ValueError("heights belong to a stock of the form 'height_field', and to no other")
+        try:
+            self.stock()
+        except JobError as error:
+            raise ValueError(f"{error.what}; {error.advice}") from error
+        return self
 
     def stock(self) -> Stock:
         """Return the stock in work coordinates."""
+        if self.form == "cylinder":
+            return Cylinder(self.size_mm, self.origin)
+        if self.heights_mm is not None:
+            return HeightField(self.size_mm, self.origin, _rectangular(self.heights_mm))
         return Stock(self.size_mm, self.origin)
+
+
+def _rectangular(rows: tuple[tuple[float, ...], ...]) -> np.ndarray:
+    if len({len(row) for row in rows}) != 1:
+        raise JobError("stock-heights", "the rows of heights differ in length", advice="give every row as many")
+    return np.array(rows, float)
+
+
+class ClampForm(BaseModel):
+    """A clamp as a job file names it: two opposite corners of a rectangle or those of a polygon, and its top's height.
+
+    Both in work coordinates.
+    """
+
+    model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
+
+    corners_mm: tuple[tuple[float, float], ...] = Field(min_length=2)
+    top_mm: float
+
+    @model_validator(mode="after")
+    def _encloses_something(self) -> ClampForm:
+        try:
+            self.clamp()
+        except JobError as error:
+            raise ValueError(f"{error.what}; {error.advice}") from error
+        return self
+
+    def clamp(self) -> Clamp:
+        """Return the clamp that the tool keeps clear of."""
+        return Clamp(self.corners_mm, self.top_mm)
 
 
 class Job(BaseModel):
@@ -48,6 +103,7 @@ class Job(BaseModel):
     retract_mm: float = Field(gt=0, allow_inf_nan=False)
     coolant: Literal["none", "mist", "flood"] = "none"
     stock: StockForm
+    clamp: tuple[ClampForm, ...] = ()
     tool: tuple[Tool, ...] = Field(min_length=1)
     operation: tuple[Any, ...] = Field(min_length=1)
 
@@ -71,6 +127,11 @@ class Job(BaseModel):
     def tools(self) -> dict[int, Tool]:
         """The tools by number."""
         return {tool.number: tool for tool in self.tool}
+
+    @property
+    def clamps(self) -> list[Clamp]:
+        """What the tool keeps clear of."""
+        return [clamp.clamp() for clamp in self.clamp]
 
     @property
     def cutters(self) -> str:
@@ -100,6 +161,8 @@ def read_job(path: Path) -> Job:
         operation_of(raw, path.parent, f"{path} operation {number}")
         for number, raw in enumerate(_tables(content, "operation", path), start=1)
     )
+    if isinstance(stock := content.get("stock"), dict) and "heights" in stock:
+        stock["heights_mm"] = read_heights(path.parent / str(stock.pop("heights")))
     return validated(Job, content, str(path))
 
 

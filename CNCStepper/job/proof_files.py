@@ -4,7 +4,7 @@
     job.json  machine.json  program.nc        what is asked; the machine is that of machine.json
     result.json  moves.npz  lines.npz  part.npz  tools.npz  send.json    what is answered; or error.json, why not
 
-Reading an answer takes numpy only, so that a window does it at once.
+send.json is the program's certificate. Reading an answer takes numpy only, so that a window does it at once.
 """
 
 from __future__ import annotations

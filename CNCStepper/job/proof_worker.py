@@ -42,13 +42,13 @@ def main(arguments: list[str]) -> int:
 
 def answer(folder: Path, name: str) -> None:
     """Read the question, prove, and write the answer; raises what the core raises."""
+    from CNCStepper.job.certify import certificate_of
     from CNCStepper.job.proof_files import read_question, write_answer
     from CNCStepper.job.prove import prove_job
-    from CNCStepper.job.send import send_job
 
     program, job, machine = read_question(folder)
     proof = prove_job(job, machine, program, name, tell=lambda stage: print(stage, flush=True))
-    write_answer(folder, proof, job, send_job(proof.wire, machine, name).to_json())
+    write_answer(folder, proof, job, certificate_of(proof).to_json())
 
 
 def _refuse(folder: Path, error: CNCStepperError) -> None:

@@ -10,7 +10,7 @@ import math
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from shapely import union_all
@@ -19,12 +19,14 @@ from CNCStepper.cycles.form import Removal
 from CNCStepper.errors import JobError, Place
 from CNCStepper.gcode.prepare import WireText, prepare
 from CNCStepper.gcode.read_back import read_back
+from CNCStepper.job.certify import Given
 from CNCStepper.job.make import Made, make_program
 from CNCStepper.job.model import Job
 from CNCStepper.machine.profile import Machine
 from CNCStepper.machine.tool import Tool
 from CNCStepper.motion.plan import times_s
 from CNCStepper.simulation.check import check
+from CNCStepper.simulation.clamps import Clamp
 from CNCStepper.simulation.finding import Finding, refused
 from CNCStepper.simulation.heightmap import HeightMap, height_map
 from CNCStepper.simulation.report import report
@@ -32,6 +34,10 @@ from CNCStepper.simulation.stock import Stock
 from CNCStepper.simulation.sweep import judge
 from CNCStepper.state import Start
 from CNCStepper.toolpath import Toolpath
+
+if TYPE_CHECKING:
+    from CNCStepper.simulation.scene import Scene
+    from CNCStepper.simulation.timeline import Moment
 
 ON_EDGE_MM = 0.01  # a shape may end on the stock's edge
 STAGES = ("make", "read", "time", "judge", "check", "cut", "report")  # what `tell` hears, in this order
@@ -44,6 +50,7 @@ class Proof:
 
     wire: what would be sent. toolpath: its moves, naming the file's lines. times_s: end of every row.
     part: the stock after the program, or None without stock and tools. report: plain data for JSON.
+    given: what it was proven against.
     """
 
     wire: WireText
@@ -52,22 +59,31 @@ class Proof:
     findings: list[Finding]
     part: HeightMap | None
     report: dict[str, Any]
+    given: Given
 
     @property
     def refused(self) -> bool:
         """Whether a finding forbids sending it."""
         return refused(self.findings)
 
-    def draw(self, path: Path, title: str, tools: str) -> None:
-        """Draw the cut part and the tool's paths as PNG; `tools` names the cutters for people.
+    def scene(self, moment: Moment | None = None, part: HeightMap | None = None) -> Scene:
+        """Return what a picture shows of the program's end, or of a moment and the part at that moment.
 
         Raises JobError for a program that was proven without stock and tools.
         """
-        from CNCStepper.simulation.picture import save_picture
+        from CNCStepper.simulation.scene import scene_at
 
-        if self.part is None:
+        part = part or self.part
+        if part is None or self.given.tools is None:
             raise JobError("picture", "there is no part to draw", advice="give the stock and the tools")
-        save_picture(path, self.toolpath, self.part, title=title, tools=tools, time_s=self.report["time_s"])
+        return scene_at(self.toolpath, self.times_s, part, self.given.tools, moment, self.given.machine)
+
+    def draw(self, path: Path, title: str, tools: str) -> None:
+        """Draw the cut part and the tool's paths as PNG or SVG; `tools` names the cutters for people."""
+        from CNCStepper.simulation.picture import facts_of, save_picture
+
+        scene = self.scene()
+        save_picture(path, scene, title, facts_of(scene, tools, self.report["time_s"]))
 
 
 def prove(
@@ -80,13 +96,16 @@ def prove(
     stock: Stock | None = None,
     tools: dict[int, Tool] | Tool | None = None,
     removals: Sequence[Removal] = (),
+    keep_out: Sequence[Clamp] = (),
+    edge_mm: float | None = None,
     tell: Tell = lambda stage: None,
 ) -> Proof:
     """Return the proof of a program text; raises ProgramError for a text that cannot be read.
 
     start: where the machine stands; None is a machine whose position and zero are unknown (for the times it then
     begins at the work zero). removals: the shapes wanted, in work coordinates; without them gouge and left-over
-    are not judged. tell: called with the stage that begins, one of STAGES.
+    are not judged. keep_out: the clamps. edge_mm: how far from the sheet's edge cuts must stay. tell: called with the
+    stage that begins, one of STAGES.
     """
     language = dialect or machine.controller
     tell("read")
@@ -97,12 +116,15 @@ def prove(
     tell("judge")
     judgement = judge(toolpath, tools, list(removals), stock) if tools is not None and removals else None
     tell("check")
-    findings = check(toolpath, machine, file=file, stock=stock, tools=tools, judgement=judgement)
+    findings = check(
+        toolpath, machine, file=file, stock=stock, tools=tools, judgement=judgement, keep_out=keep_out, edge_mm=edge_mm
+    )
     tell("cut")
     part = height_map(toolpath, tools, stock) if stock is not None and tools is not None else None
     tell("report")
     told = report(toolpath, ends_s, file=file, findings=findings, judgement=judgement, part=part)
-    return Proof(wire, toolpath, ends_s, findings, part, told)
+    given = Given(text, language, machine, stock, tools, removals, keep_out, edge_mm)
+    return Proof(wire, toolpath, ends_s, findings, part, told, given)
 
 
 def _begun(toolpath: Toolpath) -> Toolpath:
@@ -119,6 +141,7 @@ def prove_job(
     file: str = "",
     start: Start | None = None,
     tell: Tell = lambda stage: None,
+    dialect: str = "",
 ) -> Proof:
     """Return the proof of a job's program text, as `prove` does, against the shapes that the job wants removed."""
     tell("make")
@@ -127,10 +150,13 @@ def prove_job(
         text,
         machine,
         file=file,
+        dialect=dialect,
         start=start,
         stock=job.stock.stock(),
         tools=job.tools,
         removals=made.removals,
+        keep_out=job.clamps,
+        edge_mm=job.stock.edge_mm,
         tell=tell,
     )
     findings = sorted(

@@ -3,9 +3,11 @@
 
 from __future__ import annotations
 
+import math
 import tomllib
 from functools import cache
 from importlib import resources
+from itertools import pairwise
 from pathlib import Path
 from typing import Any, Literal, TypeVar
 
@@ -21,8 +23,53 @@ class _Checked(BaseModel):
     model_config = ConfigDict(extra="forbid", frozen=True)
 
 
+class Motor(_Checked):
+    """An axis' stepper motor and its load; without an encoder it loses steps where its torque does not suffice.
+
+    travel_per_turn_mm: of the axis a turn of the motor (the screw's pitch, or the belt's travel). torque: points
+    (rpm, Nm) of the pull-out torque, rising in speed. mass_kg: of what moves. inertia_kg_m2: of rotor, coupling and
+    screw. force_n: friction, weight and cutting force together.
+    """
+
+    travel_per_turn_mm: float = Field(gt=0)
+    torque: tuple[tuple[float, float], ...] = Field(min_length=1)
+    mass_kg: float = Field(ge=0)
+    inertia_kg_m2: float = Field(default=0.0, ge=0)
+    force_n: float = Field(default=0.0, ge=0)
+    efficiency: float = Field(default=1.0, gt=0, le=1)
+
+    @model_validator(mode="after")
+    def _torque_is_a_curve(self) -> Motor:
+        speeds = [rpm for rpm, _ in self.torque]
+        if speeds[0] < 0 or any(one >= next_ for one, next_ in pairwise(speeds)):
+            raise ValueError("torque must be points (rpm, Nm) that rise in rpm")
+        if any(torque_nm < 0 for _, torque_nm in self.torque):
+            raise ValueError("torque must not be below zero")
+        return self
+
+    def rpm_at(self, speed_mm_s: float) -> float:
+        """Return how fast the motor turns at a speed of its axis."""
+        return abs(speed_mm_s) / self.travel_per_turn_mm * 60.0
+
+    def torque_at_nm(self, rpm: float) -> float:
+        """Return the pull-out torque at a speed; none beyond the last point, before the first that of the first."""
+        speeds, torques = zip(*self.torque, strict=True)
+        for k in range(1, len(speeds)):
+            if speeds[k - 1] <= rpm <= speeds[k]:
+                share = (rpm - speeds[k - 1]) / (speeds[k] - speeds[k - 1])
+                return torques[k - 1] + (torques[k] - torques[k - 1]) * share
+        return torques[0] if rpm <= speeds[0] else 0.0
+
+    def needed_nm(self, acceleration_mm_s2: float) -> float:
+        """Return the torque that moves the load against its force while it speeds up."""
+        lead_m_rad = self.travel_per_turn_mm / 1000.0 / math.tau
+        acceleration_m_s2 = abs(acceleration_mm_s2) / 1000.0
+        force_n = self.mass_kg * acceleration_m_s2 + self.force_n
+        return self.inertia_kg_m2 * acceleration_m_s2 / lead_m_rad + force_n * lead_m_rad / self.efficiency
+
+
 class Axis(_Checked):
-    """One axis; travel is in machine coordinates."""
+    """One axis; travel is in machine coordinates. Without its motor the motor's torque is not checked."""
 
     steps_per_mm: float = Field(gt=0)
     max_rate_mm_min: float = Field(gt=0)
@@ -31,6 +78,7 @@ class Axis(_Checked):
     travel_min_mm: float
     travel_max_mm: float
     homing: Literal["min", "max", "none"] = "none"
+    motor: Motor | None = None
 
     @model_validator(mode="after")
     def _travel_is_ordered(self) -> Axis:

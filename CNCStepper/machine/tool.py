@@ -10,29 +10,19 @@
 
 from __future__ import annotations
 
-from typing import Literal
-
 from pydantic import BaseModel, ConfigDict, Field, model_validator
 
 from CNCStepper.errors import JobError
-
-Shape = Literal["flat", "ball", "bullnose", "v", "drill", "engraver", "jet", "wire"]
-
-OWN_KEYS = {  # the keys that say more of a shape than its diameter; no other shape may have them
-    "bullnose": {"corner_radius_mm"},
-    "v": {"tip_angle_deg", "tip_diameter_mm"},
-    "engraver": {"tip_angle_deg", "tip_diameter_mm"},
-    "drill": {"point_angle_deg"},
-    "jet": {"taper_deg"},
-    "wire": {"taper_deg"},
-}
+from CNCStepper.machine.shapes import Shape, foreign_keys
 
 
 class Tool(BaseModel):
-    """A tool as a job file names it; 0 means "not given" for feeds, speed and lengths.
+    """A tool as a job file names it; 0 means "not given" for feeds, speed, lengths, flutes and limits.
 
-    The angles are those between the two sides of the tip. flute_length_mm: of the cutting edges;
-    length_mm: from the tip to the holder.
+    The angles are those between the two sides of the tip. flute_length_mm: of the cutting edges; length_mm: from
+    the tip to the holder, whose diameter is holder_diameter_mm. core_diameter_mm: of the middle of a mill's end
+    that does not cut, 0 for one that cuts over its centre; such a mill goes down on ramps and helices of at most
+    ramp_max_deg. chip_load_min_mm, chip_load_max_mm (a tooth) and engagement_max_deg: what tool and material allow.
     """
 
     model_config = ConfigDict(extra="forbid", frozen=True)
@@ -47,19 +37,32 @@ class Tool(BaseModel):
     taper_deg: float | None = Field(default=None, ge=0, lt=45)
     flute_length_mm: float = Field(default=0.0, ge=0)
     length_mm: float = Field(default=0.0, ge=0)
+    holder_diameter_mm: float = Field(default=0.0, ge=0)
+    core_diameter_mm: float = Field(default=0.0, ge=0)
+    ramp_max_deg: float = Field(default=10.0, gt=0, lt=90)
+    flutes: int = Field(default=0, ge=0)
+    chip_load_min_mm: float = Field(default=0.0, ge=0)
+    chip_load_max_mm: float = Field(default=0.0, ge=0)
+    engagement_max_deg: float = Field(default=0.0, ge=0, le=180)
     feed_mm_min: float = Field(default=0.0, ge=0)
     plunge_mm_min: float = Field(default=0.0, ge=0)
     spindle_rpm: float = Field(default=0.0, ge=0)
 
     @model_validator(mode="after")
     def _keys_fit_the_shape(self) -> Tool:
-        for key in sorted(set.union(*OWN_KEYS.values()) - OWN_KEYS.get(self.shape, set())):
-            if getattr(self, key) is not None:
+        for key in sorted(foreign_keys(self.shape)):
+            if getattr(self, key) != type(self).model_fields[key].default:
                 raise ValueError(f"a {self.shape} tool has no {key}")
         if self.corner_radius_mm is not None and self.corner_radius_mm > self.radius_mm:
             raise ValueError("corner_radius_mm must not exceed half of diameter_mm")
         if self.tip_diameter_mm is not None and self.tip_diameter_mm >= self.diameter_mm:
             raise ValueError("tip_diameter_mm must be below diameter_mm")
+        if self.core_diameter_mm > self.diameter_mm:
+            raise ValueError("core_diameter_mm must not exceed diameter_mm")
+        if self.chip_load_max_mm and self.chip_load_min_mm > self.chip_load_max_mm:
+            raise ValueError("chip_load_min_mm must not exceed chip_load_max_mm")
+        if (self.chip_load_min_mm or self.chip_load_max_mm) and not self.flutes:
+            raise ValueError("a chip load needs flutes")
         if self.length_mm and self.flute_length_mm > self.length_mm:
             raise ValueError("flute_length_mm must not exceed length_mm")
         return self

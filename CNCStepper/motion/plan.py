@@ -15,7 +15,7 @@ import numpy as np
 
 from CNCStepper.machine.profile import Machine
 from CNCStepper.motion.limits import Limits
-from CNCStepper.motion.memory import TICKS_PER_S, new_planner, new_segments
+from CNCStepper.motion.memory import EIGHTHS, TICKS_PER_S, new_planner, new_segments
 from CNCStepper.motion.rows import Course, Rows, new_course, run_empty, run_rows, stand_still
 from CNCStepper.motion.timeline import positions_at, step_table
 from CNCStepper.state import State
@@ -38,6 +38,18 @@ def duration_s(toolpath: Toolpath, machine: Machine | Limits) -> float:
     for _ in run.segments():
         pass
     return run.clock / TICKS_PER_S
+
+
+def top_speeds_mm_s(toolpath: Toolpath, machine: Machine | Limits) -> np.ndarray:
+    """Return the greatest speed that each axis reaches on every row, float64[n, axes]."""
+    run = _Run(toolpath, machine)
+    steps_per_mm = np.array(run.limits.steps_per_mm)
+    fastest = np.zeros((len(toolpath), run.limits.axes))
+    for segments in run.segments():
+        events_per_s = segments.unit / EIGHTHS * TICKS_PER_S / segments.cycles
+        share = np.abs(segments.steps) / np.maximum(segments.events, 1)[:, None]
+        np.maximum.at(fastest, segments.tag - run.first, share * events_per_s[:, None] / steps_per_mm)
+    return fastest
 
 
 def sample(toolpath: Toolpath, machine: Machine | Limits, times_s: np.ndarray) -> np.ndarray:

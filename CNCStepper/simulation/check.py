@@ -7,7 +7,8 @@ from collections.abc import Iterator, Sequence
 
 from CNCStepper.cycles.form import Removal
 from CNCStepper.machine.profile import Machine
-from CNCStepper.simulation import machine_checks, stock_checks
+from CNCStepper.simulation import load_checks, machine_checks, motor_checks, stock_checks, tool_checks
+from CNCStepper.simulation.clamps import Clamp, clamps, sheet_edge
 from CNCStepper.simulation.cutter import Tools
 from CNCStepper.simulation.finding import Finding
 from CNCStepper.simulation.stock import Stock
@@ -23,6 +24,7 @@ MACHINE_CHECKS = (
     machine_checks.outputs,
     machine_checks.spin_up,
     machine_checks.tool_changes,
+    motor_checks.motors,
 )
 
 
@@ -35,20 +37,26 @@ def check(
     tools: Tools | None = None,
     removals: Sequence[Removal] | None = None,
     judgement: Judgement | None = None,
+    keep_out: Sequence[Clamp] = (),
+    edge_mm: float | None = None,
 ) -> list[Finding]:
     """Return what is wrong with a program, in the order of its lines; an empty list is a clean program.
 
     Whether the work zero is known says `toolpath.start`. tools: by number, or one tool that stands for
     every number. Checks that need a stock, tools or removals are left out where these are not given; a
     `judgement` already made is used instead of judging again. How deep a gouge and how thick a rest are
-    allowed say the removals.
+    allowed say the removals. keep_out: the clamps. edge_mm: how far from the sheet's edge cuts must stay, None for
+    no matter how near.
     """
     subject = Subject.of(toolpath, machine, file)
     found = [finding for one in MACHINE_CHECKS for finding in one(subject)]
+    found += clamps(subject, tools, keep_out)
     if tools is not None:
         found += stock_checks.tools_known(subject, tools)
         if stock is not None:
             found += _at_stock(subject, stock, tools)
+            if edge_mm is not None:
+                found += sheet_edge(subject, tools, stock, edge_mm)
         if judgement is None and removals:
             judgement = judge(toolpath, tools, removals, stock)
     if judgement is not None:
@@ -61,3 +69,6 @@ def _at_stock(subject: Subject, stock: Stock, tools: Tools) -> Iterator[Finding]
     checks = stock_checks.StockChecks(subject, stock, tools)
     for one in (checks.rapids, checks.still_spindle, checks.below):
         yield from one()
+    yield from tool_checks.plunges(checks)
+    yield from tool_checks.sideways(checks)
+    yield from load_checks.loads(subject, stock, tools)

@@ -18,8 +18,11 @@ from CNCStepper.simulation.stock import Stock
 
 RUB_MM = 0.005  # contact that is no deeper is no contact
 STEP_MM = 0.25  # between the places of the tool on a move
-LEVEL_STEP_MM = 0.05  # places on a ramp are looked at together within this height, from its upper end
-DISCS = 9  # of a ball are looked at
+LEVEL_STEP_MM = (
+    0.05  # places on a ramp are looked at together within this height: all at its upper end, then the lowest
+)
+SAME_TIP_MM = 1e-4  # heights of the tip are rounded up to it: a level below the path would not see it
+DISCS = 9  # of a cutter that is not flat are looked at, spread over what is below the stock's top
 RIM_RAD = np.arange(64) * np.pi / 32
 SHARES = (1.0, 0.7, 0.4, 0.1)  # of the radius, at which points lie
 
@@ -38,21 +41,22 @@ class Remaining:
         below = clipped_below(move, self.stock.top_mm - RUB_MM)
         places = _places(below)
         for first, last in _runs(np.ceil(places[:, 2] / LEVEL_STEP_MM)):
-            z_mm = float(places[first:last, 2].max())
-            point = self._contact(cutter, places[first:last, :2], z_mm, int(move.row[0]))
-            if point is not None:
-                return point
+            run = places[first:last]
+            for some in (run, run[[run[:, 2].argmin()]])[: 1 + int(np.ptp(run[:, 2]) > 0)]:
+                point = self._contact(cutter, some[:, :2], float(some[:, 2].max()), int(move.row[0]))
+                if point is not None:
+                    return point
         return None
 
     def _contact(self, cutter: Cutter, centres: np.ndarray, tip_mm: float, row: int) -> tuple[float, ...] | None:
-        heights, radii = cutter.discs()
-        some = np.unique(np.linspace(0, len(heights) - 1, DISCS).astype(int))
-        for height, radius in zip(heights[some], radii[some], strict=True):
+        heights = np.linspace(0.0, min(cutter.rise_mm, self.stock.top_mm - tip_mm), 1 if cutter.is_flat else DISCS)
+        for height, radius in zip(heights, cutter.radius_at(heights), strict=True):
             z_mm = max(tip_mm + height, self.stock.bottom_mm)
             if z_mm >= self.stock.top_mm - RUB_MM:
                 continue
             points = _disc_points(centres, max(radius - RUB_MM, 0.0))
             points = points[shapely.contains_xy(self.outline, points)]
+            points = points[self.stock.tops_at(points) > z_mm + RUB_MM]
             open_ = points[~self._cut(points, z_mm + RUB_MM, row)] if len(points) else points
             if len(open_):
                 return (*open_[0].tolist(), z_mm)
@@ -78,10 +82,11 @@ class Remaining:
 
 
 def _levels_of(cutter: Cutter, pieces: Segments, z_mm: float) -> np.ndarray:
-    """Return the heights of the tip to look at: the lowest of a ball cut widest, a flat is as wide everywhere."""
-    if not cutter.ball:
+    """Return the heights of the tip to look at: the lowest cut widest, a flat is as wide everywhere."""
+    if cutter.is_flat:
         return np.array([z_mm])
-    tips = np.unique(np.round(np.r_[pieces.low_mm, pieces.begin[:, 2], pieces.end[:, 2]], 4))
+    steps = np.r_[pieces.low_mm, pieces.begin[:, 2], pieces.end[:, 2]] / SAME_TIP_MM
+    tips = (np.unique(np.ceil(steps)) + 1e-6) * SAME_TIP_MM
     tips = tips[tips < z_mm]
     return tips[np.unique(np.linspace(0, max(len(tips) - 1, 0), 40).astype(int))] if len(tips) else tips
 

@@ -17,7 +17,6 @@ from typing import NamedTuple
 
 from CNCStepper.kernels import njit
 from CNCStepper.machine.tool import Tool
-from CNCStepper.simulation.cutter import Cutter
 
 DRILL_POINT_DEG = 118.0  # the standard point
 BISECTIONS = 45
@@ -50,11 +49,6 @@ def form_of(tool: Tool, through_mm: float = 0.0) -> Form:
         narrow = max(radius - through_mm * math.tan(math.radians(tool.taper_deg)), 0.0)
         return _cone(radius, narrow, 2 * tool.taper_deg)
     return Form(radius, radius)
-
-
-def form_of_cutter(cutter: Cutter) -> Form:
-    """Return the form of a cutter as the exact judge knows it."""
-    return Form(cutter.radius_mm, 0.0, cutter.radius_mm) if cutter.ball else Form(cutter.radius_mm, cutter.radius_mm)
 
 
 def _cone(radius_mm: float, tip_mm: float, angle_deg: float) -> Form:

@@ -19,12 +19,15 @@ import numpy as np
 import shapely
 
 from CNCStepper.simulation.cutter import Cutter
-from CNCStepper.simulation.region import EdgeTree, Region, climbed, flat_edges
+from CNCStepper.simulation.region import EdgeTree, Region, climbed, flat_edges, zoomed
 from CNCStepper.simulation.segments import Segments, split_ramps
 
 SMALL_MM = 0.0003  # what flattening may add; less is no gouge
 RAMP_STEP_MM = 0.05  # a ramp counts with the lower end of parts of this height
 WORST_PIECES = 64
+COARSE_DISCS = 32  # with which the pieces that enter nothing are told from the rest
+FACE_RINGS = 12  # on the face of a cutter that is not flat
+MOST_AT_ONCE = 2_000_000  # discs of pieces
 ROUND_RAD = np.arange(72) * np.pi / 36
 
 
@@ -75,14 +78,30 @@ def entries(cutter: Cutter, pieces: Segments, kept: Kept) -> Entries:
     enough_mm = max(cutter.radius_mm, 0.05)
     inside = np.stack([region.inside(pieces, enough_mm) for region in kept.regions]) if kept.regions else None
     tip = np.maximum(pieces.low_mm, kept.stock_bottom_mm)
-    bound = _bound(inside, tip, kept, np.zeros(1), np.array([cutter.radius_mm]))[0]
-    height, radius = np.zeros(len(pieces)), np.full(len(pieces), cutter.radius_mm)
-    if cutter.ball:
-        for part in np.array_split(np.flatnonzero(bound > SMALL_MM), 1 + len(pieces) // 512):
-            heights, radii = cutter.discs()
-            bound[part], disc = _bound(None if inside is None else inside[:, part], tip[part], kept, heights, radii)
-            height[part], radius[part] = heights[disc], radii[disc]
+    heights, radii = cutter.discs(kept.top_mm - float(tip.min(initial=kept.top_mm)))
+    bound, height, radius = np.zeros(len(pieces)), np.zeros(len(pieces)), np.full(len(pieces), cutter.radius_mm)
+    every = np.arange(len(pieces))
+    for part in _parts(every, COARSE_DISCS):
+        bound[part] = _bound(_of(inside, part), tip[part], kept, *_hull(heights, radii))[0]
+    for part in _parts(every[bound > SMALL_MM], len(heights)):
+        bound[part], disc = _bound(_of(inside, part), tip[part], kept, heights, radii)
+        height[part], radius[part] = heights[disc], radii[disc]
     return Entries(cutter, pieces, bound, height, radius)
+
+
+def _of(inside: np.ndarray | None, part: np.ndarray) -> np.ndarray | None:
+    return None if inside is None else inside[:, part]
+
+
+def _parts(rows: np.ndarray, discs: int) -> list[np.ndarray]:
+    """Return the rows in parts small enough for an array of all their discs."""
+    return np.array_split(rows, 1 + len(rows) * discs // MOST_AT_ONCE)
+
+
+def _hull(heights: np.ndarray, radii: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Return few discs that surely enter as deep as the many: each as low as the last and as wide as the next."""
+    some = np.unique(np.linspace(0, len(heights) - 1, COARSE_DISCS + 1).astype(int))
+    return heights[some[: max(len(some) - 1, 1)]], radii[some[min(len(some) - 1, 1) :]]
 
 
 def _bound(inside, tip, kept: Kept, heights, radii) -> tuple[np.ndarray, np.ndarray]:
@@ -110,7 +129,7 @@ def deepest(found: Entries, kept: Kept) -> Worst:
         centres[[best.centre]], tip[[best.centre]], index[[best.centre]], worst, kept, fine[None, :], (1.0,)
     )
     best = max(best, fine_best, key=lambda candidate: candidate.depth)
-    place = _climbed_inside(best, worst, kept)
+    place = _climbed_inside(best, worst, kept) if found.cutter.is_flat else _on_face(best, centres, index, worst, kept)
     depth = float(kept.depth(np.array([place[:2]]), np.array([place[2]]))[0])
     return Worst(depth, place, int(worst.pieces.row[best.piece]))
 
@@ -129,6 +148,37 @@ def _climbed_inside(best: _Best, worst: Entries, kept: Kept) -> tuple[float, ...
     (found,) = climbed(np.array([best.place[:2]]), depth, step_mm=radius_mm / 8, stop_mm=1e-4)
     climbed_place = (*found.tolist(), z_mm)
     return climbed_place if depth(found[None, :])[0] > best.depth else best.place
+
+
+def _on_face(best: _Best, centres: np.ndarray, index: np.ndarray, worst: Entries, kept: Kept) -> tuple[float, ...]:
+    """Return the deepest place on the lower face of a cutter that is not flat.
+
+    At any place seen from above the tool enters deepest where it is lowest, so that only x and y are looked for:
+    first about each centre, then ever finer where that was deepest, against all pieces that go as low.
+    """
+    cutter = worst.cutter
+    radius, angle = cutter.radius_mm * np.arange(1, FACE_RINGS + 1) / FACE_RINGS, ROUND_RAD[::2]
+    face = np.stack([np.outer(radius, np.cos(angle)), np.outer(radius, np.sin(angle))], axis=2).reshape(-1, 2)
+    rise = cutter.heights_at(np.repeat(radius * (1 - 1e-12), len(angle)))
+    points = (centres[:, None, :2] + face).reshape(-1, 2)
+    tips = np.maximum(centres[:, 2], kept.stock_bottom_mm)
+    k = int(kept.depth(points, (tips[:, None] + rise).ravel()).argmax())
+    tip = float(tips[k // len(face)])
+    lower = np.maximum(worst.pieces.low_mm, kept.stock_bottom_mm) <= tip + 1e-9
+    lower[index[k // len(face)]] = True
+    path = EdgeTree.of_pieces(worst.pieces[lower])
+
+    def height(places: np.ndarray) -> np.ndarray:
+        return tip + cutter.heights_at(path.distance(places))
+
+    def depth(places: np.ndarray) -> np.ndarray:
+        z = height(places)
+        return np.where(np.isfinite(z), kept.depth(places, np.where(np.isfinite(z), z, 0.0)), -1.0)
+
+    starts = np.array([points[k], best.place[:2]])
+    place = zoomed(starts[depth(starts).argmax()], depth, cutter.radius_mm / FACE_RINGS, stop_mm=1e-5)
+    found = (*place.tolist(), float(height(place[None, :])[0]))
+    return found if depth(place[None, :])[0] > best.depth else best.place
 
 
 @dataclass(frozen=True)
@@ -161,5 +211,13 @@ def _centres(pieces: Segments, kept: Kept) -> tuple[np.ndarray, np.ndarray]:
         edge, _ = region.edges.nearest(flat)
         if len(region.edges.edges):
             near = shapely.get_coordinates(shapely.shortest_line(flat, region.edges.edges[edge]))[::2]
-            points.append(np.column_stack([near, pieces.low_mm]))
+            points.append(_on_pieces(near, pieces))
     return np.vstack(points), np.tile(np.arange(len(pieces)), len(points))
+
+
+def _on_pieces(flat: np.ndarray, pieces: Segments) -> np.ndarray:
+    """Return points float64[n, 2] on the pieces seen from above with their heights; on a plunge the lower end's."""
+    length = np.hypot(*(pieces.end - pieces.begin)[:, :2].T)
+    share = np.hypot(*(flat - pieces.begin[:, :2]).T) / np.where(length > 0, length, 1.0)
+    height = pieces.begin[:, 2] + (pieces.end - pieces.begin)[:, 2] * share
+    return np.column_stack([flat, np.where(length > 0, height, pieces.low_mm)])

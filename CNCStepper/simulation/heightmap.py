@@ -12,8 +12,8 @@ from functools import cached_property
 import numpy as np
 
 from CNCStepper.kernels import COMPILED
-from CNCStepper.simulation.cutter import Cutter, Tools
-from CNCStepper.simulation.form import Form, form_of_cutter
+from CNCStepper.simulation.cutter import Tools
+from CNCStepper.simulation.form import Form
 from CNCStepper.simulation.removal_moves import Moves, moves_of
 from CNCStepper.simulation.segments import Segments
 from CNCStepper.simulation.stock import Stock
@@ -47,9 +47,8 @@ class HeightMap:
         """The volume that was cut from the stock; below its bottom there is nothing to cut."""
         return self.part.removed_volume_mm3
 
-    def cut(self, cutter: Cutter | Form, pieces: Segments) -> None:
-        """Cut along the segments, in their order."""
-        form = cutter if isinstance(cutter, Form) else form_of_cutter(cutter)
+    def cut(self, form: Form, pieces: Segments) -> None:
+        """Cut along the segments, in their order, with a cutter of that form."""
         self.part = self.part.after(Moves.lines(pieces.begin, pieces.end, form))
         self.__dict__.pop("heights_mm", None)
 

@@ -19,6 +19,7 @@ LIGHT = np.array([-0.35, -0.5, 0.8]) / np.linalg.norm([-0.35, -0.5, 0.8])
 AMBIENT = 0.5
 MOST_CELLS = 420  # along a side; more would not be seen
 FRONT_SHADE, RIGHT_SHADE = 0.85, 0.66
+GONE_MM = 1e-6  # material that is thinner is none
 SMOOTHINGS = 3  # of the heights before they are shaded: a round wall in square cells would look striped
 
 
@@ -41,10 +42,16 @@ def surface(
     shade = AMBIENT + (1 - AMBIENT) * np.clip(slopes @ LIGHT, 0.0, 1.0)
     colours = colour_of((smooth + z[:-1, :-1]) / 2)
     colours[..., :3] *= shade[..., None]
+    colours[..., 3] = np.where(_is_floor(z, part.stock.bottom_mm), 0.0, colours[..., 3])
     colours[-1, :] = colours[:, -1] = side_colour
     colours[-1, :, :3] *= FRONT_SHADE
     colours[:, -1, :3] *= RIGHT_SHADE
     return *projected(x, y, z), np.clip(colours, 0.0, 1.0)
+
+
+def _is_floor(z: np.ndarray, bottom_mm: float) -> np.ndarray:
+    """Return the quads at whose four corners no material is left: there one looks through the part."""
+    return np.maximum.reduce([z[:-1, :-1], z[:-1, 1:], z[1:, :-1], z[1:, 1:]]) <= bottom_mm + GONE_MM
 
 
 def _smoothed(z: np.ndarray) -> np.ndarray:

@@ -34,6 +34,7 @@ VORONOI_STEP = 0.1  # share of the radius between the points of that path
 RUN_POINTS = 400  # of the path are simplified at once
 ISLAND_REACH_MM = 0.5  # middles closer than twice this belong to one island
 MOST_CLIMBED = 100
+AS_NEAR_MM = 0.001
 BESIDE_MM = 1.0  # a path may lie this far beside what it was meant to remove, and is still measured
 Cuts = list[tuple[Cutter, Segments]]  # the path below the stock's top, by cutter
 
@@ -73,13 +74,13 @@ class _Cover:
         return thickness
 
     def clearance(self, points: np.ndarray) -> np.ndarray:
-        """Return what grows with the thickness, and goes on falling below zero where a flat has cut."""
+        """Return what grows with the thickness, and goes on falling below zero under a flat floor."""
         clearance = np.full(len(points), np.inf)
         for cutter, _, tree in self.parts:
             beside = tree.distance(points)
             gap = cutter.gap(beside, self.drop_mm)
-            within = (beside <= cutter.radius_mm) & (not cutter.ball)
-            clearance = np.minimum(clearance, np.where(within, beside - cutter.radius_mm, gap))
+            within = beside < cutter.floor_mm
+            clearance = np.minimum(clearance, np.where(within, beside - cutter.floor_mm, gap))
         return clearance
 
 
@@ -212,7 +213,7 @@ def _voronoi_corners(points: np.ndarray) -> np.ndarray:
 
 
 def _coarse(cutter: Cutter, pieces: Segments) -> tuple[BaseGeometry, np.ndarray]:
-    """Return an area that is surely cut, and points of the path; of a ball's level no area is sure.
+    """Return an area that is surely cut, which is that of the cutter's flat floor, and points of the path.
 
     The path is simplified in short runs: the buffer of a long one that crosses itself takes seconds.
     """
@@ -221,7 +222,7 @@ def _coarse(cutter: Cutter, pieces: Segments) -> tuple[BaseGeometry, np.ndarray]
     paths = shapely.simplify(np.array([shapely.LineString(run) for run in runs]), error_mm)
     is_point = shapely.length(paths) == 0  # a plunge seen from above
     spread = np.r_[shapely.segmentize(paths[~is_point], max(VORONOI_STEP * cutter.radius_mm, 0.01)), paths[is_point]]
-    sure_mm = 0.0 if cutter.ball else cutter.radius_mm - error_mm
+    sure_mm = max(cutter.floor_mm - error_mm, 0.0)
     return shapely.union_all(shapely.buffer(paths, sure_mm)), shapely.get_coordinates(spread)
 
 
@@ -256,10 +257,11 @@ def _islands(removal: Removal, middles: _Candidates, most_mm: float) -> list[Isl
 
 
 def _nearest_row(point: np.ndarray, covers: list[_Cover]) -> int:
-    """Return the row of the table whose path comes nearest to the point, or -1."""
-    nearest = (np.inf, -1)
+    """Return the row of the table whose path comes nearest to the point, the last of those as near, or -1."""
+    found = []
     for _, pieces, tree in covers[-1].parts if covers else []:
         index, distance = tree.nearest(shapely.points(point[None, :]))
-        if len(pieces) and distance[0] < nearest[0]:
-            nearest = (distance[0], int(pieces.row[index[0]]))
-    return nearest[1]
+        if len(pieces):
+            found.append((float(distance[0]), int(pieces.row[index[0]])))
+    nearest = min(found, default=(0.0, -1))[0]
+    return max((row for distance, row in found if distance <= nearest + AS_NEAR_MM), default=-1)

@@ -13,36 +13,72 @@ from CNCStepper.simulation.segments import Segments, chains, segments
 from CNCStepper.toolpath import LINE, RAPID, Toolpath
 
 DRAWN_MM = 0.02  # how far a drawn arc may leave the true one
+FROM_ABOVE = (0, 1)
+
+
+@dataclass(frozen=True)
+class Until:
+    """How far a path is drawn: to the end of the share of a row that is done, where the tip is at `tip_mm`."""
+
+    row: int
+    share: float
+    tip_mm: np.ndarray
 
 
 @dataclass(frozen=True)
 class DrawnPath:
-    """Polylines float64[k, 3] by what the tool does on them, and the lower ends of the plunges, float64[n, 3]."""
+    """Polylines float64[k, 3] by what the tool does on them; the last point of a plunge is its lower end."""
 
     rapids: list[np.ndarray]
     feeds: list[np.ndarray]
     arcs: list[np.ndarray]
-    plunges: np.ndarray
+    plunges: list[np.ndarray]
+
+    def kinds(self) -> dict[str, list[np.ndarray]]:
+        """Return the lines by the name of what they are."""
+        return {"feeds": self.feeds, "arcs": self.arcs, "rapids": self.rapids, "plunges": self.plunges}
+
+    @property
+    def points_mm(self) -> np.ndarray:
+        """All points of all lines, float64[n, 3]."""
+        lines = self.rapids + self.feeds + self.arcs + self.plunges
+        return np.vstack(lines) if lines else np.zeros((0, 3))
 
 
-def drawn_path(toolpath: Toolpath) -> DrawnPath:
-    """Return the path in work coordinates, without what begins at an unknown position."""
-    path = segments(toolpath, DRAWN_MM).known()
+def drawn_path(toolpath: Toolpath, seen: tuple[int, ...] = FROM_ABOVE, until: Until | None = None) -> DrawnPath:
+    """Return the path in work coordinates, without what begins at an unknown position.
+
+    seen: the axes that a view shows; lines that are points or repeat others there are left out, save plunges.
+    """
+    path = segments(toolpath, DRAWN_MM)
+    path = (path if until is None else _until(path, until)).known()
     kind = toolpath.table().kind[path.row]
-    sideways = np.hypot(*(path.end - path.begin)[:, :2].T) > 1e-9
-    plunging = (kind == LINE) & ~sideways & (path.end[:, 2] < path.begin[:, 2])
+    delta = path.end - path.begin
+    sideways = np.hypot(delta[:, 0], delta[:, 1]) > 1e-9
+    shown = (np.abs(delta[:, list(seen)]) > 1e-9).any(axis=1)
+    plunging = (kind == LINE) & ~sideways & (delta[:, 2] < 0)
     return DrawnPath(
-        _unrepeated(path[(kind == RAPID) & sideways]),
-        _unrepeated(path[(kind == LINE) & sideways]),
-        _unrepeated(path[(kind > LINE)]),
-        path.end[plunging],
+        _unrepeated(path[(kind == RAPID) & shown], seen),
+        _unrepeated(path[(kind == LINE) & shown & ~plunging], seen),
+        _unrepeated(path[kind > LINE], seen),
+        chains(path[plunging]),
     )
 
 
-def _unrepeated(path: Segments) -> list[np.ndarray]:
-    """Return the segments as polylines, without those that lie on another one seen from above."""
-    flat = np.round(np.concatenate([path.begin[:, :2], path.end[:, :2]], axis=1), 4)
-    keys = np.ascontiguousarray(flat).view([("", flat.dtype)] * 4).ravel() if len(flat) else np.zeros(0)
+def _until(path: Segments, until: Until) -> Segments:
+    """Return the segments up to there, the one in hand only as far as it is done."""
+    first, last = np.searchsorted(path.row, [until.row, until.row + 1])
+    done = first + int((last - first) * until.share)
+    end = path.end.copy()
+    if done < last:
+        end[done] = until.tip_mm
+    return Segments(path.begin, end, path.row)[: min(done + 1, int(last))]
+
+
+def _unrepeated(path: Segments, seen: tuple[int, ...]) -> list[np.ndarray]:
+    """Return the segments as polylines, without those that lie on another one as it is seen."""
+    flat = np.round(np.concatenate([path.begin[:, list(seen)], path.end[:, list(seen)]], axis=1), 4)
+    keys = np.ascontiguousarray(flat).view([("", flat.dtype)] * flat.shape[1]).ravel() if len(flat) else np.zeros(0)
     first = np.sort(np.unique(keys, return_index=True)[1])
     return chains(path[first])
 

@@ -11,6 +11,8 @@ from shapely.geometry.base import BaseGeometry
 
 from CNCStepper.simulation.segments import Segments
 
+ZOOM = np.stack(np.meshgrid(*[np.linspace(-1, 1, 15)] * 2), axis=2).reshape(-1, 2)
+CLOSER = 0.4  # each look goes into this share of the one before
 ENOUGH_GAIN = 0.1  # of the step; less is no progress, and the step is halved
 
 
@@ -108,3 +110,15 @@ def climbed(
         heights[open_[gain]] = highest[gain]
         steps[open_[~gain]] /= 2
     return points
+
+
+def zoomed(point: np.ndarray, height: Callable[[np.ndarray], np.ndarray], step_mm: float, stop_mm: float) -> np.ndarray:
+    """Return the highest place near the point float64[2], looked for in squares of ever smaller sides.
+
+    Slower than `climbed`, but it goes along ridges too. height: function of points float64[m, 2].
+    """
+    while step_mm > stop_mm:
+        places = np.vstack([point[None, :], point + step_mm * ZOOM])
+        point = places[height(places).argmax()]
+        step_mm *= CLOSER
+    return point

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from CNCStepper.simulation.arcs import Arcs, arcs_of
-from CNCStepper.simulation.cutter import Tools, tool_numbered
+from CNCStepper.simulation.cutter import BEAM, Tools, tool_numbered
 from CNCStepper.simulation.form import Form, form_of
 from CNCStepper.simulation.segments import Segments, segments, tips_mm
 from CNCStepper.simulation.stock import Stock
@@ -22,7 +22,6 @@ CHORD_MM = 0.0002
 SPIRAL_MM = 0.02  # an arc whose two radii differ by more is no rounded arc
 AFTER_LAST, BEFORE_NEXT = 1, 2  # bits of `joined`
 ARC_COLUMNS = 6  # centre x, y; angle at the begin; sweep, signed (rad); radius at begin and end
-BEAM = ("jet", "wire")  # cut through the whole stock wherever their height is
 
 
 @dataclass(frozen=True)

@@ -20,6 +20,7 @@ from CNCStepper.simulation.sweep import Judgement
 from CNCStepper.toolpath import ARC_CCW, ARC_CW, LINE, RAPID, Toolpath
 
 DECIMALS = 6
+SAME_PLACE_DECIMALS = 3
 LENGTH_TOLERANCE_MM = 0.001  # of the chords whose lengths stand for an arc's
 
 
@@ -46,6 +47,7 @@ def report(
         "time_s": _number(times_s[-1]) if len(times_s) else 0.0,
         **lengths.of(whole),
         "plunges": lengths.plunges(whole),
+        "pierces": lengths.pierces(whole),
         "arcs": int(np.isin(table.kind, (ARC_CW, ARC_CCW)).sum()),
         "tools": sorted({toolpath.states[k].tool for k in np.unique(table.state)}),
         "bounding_box_mm": _bounding_box(toolpath),
@@ -85,9 +87,17 @@ class _Lengths:
 
     def plunges(self, rows: slice) -> int:
         """Return how many of the rows feed straight down."""
+        return int(self._plunging(rows).sum())
+
+    def pierces(self, rows: slice) -> int:
+        """Return at how many places the tool feeds straight down into the stock; pecks and levels are one pierce."""
+        piercing = self._plunging(rows) & (self.end[rows][:, 2] < 0.0)
+        return len(np.unique(np.round(self.end[rows][piercing, :2], SAME_PLACE_DECIMALS), axis=0))
+
+    def _plunging(self, rows: slice) -> np.ndarray:
         delta = self.end[rows] - self.begin[rows]
         sideways = np.hypot(delta[:, 0], delta[:, 1])
-        return int(((self.kind[rows] == LINE) & (sideways < 1e-9) & (delta[:, 2] < 0)).sum())
+        return (self.kind[rows] == LINE) & (sideways < 1e-9) & (delta[:, 2] < 0)
 
 
 def _summed(path, rows: int) -> np.ndarray:
@@ -105,6 +115,7 @@ def _operation(span, lengths: _Lengths, times_s: np.ndarray) -> dict[str, Any]:
         "moves": span.last - span.first,
         **lengths.of(rows),
         "plunges": lengths.plunges(rows),
+        "pierces": lengths.pierces(rows),
     }
 
 

@@ -56,6 +56,10 @@ class Stock:
         """Return the height of the top at the centres of a grid of cells, float64[rows, columns], rows along y."""
         return np.full((len(y_mm), len(x_mm)), self.top_mm)
 
+    def tops_at(self, points: np.ndarray) -> np.ndarray:
+        """Return the height of the top at points float64[n, 2] within the outline, float64[n]."""
+        return np.full(len(points), self.top_mm)
+
     def shares(self, x_mm: np.ndarray, y_mm: np.ndarray, cell_mm: tuple[float, float]) -> np.ndarray:
         """Return how much of each cell's area holds stock, 0 to 1, float64[rows, columns]."""
         return np.ones((len(y_mm), len(x_mm)))
@@ -152,13 +156,18 @@ class HeightField(Stock):
 
     def tops_mm(self, x_mm: np.ndarray, y_mm: np.ndarray) -> np.ndarray:
         """Return the height of the top at the cells' centres, float64[rows, columns]."""
+        x, y = np.meshgrid(x_mm, y_mm)
+        return self.tops_at(np.column_stack([x.ravel(), y.ravel()])).reshape(x.shape)
+
+    def tops_at(self, points: np.ndarray) -> np.ndarray:
+        """Return the height of the top at points float64[n, 2] within the outline, float64[n]."""
         assert self.heights_mm is not None
         rows, columns = self.heights_mm.shape
-        along_x = (x_mm - self.low_mm[0]) / self.size_mm[0] * (columns - 1)
-        along_y = (y_mm - self.low_mm[1]) / self.size_mm[1] * (rows - 1)
+        along_x = (points[:, 0] - self.low_mm[0]) / self.size_mm[0] * (columns - 1)
+        along_y = (points[:, 1] - self.low_mm[1]) / self.size_mm[1] * (rows - 1)
         column = np.clip(along_x.astype(int), 0, columns - 2)
         row = np.clip(along_y.astype(int), 0, rows - 2)
-        east, north = along_x - column, (along_y - row)[:, None]
-        corner = [[self.heights_mm[np.ix_(row + i, column + j)] for j in (0, 1)] for i in (0, 1)]
+        east, north = along_x - column, along_y - row
+        corner = [[self.heights_mm[row + i, column + j] for j in (0, 1)] for i in (0, 1)]
         south_edge, north_edge = (low * (1 - east) + high * east for low, high in corner)
         return self.bottom_mm + south_edge * (1 - north) + north_edge * north

@@ -8,11 +8,14 @@ from collections.abc import Iterator
 import numpy as np
 import shapely
 
+from CNCStepper.machine.shapes import OWN_KEYS
+from CNCStepper.machine.tool import Tool
 from CNCStepper.simulation.contact import RUB_MM, Remaining
-from CNCStepper.simulation.cutter import SIMULATED, Cutter, Tools, cutter_numbered, tool_numbered
+from CNCStepper.simulation.cutter import BEAM, Cutter, Tools, tool_numbered
 from CNCStepper.simulation.finding import Finding
+from CNCStepper.simulation.form import form_of
 from CNCStepper.simulation.gouge import Worst
-from CNCStepper.simulation.segments import segments
+from CNCStepper.simulation.segments import Segments, segments
 from CNCStepper.simulation.stock import Stock
 from CNCStepper.simulation.subject import Subject
 from CNCStepper.simulation.sweep import FLATTEN_MM, Judgement, cutting_path
@@ -31,9 +34,10 @@ def tools_known(subject: Subject, tools: Tools) -> Iterator[Finding]:
         if tool is None:
             text = f"tool {number} is not known, so what it cuts is not checked"
             yield subject.finding(row, "error", "unknown-tool", text, advice="add the tool or correct the T word")
-        elif tool.shape not in SIMULATED:
-            text = f"a {tool.shape} tool is simulated as a flat one of its diameter"
-            yield subject.finding(row, "warning", "tool-shape", text, advice="judge its depth by hand")
+        elif tool.shape not in ("flat", *BEAM) and Cutter(form_of(tool)).is_flat:
+            text = f"the {tool.shape} tool's form is not given, so it is judged as a flat one of its diameter"
+            advice = f"give its {' and '.join(sorted(OWN_KEYS[tool.shape]))}"
+            yield subject.finding(row, "warning", "tool-shape", text, advice=advice)
 
 
 def blind(subject: Subject, stock: Stock) -> Iterator[Finding]:
@@ -53,10 +57,28 @@ class StockChecks:
         self.subject = subject
         self.stock = stock
         self.path = segments(subject.toolpath, FLATTEN_MM).known()
-        self.remaining = Remaining(stock, cutting_path(subject.toolpath, tools, stock.top_mm))
+        self.remaining = Remaining(stock, cutting_path(subject.toolpath, tools, stock.top_mm, stock))
         numbers = np.array([state.tool for state in subject.toolpath.states], int)[subject.table.state]
-        self.cutters = {int(number): cutter_numbered(tools, int(number)) for number in np.unique(numbers)}
+        self.tools = {int(number): tool_numbered(tools, int(number)) for number in np.unique(numbers)}
         self.numbers = numbers
+
+    def tool(self, row: int) -> Tool | None:
+        """Return the tool of a row, or None where it is not known."""
+        return self.tools[int(self.numbers[row])]
+
+    def cutter(self, row: int) -> Cutter | None:
+        """Return the cutter of a row; None where it is not known, and for a beam, which touches nothing."""
+        tool = self.tool(row)
+        return None if tool is None or tool.shape in BEAM else Cutter(form_of(tool))
+
+    def pieces(self, row: int) -> Segments:
+        """Return the row's segments."""
+        first, last = np.searchsorted(self.path.row, [row, row + 1])
+        return self.path[first:last]
+
+    def contact(self, cutter: Cutter, move: Segments) -> tuple[float, ...] | None:
+        """Return the first place where the cutter, on segments of one row, touches stock; None where it does not."""
+        return self.remaining.first_contact(cutter, move) if len(move) else None
 
     def rapids(self) -> Iterator[Finding]:
         """Yield each rapid that touches stock which the moves before it have not cleared."""
@@ -98,21 +120,15 @@ class StockChecks:
             )
 
     def _over_stock(self, row: int) -> bool:
-        cutter = self._cutter(row)
+        cutter = self.cutter(row)
         ends = np.array([self.subject.begin[row, :2], self.subject.end[row, :2]])
         if cutter is None or not np.isfinite(ends).all():
             return False
         return bool(shapely.distance(shapely.LineString(ends), self.stock.outline) < cutter.radius_mm)
 
-    def _cutter(self, row: int) -> Cutter | None:
-        return self.cutters[int(self.numbers[row])]
-
     def _contact(self, row: int) -> tuple[float, ...] | None:
-        cutter = self._cutter(row)
-        first, last = np.searchsorted(self.path.row, [row, row + 1])
-        if cutter is None or first == last:
-            return None
-        return self.remaining.first_contact(cutter, self.path[first:last])
+        cutter = self.cutter(row)
+        return None if cutter is None else self.contact(cutter, self.pieces(row))
 
     def _touch(self, row: int, point: tuple[float, ...], code: str, text: str, advice: str) -> Finding:
         return self.subject.finding(

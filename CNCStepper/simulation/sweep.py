@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The exact judge for 2.5D: the tool's swept area against the wanted removals, without a grid.
 
-Arcs are flattened within 0.0002 mm and all distances are exact, so that gouge and left-over of flat
-tools are good to 0.001 mm (a ball's gouge to 0.002 mm). Every move counts, rapids too. An engraving
-wants its line at its depth: there the tool's centre is judged against the line.
+Arcs are flattened within 0.0002 mm and all distances are exact; a cutter that is not flat enters by discs
+0.001 mm apart on its profile. So gouge and left-over are good to 0.001 mm. Every move counts, rapids too.
+An engraving wants its line at its depth: there the tool's centre is judged against the line.
 """
 
 from __future__ import annotations
@@ -15,13 +15,14 @@ import numpy as np
 import shapely
 
 from CNCStepper.cycles.form import Removal
-from CNCStepper.simulation.cutter import POINT, Cutter, Tools, cutter_numbered
+from CNCStepper.simulation.cutter import BEAM, POINT, Cutter, Tools, tool_numbered
+from CNCStepper.simulation.form import form_of
 from CNCStepper.simulation.gouge import SMALL_MM, Entries, Kept, Worst, deepest, entries
 from CNCStepper.simulation.leftover import SAME_LEVEL_MM, Cuts, Island, Left, left_over
 from CNCStepper.simulation.region import EdgeTree, Region, flat_edges
 from CNCStepper.simulation.segments import Segments, clipped_below, segments
 from CNCStepper.simulation.stock import Stock
-from CNCStepper.toolpath import Toolpath
+from CNCStepper.toolpath import RAPID, Toolpath
 
 FLATTEN_MM = 0.0002
 FAR_MM = 1e5  # how far the air beside the stock reaches
@@ -77,7 +78,7 @@ def judge(
     """
     _, lines = _areas_and_lines(removals)  # drawn lines may leave the stock: beside it the tool cuts air
     removals = [_inside_stock(removal, stock) for removal in removals]
-    cuts = cutting_path(toolpath, tools, 0.0)
+    cuts = cutting_path(toolpath, tools, 0.0, stock)
     areas, _ = _areas_and_lines(removals)
     kept = _kept(areas, stock)
     everything = [entries(cutter, pieces, kept) for cutter, pieces in cuts]
@@ -99,16 +100,29 @@ def judge(
     )
 
 
-def cutting_path(toolpath: Toolpath, tools: Tools, top_mm: float) -> Cuts:
-    """Return the tip's path below `top_mm` as segments, by cutter."""
+def cutting_path(toolpath: Toolpath, tools: Tools, top_mm: float, stock: Stock | None = None) -> Cuts:
+    """Return the tip's path below `top_mm` as segments, by cutter; that of a beam lies at the stock's bottom."""
     path = segments(toolpath, FLATTEN_MM).known()
     number = np.array([state.tool for state in toolpath.states])[toolpath.table().state[path.row]]
+    through_mm = 0.0 if stock is None else stock.top_mm - stock.bottom_mm
     by_cutter: dict[Cutter, list[Segments]] = {}
-    for tool in np.unique(number):
-        cutter = cutter_numbered(tools, int(tool))
-        if cutter is not None:
-            by_cutter.setdefault(cutter, []).append(path[number == tool])
+    for used in np.unique(number).tolist():
+        tool, pieces = tool_numbered(tools, used), path[number == used]
+        if tool is not None:
+            if stock is not None and tool.shape in BEAM:
+                pieces = _beam(toolpath, pieces, stock.bottom_mm)
+            by_cutter.setdefault(Cutter(form_of(tool, through_mm)), []).append(pieces)
     return [(cutter, clipped_below(_joined(parts), top_mm - SAME_LEVEL_MM)) for cutter, parts in by_cutter.items()]
+
+
+def _beam(toolpath: Toolpath, pieces: Segments, bottom_mm: float) -> Segments:
+    """Return the pieces on which a beam is on, laid at the stock's bottom, where the narrow end of its kerf is."""
+    table = toolpath.table()
+    on = np.array([state.spindle != "off" for state in toolpath.states])[table.state] & (table.kind != RAPID)
+    pieces = pieces[on[pieces.row]]
+    begin, end = pieces.begin.copy(), pieces.end.copy()
+    begin[:, 2] = end[:, 2] = bottom_mm
+    return Segments(begin, end, pieces.row)
 
 
 def _joined(parts: list[Segments]) -> Segments:

@@ -20,7 +20,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Between the two sides of a V-bit or engraver; 0: not given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Between the two sides of a drill's point; 0: not given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Centre</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Chip Load Max</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Chip Load Min</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -37,6 +53,22 @@
         </message>
         <message>
             <source>Coolant</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Core Diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Core diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Corner Radius</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Corner radius</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -80,6 +112,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Engagement Max</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Entry</source>
             <translation type="unfinished"></translation>
         </message>
@@ -112,11 +148,43 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Flute Length</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Flute length</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Flutes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>For a mill that does not cut over its centre; 0: 10°</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Free length</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>From X to the ellipse's first axis</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>From here down the tool feeds</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>From the tip to the holder; 0: not given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Greatest chip load</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Greatest engagement</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -129,6 +197,14 @@
         </message>
         <message>
             <source>Heights</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Holder Diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Holder diameter</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -149,6 +225,14 @@
         </message>
         <message>
             <source>How many points the wire has</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How many teeth; 0: not given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How much of the rim may be in the material, as an angle; 0: not given</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -180,7 +264,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Least chip load</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Length</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Length, width and height</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Lengths and limits</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -220,6 +316,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Of a bull nose; 0: not given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Of one wall that a jet or wire leaves, against the vertical; 0: none</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Of the written program</source>
             <translation type="unfinished"></translation>
         </message>
@@ -245,6 +349,14 @@
         </message>
         <message>
             <source>Plunge feed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Point Angle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Point angle</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -288,6 +400,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Ramp Max</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Recalculated to whole passes</source>
             <translation type="unfinished"></translation>
         </message>
@@ -321,6 +437,10 @@
         </message>
         <message>
             <source>Spindle turns a minute</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Steepest ramp</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -360,6 +480,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Taper</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The T word of the program</source>
             <translation type="unfinished"></translation>
         </message>
@@ -388,11 +512,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The diameter of what holds the tool; 0: not given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The drawing it followed, when that was deleted</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>The feed of the last pass at the wall; 0: the tool's own feed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The flat at the tip of a V-bit or engraver; 0: it is pointed</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -413,6 +545,14 @@
         </message>
         <message>
             <source>The length of all lines</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The length of the cutting edges; 0: not given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The middle of a mill's end that does not cut; 0: it cuts over its centre</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -448,6 +588,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The thickest chip that a tooth bears; 0: not given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The thinnest chip of a tooth, below which it rubs; 0: not given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The tool that cuts it</source>
             <translation type="unfinished"></translation>
         </message>
@@ -465,6 +613,26 @@
         </message>
         <message>
             <source>The work coordinate system</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Tip</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Tip Angle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Tip Diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Tip angle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Tip diameter</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -627,6 +795,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>A tool of this shape has none</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>A value is missing here</source>
             <translation type="unfinished"></translation>
         </message>
@@ -672,6 +844,14 @@
         </message>
         <message>
             <source>Attached again to the controller at {0}.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Between the two sides of a V-bit or engraver; 0: not given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Between the two sides of a drill's point; 0: not given</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -776,6 +956,14 @@
         </message>
         <message>
             <source>Coolant</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Core diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Corner radius</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -939,7 +1127,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Flute length</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Flutes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Follow the drawing that is selected in the tree or in the 3D view</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>For a mill that does not cut over its centre; 0: 10°</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Free length</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -967,11 +1171,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>From the tip to the holder; 0: not given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Go on</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Go on after a hold, a pause or the door.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Greatest chip load</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Greatest engagement</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1000,6 +1216,10 @@
         </message>
         <message>
             <source>Hold: slow down and stand still; nothing is lost, the spindle goes on turning.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Holder diameter</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1047,11 +1267,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>How many teeth; 0: not given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>How many times faster than a real one the virtual machine moves</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>How many times faster than the machine</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How much of the rim may be in the material, as an angle; 0: not given</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1111,11 +1339,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Least chip load</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Leave out of the program</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Length, width and height</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Lengths and limits</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1239,6 +1475,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Of a bull nose; 0: not given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Of one wall that a jet or wire leaves, against the vertical; 0: none</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Of the written program</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1296,6 +1540,10 @@
         </message>
         <message>
             <source>Plunge feed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Point angle</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1479,6 +1727,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Steepest ramp</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Step ({0})</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1532,6 +1784,10 @@
         </message>
         <message>
             <source>Take the alarm away without homing: only when the position is surely right.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Taper</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1599,6 +1855,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The diameter of what holds the tool; 0: not given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The drawing gives this value</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1608,6 +1868,10 @@
         </message>
         <message>
             <source>The feed of the last pass at the wall; 0: the tool's own feed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The flat at the tip of a V-bit or engraver; 0: it is pointed</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1632,6 +1896,10 @@
         </message>
         <message>
             <source>The length of all lines</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The length of the cutting edges; 0: not given</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1679,6 +1947,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The middle of a mill's end that does not cut; 0: it cuts over its centre</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The parts and bodies that the drawing moves with</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1716,6 +1988,14 @@
         </message>
         <message>
             <source>The step of the published method</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The thickest chip that a tooth bears; 0: not given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The thinnest chip of a tooth, below which it rubs; 0: not given</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1764,6 +2044,18 @@
         </message>
         <message>
             <source>Timing the moves…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Tip</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Tip angle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Tip diameter</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1959,6 +2251,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>jet (water, plasma, laser)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>limit {0}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2040,6 +2336,10 @@
         </message>
         <message>
             <source>value {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>wire</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2126,6 +2426,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>CNCStepper certificate</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>FreeCAD's Python lacks {0}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2147,6 +2451,10 @@
         </message>
         <message>
             <source>a bulge is not that of an arc in mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a chip load needs flutes</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2174,6 +2482,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a drill goes sideways through stock</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a height field needs two rows and two columns of finite heights at least</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2191,6 +2503,10 @@
         </message>
         <message>
             <source>a limit switch was hit</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a mill that does not cut over its centre ({0}) goes down into stock too steeply</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2226,6 +2542,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a tooth of the {0} tool takes too thick a chip</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a value is negative where only positive ones are allowed</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2239,10 +2559,6 @@
         </message>
         <message>
             <source>a {0} tool has no {1}</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>a {0} tool is simulated as a flat one of its diameter</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2378,7 +2694,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>check the program again, and send it with the certificate that this gives</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>check the switches, and travel $130 to $132</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>chip_load_min_mm must not exceed chip_load_max_mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2454,6 +2778,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>core_diameter_mm must not exceed diameter_mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>corner_radius_mm must not exceed half of diameter_mm</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2486,11 +2814,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>correct the program, and check it again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>correct work zero or program, then unlock with $X; the position is kept</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>curves do not meet</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>cut in more levels, or take a longer tool</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2507,6 +2843,14 @@
         </message>
         <message>
             <source>enable homing ($22=1) or switch soft limits off ($20=0)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>end it in .gif, or install ffmpeg</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>enter by a helix or ramp, or in the middle of a hole drilled before</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2566,11 +2910,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>give every row as many</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>give heights over the bottom, and the largest as the stock's Z</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>give its diameter for X and for Y</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>give its {0}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2587,6 +2939,14 @@
         </message>
         <message>
             <source>give the work zero to have the travel checked</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>give two opposite corners of a rectangle, or three and more of a polygon in their order</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>heights belong to a stock of the form 'height_field', and to no other</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2650,10 +3010,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>judge its depth by hand</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>laser mode needs a variable spindle output</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2678,7 +3034,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>let the tool stick out farther</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>lift the tool before it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>lift the tool over it, move the clamp or move the shape</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2690,11 +3054,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>lower F, or turn the spindle faster</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>lower F; the machine will take longer than the feed says</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>lower steps/mm or maximum rate</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>lower the feed here, or the axis' rate and acceleration in controller and profile</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>lower the stepover, enter by a helix, or leave less in the corners</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2734,6 +3110,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>more of the {0} tool's rim is in the material than it may</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>move the shape inwards, or take a larger sheet</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>move the shape or the work zero, or take larger stock</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2743,6 +3127,10 @@
         </message>
         <message>
             <source>name X and Y in a rapid above the stock first</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>no encoder for '{0}' is installed</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2838,11 +3226,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>prove parts of the program alone</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>pyserial is not installed</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>radii and resolution must be positive</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>raise F, or turn the spindle slower</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2895,6 +3291,10 @@
         </message>
         <message>
             <source>set the zero on the stock, then confirm it (--zero-confirmed)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>set the zero there, or check the program again with the zero that is set (--work-zero)</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2979,6 +3379,22 @@
         </message>
         <message>
             <source>the arc's radius does not fit its end point</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the certificate cannot be read</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the certificate is of another version</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the certificate lacks what a sender needs</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the certificate was changed after it was made</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3070,11 +3486,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the corners of a clamp enclose nothing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the curve is not smooth here</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>the cut begins without waiting for the spindle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the cut comes too near to the sheet's edge</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3127,6 +3551,14 @@
         </message>
         <message>
             <source>the heights do not fit their box</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the holder</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the holder of the {0} tool goes into stock</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3186,6 +3618,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the lines to send are not those that were proven</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the link to {0} broke: {1}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3234,6 +3670,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the motor of {0} may lose steps: at {1} mm/s ({2} rpm) and {3} mm/s² it has too little torque</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the move leaves the travel of {0} by {1} mm</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3278,6 +3718,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the program is not the one that was proven: its text differs</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the program moves nothing</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3286,11 +3730,35 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the program was proven for another machine, or its profile was changed since</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the program was proven from another start state: work zero, offsets or tool lengths differ</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the program was proven with another stock</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the program was proven with other tools</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the proof failed by a fault of its own: {0}: {1}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the proof found {0} error(s) in the program, the first: {1}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the resolution is too fine for the ellipse</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the rows of heights differ in length</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3342,6 +3810,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the shank of the {0} tool rubs along the wall over its flutes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the spindle cannot turn at this speed</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3375,6 +3847,10 @@
         </message>
         <message>
             <source>the tolerance must not be negative</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the tool</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3419,6 +3895,22 @@
         </message>
         <message>
             <source>the zero of {0} in {1} was not taken over</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the {0} tool cuts deeper than its flutes are long</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the {0} tool is too small against its path for its engagement to be measured</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the {0} tool rubs: a tooth takes too thin a chip</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the {0} tool's form is not given, so it is judged as a flat one of its diameter</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3474,6 +3966,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>this is no certificate</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>tip_diameter_mm must be below diameter_mm</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3487,6 +3983,14 @@
         </message>
         <message>
             <source>tool {0} is not known, so what it cuts is not checked</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>torque must be points (rpm, Nm) that rise in rpm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>torque must not be below zero</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3535,6 +4039,10 @@
         </message>
         <message>
             <source>use a flat tool</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>use a mill, or lift the drill before it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3674,6 +4182,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{0} goes into clamp {1}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{0} has changed since the program was made</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3703,6 +4215,14 @@
         </message>
         <message>
             <source>{0} is no port: {1}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} is not the work system in force</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} is {1}, wanted {2} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

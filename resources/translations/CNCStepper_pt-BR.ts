@@ -20,8 +20,24 @@
             <translation>Arcos dentro de uma tolerância, ou os pontos publicados</translation>
         </message>
         <message>
+            <source>Between the two sides of a V-bit or engraver; 0: not given</source>
+            <translation>Entre os dois lados de uma fresa em V ou de gravação; 0: não informado</translation>
+        </message>
+        <message>
+            <source>Between the two sides of a drill's point; 0: not given</source>
+            <translation>Entre os dois lados da ponta de uma broca; 0: não informado</translation>
+        </message>
+        <message>
             <source>Centre</source>
             <translation>Centro</translation>
+        </message>
+        <message>
+            <source>Chip Load Max</source>
+            <translation>Avanço por dente máximo</translation>
+        </message>
+        <message>
+            <source>Chip Load Min</source>
+            <translation>Avanço por dente mínimo</translation>
         </message>
         <message>
             <source>Clearance</source>
@@ -38,6 +54,22 @@
         <message>
             <source>Coolant</source>
             <translation>Refrigeração</translation>
+        </message>
+        <message>
+            <source>Core Diameter</source>
+            <translation>Diâmetro do núcleo</translation>
+        </message>
+        <message>
+            <source>Core diameter</source>
+            <translation>Diâmetro do núcleo</translation>
+        </message>
+        <message>
+            <source>Corner Radius</source>
+            <translation>Raio de canto</translation>
+        </message>
+        <message>
+            <source>Corner radius</source>
+            <translation>Raio de canto</translation>
         </message>
         <message>
             <source>Cut</source>
@@ -80,6 +112,10 @@
             <translation>Elipse</translation>
         </message>
         <message>
+            <source>Engagement Max</source>
+            <translation>Ângulo de contato máximo</translation>
+        </message>
+        <message>
             <source>Entry</source>
             <translation>Entrada</translation>
         </message>
@@ -112,12 +148,44 @@
             <translation>Última penetração de trabalho</translation>
         </message>
         <message>
+            <source>Flute Length</source>
+            <translation>Comprimento de corte</translation>
+        </message>
+        <message>
+            <source>Flute length</source>
+            <translation>Comprimento de corte</translation>
+        </message>
+        <message>
+            <source>Flutes</source>
+            <translation>Dentes</translation>
+        </message>
+        <message>
+            <source>For a mill that does not cut over its centre; 0: 10°</source>
+            <translation>Para uma fresa sem corte no centro; 0: 10°</translation>
+        </message>
+        <message>
+            <source>Free length</source>
+            <translation>Comprimento livre</translation>
+        </message>
+        <message>
             <source>From X to the ellipse's first axis</source>
             <translation>De X até o primeiro eixo da elipse</translation>
         </message>
         <message>
             <source>From here down the tool feeds</source>
             <translation>Daqui para baixo a ferramenta avança em velocidade de corte</translation>
+        </message>
+        <message>
+            <source>From the tip to the holder; 0: not given</source>
+            <translation>Da ponta ao porta-ferramenta; 0: não informado</translation>
+        </message>
+        <message>
+            <source>Greatest chip load</source>
+            <translation>Avanço por dente máximo</translation>
+        </message>
+        <message>
+            <source>Greatest engagement</source>
+            <translation>Ângulo de contato máximo</translation>
         </message>
         <message>
             <source>Half the width along its second axis</source>
@@ -130,6 +198,14 @@
         <message>
             <source>Heights</source>
             <translation>Alturas</translation>
+        </message>
+        <message>
+            <source>Holder Diameter</source>
+            <translation>Diâmetro do porta-ferramenta</translation>
+        </message>
+        <message>
+            <source>Holder diameter</source>
+            <translation>Diâmetro do porta-ferramenta</translation>
         </message>
         <message>
             <source>How far the path may be off an ellipse or a B-spline; lines and arcs are exact</source>
@@ -150,6 +226,14 @@
         <message>
             <source>How many points the wire has</source>
             <translation>Número de pontos do arame</translation>
+        </message>
+        <message>
+            <source>How many teeth; 0: not given</source>
+            <translation>Quantos dentes; 0: não informado</translation>
+        </message>
+        <message>
+            <source>How much of the rim may be in the material, as an angle; 0: not given</source>
+            <translation>Quanto do contorno pode estar no material, em ângulo; 0: não informado</translation>
         </message>
         <message>
             <source>How steeply a helix or ramp goes down</source>
@@ -180,8 +264,20 @@
             <translation>Última penetração de trabalho</translation>
         </message>
         <message>
+            <source>Least chip load</source>
+            <translation>Avanço por dente mínimo</translation>
+        </message>
+        <message>
+            <source>Length</source>
+            <translation>Comprimento livre</translation>
+        </message>
+        <message>
             <source>Length, width and height</source>
             <translation>Comprimento, largura e altura</translation>
+        </message>
+        <message>
+            <source>Lengths and limits</source>
+            <translation>Comprimentos e limites</translation>
         </message>
         <message>
             <source>Levels</source>
@@ -220,6 +316,14 @@
             <translation>Número</translation>
         </message>
         <message>
+            <source>Of a bull nose; 0: not given</source>
+            <translation>De uma fresa toroidal; 0: não informado</translation>
+        </message>
+        <message>
+            <source>Of one wall that a jet or wire leaves, against the vertical; 0: none</source>
+            <translation>De uma parede deixada pelo jato ou fio, em relação à vertical; 0: nenhuma</translation>
+        </message>
+        <message>
             <source>Of the written program</source>
             <translation>Do programa gerado</translation>
         </message>
@@ -246,6 +350,14 @@
         <message>
             <source>Plunge feed</source>
             <translation>Avanço de mergulho</translation>
+        </message>
+        <message>
+            <source>Point Angle</source>
+            <translation>Ângulo da broca</translation>
+        </message>
+        <message>
+            <source>Point angle</source>
+            <translation>Ângulo da broca</translation>
         </message>
         <message>
             <source>Points</source>
@@ -288,6 +400,10 @@
             <translation>Semieixo y</translation>
         </message>
         <message>
+            <source>Ramp Max</source>
+            <translation>Rampa máxima</translation>
+        </message>
+        <message>
             <source>Recalculated to whole passes</source>
             <translation>Em passes inteiros</translation>
         </message>
@@ -322,6 +438,10 @@
         <message>
             <source>Spindle turns a minute</source>
             <translation>Rotações do spindle por minuto</translation>
+        </message>
+        <message>
+            <source>Steepest ramp</source>
+            <translation>Rampa máxima</translation>
         </message>
         <message>
             <source>Stepdown</source>
@@ -360,6 +480,10 @@
             <translation>Tamanho do bloco</translation>
         </message>
         <message>
+            <source>Taper</source>
+            <translation>Conicidade</translation>
+        </message>
+        <message>
             <source>The T word of the program</source>
             <translation>A palavra T do programa</translation>
         </message>
@@ -388,12 +512,20 @@
             <translation>O diâmetro da fresa</translation>
         </message>
         <message>
+            <source>The diameter of what holds the tool; 0: not given</source>
+            <translation>O diâmetro do que segura a ferramenta; 0: não informado</translation>
+        </message>
+        <message>
             <source>The drawing it followed, when that was deleted</source>
             <translation>O desenho que ela seguia, se foi excluído</translation>
         </message>
         <message>
             <source>The feed of the last pass at the wall; 0: the tool's own feed</source>
             <translation>O avanço do último passe na parede; 0: o avanço da própria ferramenta</translation>
+        </message>
+        <message>
+            <source>The flat at the tip of a V-bit or engraver; 0: it is pointed</source>
+            <translation>O plano na ponta de uma fresa em V ou de gravação; 0: ela é pontiaguda</translation>
         </message>
         <message>
             <source>The form of the cutter</source>
@@ -414,6 +546,14 @@
         <message>
             <source>The length of all lines</source>
             <translation>O comprimento de todas as linhas</translation>
+        </message>
+        <message>
+            <source>The length of the cutting edges; 0: not given</source>
+            <translation>O comprimento das arestas de corte; 0: não informado</translation>
+        </message>
+        <message>
+            <source>The middle of a mill's end that does not cut; 0: it cuts over its centre</source>
+            <translation>O meio do topo da fresa que não corta; 0: ela tem corte no centro</translation>
         </message>
         <message>
             <source>The parts and bodies that the drawing moves with</source>
@@ -448,6 +588,14 @@
             <translation>O passo do método publicado</translation>
         </message>
         <message>
+            <source>The thickest chip that a tooth bears; 0: not given</source>
+            <translation>O cavaco mais espesso que um dente suporta; 0: não informado</translation>
+        </message>
+        <message>
+            <source>The thinnest chip of a tooth, below which it rubs; 0: not given</source>
+            <translation>O cavaco mais fino de um dente, abaixo do qual ele só atrita; 0: não informado</translation>
+        </message>
+        <message>
             <source>The tool that cuts it</source>
             <translation>A ferramenta que a executa</translation>
         </message>
@@ -466,6 +614,26 @@
         <message>
             <source>The work coordinate system</source>
             <translation>O sistema de coordenadas da peça</translation>
+        </message>
+        <message>
+            <source>Tip</source>
+            <translation>Ponta</translation>
+        </message>
+        <message>
+            <source>Tip Angle</source>
+            <translation>Ângulo da ponta</translation>
+        </message>
+        <message>
+            <source>Tip Diameter</source>
+            <translation>Diâmetro da ponta</translation>
+        </message>
+        <message>
+            <source>Tip angle</source>
+            <translation>Ângulo da ponta</translation>
+        </message>
+        <message>
+            <source>Tip diameter</source>
+            <translation>Diâmetro da ponta</translation>
         </message>
         <message>
             <source>Tolerance</source>
@@ -627,6 +795,10 @@
             <translation>Um esboço ou arame com uma elipse; sem ele valem os números</translation>
         </message>
         <message>
+            <source>A tool of this shape has none</source>
+            <translation>Uma ferramenta desta forma não tem este valor</translation>
+        </message>
+        <message>
             <source>A value is missing here</source>
             <translation>Falta um valor aqui</translation>
         </message>
@@ -673,6 +845,14 @@
         <message>
             <source>Attached again to the controller at {0}.</source>
             <translation>Reconectado ao controlador em {0}.</translation>
+        </message>
+        <message>
+            <source>Between the two sides of a V-bit or engraver; 0: not given</source>
+            <translation>Entre os dois lados de uma fresa em V ou de gravação; 0: não informado</translation>
+        </message>
+        <message>
+            <source>Between the two sides of a drill's point; 0: not given</source>
+            <translation>Entre os dois lados da ponta de uma broca; 0: não informado</translation>
         </message>
         <message>
             <source>Busy</source>
@@ -777,6 +957,14 @@
         <message>
             <source>Coolant</source>
             <translation>Refrigeração</translation>
+        </message>
+        <message>
+            <source>Core diameter</source>
+            <translation>Diâmetro do núcleo</translation>
+        </message>
+        <message>
+            <source>Corner radius</source>
+            <translation>Raio de canto</translation>
         </message>
         <message>
             <source>Cut</source>
@@ -939,8 +1127,24 @@
             <translation>Ajustar ao desenho</translation>
         </message>
         <message>
+            <source>Flute length</source>
+            <translation>Comprimento de corte</translation>
+        </message>
+        <message>
+            <source>Flutes</source>
+            <translation>Dentes</translation>
+        </message>
+        <message>
             <source>Follow the drawing that is selected in the tree or in the 3D view</source>
             <translation>Seguir o desenho selecionado na árvore ou na vista 3D</translation>
+        </message>
+        <message>
+            <source>For a mill that does not cut over its centre; 0: 10°</source>
+            <translation>Para uma fresa sem corte no centro; 0: 10°</translation>
+        </message>
+        <message>
+            <source>Free length</source>
+            <translation>Comprimento livre</translation>
         </message>
         <message>
             <source>FreeCAD's Python lacks numba. All works without, but planning and simulating are slow.</source>
@@ -967,12 +1171,24 @@
             <translation>Daqui para baixo a ferramenta avança em velocidade de corte</translation>
         </message>
         <message>
+            <source>From the tip to the holder; 0: not given</source>
+            <translation>Da ponta ao porta-ferramenta; 0: não informado</translation>
+        </message>
+        <message>
             <source>Go on</source>
             <translation>Continuar</translation>
         </message>
         <message>
             <source>Go on after a hold, a pause or the door.</source>
             <translation>Continua após uma pausa, uma espera ou a porta.</translation>
+        </message>
+        <message>
+            <source>Greatest chip load</source>
+            <translation>Avanço por dente máximo</translation>
+        </message>
+        <message>
+            <source>Greatest engagement</source>
+            <translation>Ângulo de contato máximo</translation>
         </message>
         <message>
             <source>Half the width along its second axis</source>
@@ -1001,6 +1217,10 @@
         <message>
             <source>Hold: slow down and stand still; nothing is lost, the spindle goes on turning.</source>
             <translation>Pausar: desacelera e fica parada; nada se perde, o spindle continua girando.</translation>
+        </message>
+        <message>
+            <source>Holder diameter</source>
+            <translation>Diâmetro do porta-ferramenta</translation>
         </message>
         <message>
             <source>Holding…</source>
@@ -1047,12 +1267,20 @@
             <translation>Número de pontos do arame</translation>
         </message>
         <message>
+            <source>How many teeth; 0: not given</source>
+            <translation>Quantos dentes; 0: não informado</translation>
+        </message>
+        <message>
             <source>How many times faster than a real one the virtual machine moves</source>
             <translation>Quantas vezes mais rápido que uma real a máquina virtual se move</translation>
         </message>
         <message>
             <source>How many times faster than the machine</source>
             <translation>Quantas vezes mais rápido que a máquina</translation>
+        </message>
+        <message>
+            <source>How much of the rim may be in the material, as an angle; 0: not given</source>
+            <translation>Quanto do contorno pode estar no material, em ângulo; 0: não informado</translation>
         </message>
         <message>
             <source>How steeply a helix or ramp goes down</source>
@@ -1111,12 +1339,20 @@
             <translation>Depois</translation>
         </message>
         <message>
+            <source>Least chip load</source>
+            <translation>Avanço por dente mínimo</translation>
+        </message>
+        <message>
             <source>Leave out of the program</source>
             <translation>Deixar fora do programa</translation>
         </message>
         <message>
             <source>Length, width and height</source>
             <translation>Comprimento, largura e altura</translation>
+        </message>
+        <message>
+            <source>Lengths and limits</source>
+            <translation>Comprimentos e limites</translation>
         </message>
         <message>
             <source>Let go of the controller.</source>
@@ -1239,6 +1475,14 @@
             <translation>Número</translation>
         </message>
         <message>
+            <source>Of a bull nose; 0: not given</source>
+            <translation>De uma fresa toroidal; 0: não informado</translation>
+        </message>
+        <message>
+            <source>Of one wall that a jet or wire leaves, against the vertical; 0: none</source>
+            <translation>De uma parede deixada pelo jato ou fio, em relação à vertical; 0: nenhuma</translation>
+        </message>
+        <message>
             <source>Of the written program</source>
             <translation>Do programa gerado</translation>
         </message>
@@ -1297,6 +1541,10 @@
         <message>
             <source>Plunge feed</source>
             <translation>Avanço de mergulho</translation>
+        </message>
+        <message>
+            <source>Point angle</source>
+            <translation>Ângulo da broca</translation>
         </message>
         <message>
             <source>Points</source>
@@ -1479,6 +1727,10 @@
             <translation>Iniciando</translation>
         </message>
         <message>
+            <source>Steepest ramp</source>
+            <translation>Rampa máxima</translation>
+        </message>
+        <message>
             <source>Step ({0})</source>
             <translation>Passo ({0})</translation>
         </message>
@@ -1533,6 +1785,10 @@
         <message>
             <source>Take the alarm away without homing: only when the position is surely right.</source>
             <translation>Retira o alarme sem referenciar: só quando a posição está certa com certeza.</translation>
+        </message>
+        <message>
+            <source>Taper</source>
+            <translation>Conicidade</translation>
         </message>
         <message>
             <source>The T word of the program</source>
@@ -1599,6 +1855,10 @@
             <translation>O diâmetro da fresa</translation>
         </message>
         <message>
+            <source>The diameter of what holds the tool; 0: not given</source>
+            <translation>O diâmetro do que segura a ferramenta; 0: não informado</translation>
+        </message>
+        <message>
             <source>The drawing gives this value</source>
             <translation>O desenho define este valor</translation>
         </message>
@@ -1609,6 +1869,10 @@
         <message>
             <source>The feed of the last pass at the wall; 0: the tool's own feed</source>
             <translation>O avanço do último passe na parede; 0: o avanço da própria ferramenta</translation>
+        </message>
+        <message>
+            <source>The flat at the tip of a V-bit or engraver; 0: it is pointed</source>
+            <translation>O plano na ponta de uma fresa em V ou de gravação; 0: ela é pontiaguda</translation>
         </message>
         <message>
             <source>The form of the cutter</source>
@@ -1633,6 +1897,10 @@
         <message>
             <source>The length of all lines</source>
             <translation>O comprimento de todas as linhas</translation>
+        </message>
+        <message>
+            <source>The length of the cutting edges; 0: not given</source>
+            <translation>O comprimento das arestas de corte; 0: não informado</translation>
         </message>
         <message>
             <source>The link to the controller is being started.</source>
@@ -1679,6 +1947,10 @@
             <translation>A máquina está parada; nada se perdeu. Retome ou pare.</translation>
         </message>
         <message>
+            <source>The middle of a mill's end that does not cut; 0: it cuts over its centre</source>
+            <translation>O meio do topo da fresa que não corta; 0: ela tem corte no centro</translation>
+        </message>
+        <message>
             <source>The parts and bodies that the drawing moves with</source>
             <translation>As peças e corpos com que o desenho se move</translation>
         </message>
@@ -1717,6 +1989,14 @@
         <message>
             <source>The step of the published method</source>
             <translation>O passo do método publicado</translation>
+        </message>
+        <message>
+            <source>The thickest chip that a tooth bears; 0: not given</source>
+            <translation>O cavaco mais espesso que um dente suporta; 0: não informado</translation>
+        </message>
+        <message>
+            <source>The thinnest chip of a tooth, below which it rubs; 0: not given</source>
+            <translation>O cavaco mais fino de um dente, abaixo do qual ele só atrita; 0: não informado</translation>
         </message>
         <message>
             <source>The tool that cuts it</source>
@@ -1765,6 +2045,18 @@
         <message>
             <source>Timing the moves…</source>
             <translation>Cronometrando os movimentos…</translation>
+        </message>
+        <message>
+            <source>Tip</source>
+            <translation>Ponta</translation>
+        </message>
+        <message>
+            <source>Tip angle</source>
+            <translation>Ângulo da ponta</translation>
+        </message>
+        <message>
+            <source>Tip diameter</source>
+            <translation>Diâmetro da ponta</translation>
         </message>
         <message>
             <source>To get what is missing, type in a terminal, with Python {0}, and start FreeCAD again:</source>
@@ -1959,6 +2251,10 @@
             <translation>polegadas (G20)</translation>
         </message>
         <message>
+            <source>jet (water, plasma, laser)</source>
+            <translation>jato (água, plasma, laser)</translation>
+        </message>
+        <message>
             <source>limit {0}</source>
             <translation>limite {0}</translation>
         </message>
@@ -2041,6 +2337,10 @@
         <message>
             <source>value {0}</source>
             <translation>valor {0}</translation>
+        </message>
+        <message>
+            <source>wire</source>
+            <translation>fio</translation>
         </message>
         <message>
             <source>{0} %</source>
@@ -2126,6 +2426,10 @@
             <translation>0 a {0} mm</translation>
         </message>
         <message>
+            <source>CNCStepper certificate</source>
+            <translation>certificado do CNCStepper</translation>
+        </message>
+        <message>
             <source>FreeCAD's Python lacks {0}</source>
             <translation>Falta no Python do FreeCAD: {0}</translation>
         </message>
@@ -2148,6 +2452,10 @@
         <message>
             <source>a bulge is not that of an arc in mm</source>
             <translation>um bulge não é o de um arco em mm</translation>
+        </message>
+        <message>
+            <source>a chip load needs flutes</source>
+            <translation>um avanço por dente precisa do número de dentes</translation>
         </message>
         <message>
             <source>a coordinate is not a length in mm</source>
@@ -2174,6 +2482,10 @@
             <translation>um cilindro é tão comprido em X quanto em Y</translation>
         </message>
         <message>
+            <source>a drill goes sideways through stock</source>
+            <translation>uma broca anda de lado dentro do material</translation>
+        </message>
+        <message>
             <source>a height field needs two rows and two columns of finite heights at least</source>
             <translation>um campo de alturas precisa de ao menos duas linhas e duas colunas de alturas finitas</translation>
         </message>
@@ -2192,6 +2504,10 @@
         <message>
             <source>a limit switch was hit</source>
             <translation>um fim de curso foi atingido</translation>
+        </message>
+        <message>
+            <source>a mill that does not cut over its centre ({0}) goes down into stock too steeply</source>
+            <translation>uma fresa sem corte no centro ({0}) desce no material com inclinação demais</translation>
         </message>
         <message>
             <source>a move would end outside the travel (soft limit)</source>
@@ -2226,6 +2542,10 @@
             <translation>uma tolerância deve ser maior que 0</translation>
         </message>
         <message>
+            <source>a tooth of the {0} tool takes too thick a chip</source>
+            <translation>um dente da ferramenta {0} tira um cavaco espesso demais</translation>
+        </message>
+        <message>
             <source>a value is negative where only positive ones are allowed</source>
             <translation>um valor é negativo onde só positivos são permitidos</translation>
         </message>
@@ -2240,10 +2560,6 @@
         <message>
             <source>a {0} tool has no {1}</source>
             <translation>uma ferramenta {0} não tem {1}</translation>
-        </message>
-        <message>
-            <source>a {0} tool is simulated as a flat one of its diameter</source>
-            <translation>uma ferramenta {0} é simulada como fresa reta do mesmo diâmetro</translation>
         </message>
         <message>
             <source>a {0} tool leaves no flat floor</source>
@@ -2378,8 +2694,16 @@
             <translation>verifique a fiação e a placa do apalpador e destrave com $X</translation>
         </message>
         <message>
+            <source>check the program again, and send it with the certificate that this gives</source>
+            <translation>verifique o programa de novo e envie-o com o certificado que isso gera</translation>
+        </message>
+        <message>
             <source>check the switches, and travel $130 to $132</source>
             <translation>verifique os fins de curso e os cursos $130 a $132</translation>
+        </message>
+        <message>
+            <source>chip_load_min_mm must not exceed chip_load_max_mm</source>
+            <translation>chip_load_min_mm não pode exceder chip_load_max_mm</translation>
         </message>
         <message>
             <source>choose S from {0} to {1}</source>
@@ -2454,6 +2778,10 @@
             <translation>feche a porta de segurança e retome</translation>
         </message>
         <message>
+            <source>core_diameter_mm must not exceed diameter_mm</source>
+            <translation>core_diameter_mm não pode exceder diameter_mm</translation>
+        </message>
+        <message>
             <source>corner_radius_mm must not exceed half of diameter_mm</source>
             <translation>corner_radius_mm não pode passar da metade de diameter_mm</translation>
         </message>
@@ -2486,12 +2814,20 @@
             <translation>corrija a trajetória, o diâmetro da ferramenta ou a profundidade</translation>
         </message>
         <message>
+            <source>correct the program, and check it again</source>
+            <translation>corrija o programa e verifique-o de novo</translation>
+        </message>
+        <message>
             <source>correct work zero or program, then unlock with $X; the position is kept</source>
             <translation>corrija o zero-peça ou o programa e destrave com $X; a posição se mantém</translation>
         </message>
         <message>
             <source>curves do not meet</source>
             <translation>as curvas não se encontram</translation>
+        </message>
+        <message>
+            <source>cut in more levels, or take a longer tool</source>
+            <translation>usine em mais níveis, ou use uma ferramenta mais longa</translation>
         </message>
         <message>
             <source>draw at least two points</source>
@@ -2508,6 +2844,14 @@
         <message>
             <source>enable homing ($22=1) or switch soft limits off ($20=0)</source>
             <translation>habilite o referenciamento ($22=1) ou desligue os limites de software ($20=0)</translation>
+        </message>
+        <message>
+            <source>end it in .gif, or install ffmpeg</source>
+            <translation>use a extensão .gif, ou instale o ffmpeg</translation>
+        </message>
+        <message>
+            <source>enter by a helix or ramp, or in the middle of a hole drilled before</source>
+            <translation>entre em hélice ou rampa, ou no meio de um furo já aberto</translation>
         </message>
         <message>
             <source>exclusively lock</source>
@@ -2566,12 +2910,20 @@
             <translation>escreva uma palavra F antes do primeiro movimento de avanço</translation>
         </message>
         <message>
+            <source>give every row as many</source>
+            <translation>dê a mesma quantidade a cada linha</translation>
+        </message>
+        <message>
             <source>give heights over the bottom, and the largest as the stock's Z</source>
             <translation>dê alturas acima do fundo, e a maior como Z do bloco</translation>
         </message>
         <message>
             <source>give its diameter for X and for Y</source>
             <translation>dê o diâmetro para X e para Y</translation>
+        </message>
+        <message>
+            <source>give its {0}</source>
+            <translation>informe {0} dela</translation>
         </message>
         <message>
             <source>give the path of a TOML job file</source>
@@ -2588,6 +2940,14 @@
         <message>
             <source>give the work zero to have the travel checked</source>
             <translation>informe o zero-peça para que o curso seja verificado</translation>
+        </message>
+        <message>
+            <source>give two opposite corners of a rectangle, or three and more of a polygon in their order</source>
+            <translation>informe dois cantos opostos de um retângulo, ou três ou mais de um polígono, na ordem</translation>
+        </message>
+        <message>
+            <source>heights belong to a stock of the form 'height_field', and to no other</source>
+            <translation>alturas pertencem a um bloco da forma 'height_field', e a nenhum outro</translation>
         </message>
         <message>
             <source>heights differ by {0} mm</source>
@@ -2650,10 +3010,6 @@
             <translation>mova menos</translation>
         </message>
         <message>
-            <source>judge its depth by hand</source>
-            <translation>avalie a profundidade por conta própria</translation>
-        </message>
-        <message>
             <source>laser mode needs a variable spindle output</source>
             <translation>o modo laser exige saída de spindle variável</translation>
         </message>
@@ -2678,8 +3034,16 @@
             <translation>saia do modo de verificação com $C</translation>
         </message>
         <message>
+            <source>let the tool stick out farther</source>
+            <translation>deixe a ferramenta mais para fora do porta-ferramenta</translation>
+        </message>
+        <message>
             <source>lift the tool before it</source>
             <translation>levante a ferramenta antes dele</translation>
+        </message>
+        <message>
+            <source>lift the tool over it, move the clamp or move the shape</source>
+            <translation>levante a ferramenta acima dele, mude o grampo de lugar ou desloque a forma</translation>
         </message>
         <message>
             <source>look at its switches</source>
@@ -2690,12 +3054,24 @@
             <translation>procure o código na documentação do controlador</translation>
         </message>
         <message>
+            <source>lower F, or turn the spindle faster</source>
+            <translation>diminua F, ou aumente a rotação do spindle</translation>
+        </message>
+        <message>
             <source>lower F; the machine will take longer than the feed says</source>
             <translation>diminua F; a máquina levará mais tempo do que o avanço indica</translation>
         </message>
         <message>
             <source>lower steps/mm or maximum rate</source>
             <translation>diminua os passos/mm ou a velocidade máxima</translation>
+        </message>
+        <message>
+            <source>lower the feed here, or the axis' rate and acceleration in controller and profile</source>
+            <translation>diminua o avanço aqui, ou a velocidade e a aceleração do eixo no controlador e no perfil</translation>
+        </message>
+        <message>
+            <source>lower the stepover, enter by a helix, or leave less in the corners</source>
+            <translation>diminua a penetração de trabalho, entre em hélice, ou deixe menos material nos cantos</translation>
         </message>
         <message>
             <source>make finish_{0} smaller</source>
@@ -2734,6 +3110,14 @@
             <translation>corrija antes esse objeto</translation>
         </message>
         <message>
+            <source>more of the {0} tool's rim is in the material than it may</source>
+            <translation>o ângulo de contato da ferramenta {0} com o material é maior que o permitido</translation>
+        </message>
+        <message>
+            <source>move the shape inwards, or take a larger sheet</source>
+            <translation>desloque a forma para dentro, ou use uma chapa maior</translation>
+        </message>
+        <message>
             <source>move the shape or the work zero, or take larger stock</source>
             <translation>mova a forma ou o zero-peça, ou use um bloco maior</translation>
         </message>
@@ -2744,6 +3128,10 @@
         <message>
             <source>name X and Y in a rapid above the stock first</source>
             <translation>indique antes X e Y em um rápido acima do bloco</translation>
+        </message>
+        <message>
+            <source>no encoder for '{0}' is installed</source>
+            <translation>não há codificador instalado para '{0}'</translation>
         </message>
         <message>
             <source>no feed rate was set</source>
@@ -2838,12 +3226,20 @@
             <translation>prepare o programa de novo</translation>
         </message>
         <message>
+            <source>prove parts of the program alone</source>
+            <translation>verifique partes do programa em separado</translation>
+        </message>
+        <message>
             <source>pyserial is not installed</source>
             <translation>o pyserial não está instalado</translation>
         </message>
         <message>
             <source>radii and resolution must be positive</source>
             <translation>os semieixos e a resolução devem ser positivos</translation>
+        </message>
+        <message>
+            <source>raise F, or turn the spindle slower</source>
+            <translation>aumente F, ou diminua a rotação do spindle</translation>
         </message>
         <message>
             <source>raise the pull-off $27 or check the switch</source>
@@ -2896,6 +3292,10 @@
         <message>
             <source>set the zero on the stock, then confirm it (--zero-confirmed)</source>
             <translation>defina o zero no bloco e confirme-o (--zero-confirmed)</translation>
+        </message>
+        <message>
+            <source>set the zero there, or check the program again with the zero that is set (--work-zero)</source>
+            <translation>defina o zero ali, ou verifique o programa de novo com o zero que está definido (--work-zero)</translation>
         </message>
         <message>
             <source>shorten or split that line</source>
@@ -2980,6 +3380,22 @@
         <message>
             <source>the arc's radius does not fit its end point</source>
             <translation>o raio do arco não combina com o ponto final</translation>
+        </message>
+        <message>
+            <source>the certificate cannot be read</source>
+            <translation>o certificado não pode ser lido</translation>
+        </message>
+        <message>
+            <source>the certificate is of another version</source>
+            <translation>o certificado é de outra versão</translation>
+        </message>
+        <message>
+            <source>the certificate lacks what a sender needs</source>
+            <translation>falta no certificado o que o envio precisa</translation>
+        </message>
+        <message>
+            <source>the certificate was changed after it was made</source>
+            <translation>o certificado foi alterado depois de emitido</translation>
         </message>
         <message>
             <source>the character {0} would act as a command of its own or is not ASCII</source>
@@ -3070,12 +3486,20 @@
             <translation>o controlador foi reiniciado em movimento</translation>
         </message>
         <message>
+            <source>the corners of a clamp enclose nothing</source>
+            <translation>os cantos de um grampo não delimitam nenhuma área</translation>
+        </message>
+        <message>
             <source>the curve is not smooth here</source>
             <translation>a curva não é suave aqui</translation>
         </message>
         <message>
             <source>the cut begins without waiting for the spindle</source>
             <translation>o corte começa sem esperar o spindle</translation>
+        </message>
+        <message>
+            <source>the cut comes too near to the sheet's edge</source>
+            <translation>o corte chega perto demais da borda da chapa</translation>
         </message>
         <message>
             <source>the desk cannot be started: {0}</source>
@@ -3128,6 +3552,14 @@
         <message>
             <source>the heights do not fit their box</source>
             <translation>as alturas não cabem na sua caixa</translation>
+        </message>
+        <message>
+            <source>the holder</source>
+            <translation>o porta-ferramenta</translation>
+        </message>
+        <message>
+            <source>the holder of the {0} tool goes into stock</source>
+            <translation>o porta-ferramenta da ferramenta {0} entra no material</translation>
         </message>
         <message>
             <source>the job cannot be read: {0}</source>
@@ -3186,6 +3618,10 @@
             <translation>o número da linha não está entre 0 e 9999999</translation>
         </message>
         <message>
+            <source>the lines to send are not those that were proven</source>
+            <translation>as linhas a enviar não são as que foram verificadas</translation>
+        </message>
+        <message>
             <source>the link to {0} broke: {1}</source>
             <translation>a ligação com {0} caiu: {1}</translation>
         </message>
@@ -3234,6 +3670,10 @@
             <translation>a posição da máquina é desconhecida: veja se o spindle e as saídas estão desligados, depois referencie ou defina o zero de novo</translation>
         </message>
         <message>
+            <source>the motor of {0} may lose steps: at {1} mm/s ({2} rpm) and {3} mm/s² it has too little torque</source>
+            <translation>o motor de {0} pode perder passos: a {1} mm/s ({2} rpm) e {3} mm/s² falta-lhe torque</translation>
+        </message>
+        <message>
             <source>the move leaves the travel of {0} by {1} mm</source>
             <translation>o movimento sai do curso de {0} por {1} mm</translation>
         </message>
@@ -3278,6 +3718,10 @@
             <translation>o programa é maior que o curso de {0}</translation>
         </message>
         <message>
+            <source>the program is not the one that was proven: its text differs</source>
+            <translation>o programa não é o que foi verificado: o texto é outro</translation>
+        </message>
+        <message>
             <source>the program moves nothing</source>
             <translation>o programa não move nada</translation>
         </message>
@@ -3286,12 +3730,36 @@
             <translation>o programa espera com o spindle girando</translation>
         </message>
         <message>
+            <source>the program was proven for another machine, or its profile was changed since</source>
+            <translation>o programa foi verificado para outra máquina, ou o perfil dela mudou desde então</translation>
+        </message>
+        <message>
+            <source>the program was proven from another start state: work zero, offsets or tool lengths differ</source>
+            <translation>o programa foi verificado a partir de outro estado inicial: zero-peça, deslocamentos ou comprimentos de ferramenta diferem</translation>
+        </message>
+        <message>
+            <source>the program was proven with another stock</source>
+            <translation>o programa foi verificado com outro bloco</translation>
+        </message>
+        <message>
+            <source>the program was proven with other tools</source>
+            <translation>o programa foi verificado com outras ferramentas</translation>
+        </message>
+        <message>
             <source>the proof failed by a fault of its own: {0}: {1}</source>
             <translation>a verificação falhou por um defeito próprio: {0}: {1}</translation>
         </message>
         <message>
+            <source>the proof found {0} error(s) in the program, the first: {1}</source>
+            <translation>a verificação encontrou {0} erro(s) no programa, o primeiro: {1}</translation>
+        </message>
+        <message>
             <source>the resolution is too fine for the ellipse</source>
             <translation>a resolução é fina demais para a elipse</translation>
+        </message>
+        <message>
+            <source>the rows of heights differ in length</source>
+            <translation>as linhas de alturas têm comprimentos diferentes</translation>
         </message>
         <message>
             <source>the safety door is open or the machine is parking ({0}): resume later</source>
@@ -3342,6 +3810,10 @@
             <translation>o registro da sessão</translation>
         </message>
         <message>
+            <source>the shank of the {0} tool rubs along the wall over its flutes</source>
+            <translation>a haste da ferramenta {0} atrita na parede acima da parte cortante</translation>
+        </message>
+        <message>
             <source>the spindle cannot turn at this speed</source>
             <translation>o spindle não pode girar nesta rotação</translation>
         </message>
@@ -3376,6 +3848,10 @@
         <message>
             <source>the tolerance must not be negative</source>
             <translation>a tolerância não pode ser negativa</translation>
+        </message>
+        <message>
+            <source>the tool</source>
+            <translation>a ferramenta</translation>
         </message>
         <message>
             <source>the tool cuts into the wanted part</source>
@@ -3420,6 +3896,22 @@
         <message>
             <source>the zero of {0} in {1} was not taken over</source>
             <translation>o zero de {0} em {1} não foi aceito</translation>
+        </message>
+        <message>
+            <source>the {0} tool cuts deeper than its flutes are long</source>
+            <translation>a ferramenta {0} corta mais fundo que o seu comprimento de corte</translation>
+        </message>
+        <message>
+            <source>the {0} tool is too small against its path for its engagement to be measured</source>
+            <translation>a ferramenta {0} é pequena demais diante da trajetória para se medir o seu ângulo de contato</translation>
+        </message>
+        <message>
+            <source>the {0} tool rubs: a tooth takes too thin a chip</source>
+            <translation>a ferramenta {0} atrita em vez de cortar: um dente tira um cavaco fino demais</translation>
+        </message>
+        <message>
+            <source>the {0} tool's form is not given, so it is judged as a flat one of its diameter</source>
+            <translation>a forma da ferramenta {0} não foi informada, por isso é avaliada como fresa reta do mesmo diâmetro</translation>
         </message>
         <message>
             <source>there is no command '{0}'</source>
@@ -3474,6 +3966,10 @@
             <translation>este cliente está desligado</translation>
         </message>
         <message>
+            <source>this is no certificate</source>
+            <translation>isto não é um certificado</translation>
+        </message>
+        <message>
             <source>tip_diameter_mm must be below diameter_mm</source>
             <translation>tip_diameter_mm deve ser menor que diameter_mm</translation>
         </message>
@@ -3488,6 +3984,14 @@
         <message>
             <source>tool {0} is not known, so what it cuts is not checked</source>
             <translation>a ferramenta {0} não é conhecida, por isso o que ela corta não é verificado</translation>
+        </message>
+        <message>
+            <source>torque must be points (rpm, Nm) that rise in rpm</source>
+            <translation>torque deve ser uma lista de pontos (rpm, Nm) com rpm crescente</translation>
+        </message>
+        <message>
+            <source>torque must not be below zero</source>
+            <translation>torque não pode ser negativo</translation>
         </message>
         <message>
             <source>travel_min_mm must be below travel_max_mm</source>
@@ -3536,6 +4040,10 @@
         <message>
             <source>use a flat tool</source>
             <translation>use uma fresa de topo reto</translation>
+        </message>
+        <message>
+            <source>use a mill, or lift the drill before it</source>
+            <translation>use uma fresa, ou levante a broca antes disso</translation>
         </message>
         <message>
             <source>use a tool number up to 255</source>
@@ -3674,6 +4182,10 @@
             <translation>{0} não responde a {1}</translation>
         </message>
         <message>
+            <source>{0} goes into clamp {1}</source>
+            <translation>{0} bate no grampo {1}</translation>
+        </message>
+        <message>
             <source>{0} has changed since the program was made</source>
             <translation>{0} mudou desde que o programa foi feito</translation>
         </message>
@@ -3704,6 +4216,14 @@
         <message>
             <source>{0} is no port: {1}</source>
             <translation>{0} não é uma porta: {1}</translation>
+        </message>
+        <message>
+            <source>{0} is not the work system in force</source>
+            <translation>{0} não é o sistema de coordenadas em vigor</translation>
+        </message>
+        <message>
+            <source>{0} is {1}, wanted {2} mm</source>
+            <translation>{0} é {1}, esperado {2} mm</translation>
         </message>
         <message>
             <source>{0} may not be opened by this user</source>

@@ -73,6 +73,11 @@ def portuguese() -> Iterator[None]:
     [
         ("the tool is wider than the pocket", "a ferramenta é mais larga que o bolsão"),
         ("there is no port COM3", "não há porta COM3"),
+        ("the tool goes into clamp 2", "a ferramenta bate no grampo 2"),
+        (
+            "the flat 6 mm tool cuts deeper than its flutes are long",
+            "a ferramenta flat 6 mm corta mais fundo que o seu comprimento de corte",
+        ),
         (
             "Bolsão 2: the tool is wider than the pocket (value 60 mm, limit below 50 mm); choose a smaller tool [x-y]",
             "Bolsão 2: a ferramenta é mais larga que o bolsão (valor 60 mm, limite below 50 mm);"

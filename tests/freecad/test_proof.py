@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import json
 import tempfile
 import time
 from collections.abc import Iterator
@@ -14,7 +13,7 @@ import pytest
 from PySide import QtCore
 
 from CNCStepper.control import python_finder
-from CNCStepper.control.send_job import SendJob
+from CNCStepper.control.certificate import sendable
 from CNCStepper.errors import CNCStepperError
 from CNCStepper.workbench import api, program_file
 from CNCStepper.workbench.proof import ProofResult, ProofRun
@@ -74,7 +73,7 @@ def test_a_clean_job_is_proven_from_its_text(job: Any, folder: Path) -> None:
     assert result.part.heights_mm.min() == pytest.approx(-4)
     assert tuple(result.work_origin_mm) == (5, 6, 7) and result.tools[1][0].max(axis=0)[0] == 3
     assert len(heard.stages) >= 2
-    sent = SendJob.from_json(result.send_file.read_text("utf-8"))
+    sent = sendable(result.send_file.read_text("utf-8"))
     sent.check()
     assert sent.port == "" and not sent.zero_confirmed and sent.expected[100] > 0
     assert sent.file == job.Label and sent.file_lines[-1] <= len(result.program_lines)
@@ -142,7 +141,7 @@ def test_a_missing_python_is_said(job: Any, folder: Path, monkeypatch: pytest.Mo
 
 def test_the_folder_goes_with_its_result(job: Any, folder: Path) -> None:
     heard = Heard(ProofRun(job)).wait()
-    assert json.loads(heard.results[0].send_file.read_text("utf-8"))["port"] == ""
+    assert sendable(heard.results[0].send_file.read_text("utf-8")).port == ""
     heard.results.clear()
     ProofRun._last = None
     assert not list(folder.iterdir())

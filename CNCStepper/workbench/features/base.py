@@ -78,16 +78,18 @@ class Feature:
         show_in_window(obj)
 
     def add_properties(self, obj: Any) -> None:
-        """Add the properties that `obj` lacks, which in a document of an older version may be some."""
+        """Add the properties and choices that `obj` lacks, which in a document of an older version may be some."""
         for entry in (*self.PROPERTIES, PROBLEM):
             if entry.name not in obj.PropertiesList:
-                obj.addProperty(entry.type, entry.name, entry.group, entry.text, OUTPUT if entry.output else 0)
-                if entry.choices:
-                    setattr(obj, entry.name, list(entry.choices))
-                if entry.default is not None:
-                    set_value(obj, entry, entry.default)
-                if entry.output:
-                    obj.setEditorMode(entry.name, 1)
+                _add_property(obj, entry)
+            elif set(entry.choices) - set(obj.getEnumerationsOfProperty(entry.name) or ()):
+                chosen = getattr(obj, entry.name)
+                setattr(obj, entry.name, list(entry.choices))
+                setattr(obj, entry.name, chosen)
+
+    def given(self, found: dict[str, Any]) -> dict[str, Any]:
+        """Return those of an object's values, by key, that the core is to be given."""
+        return found
 
     def check(self, obj: Any) -> None:
         """Raise a CNCStepperError when a property of `obj` alone can never do, whatever it will stand on."""
@@ -135,6 +137,16 @@ class Feature:
 
     def loads(self, state: Any) -> None:
         """Restore nothing (FreeCAD from 0.21 on)."""
+
+
+def _add_property(obj: Any, entry: Property) -> None:
+    obj.addProperty(entry.type, entry.name, entry.group, entry.text, OUTPUT if entry.output else 0)
+    if entry.choices:
+        setattr(obj, entry.name, list(entry.choices))
+    if entry.default is not None:
+        set_value(obj, entry, entry.default)
+    if entry.output:
+        obj.setEditorMode(entry.name, 1)
 
 
 def show_in_window(obj: Any) -> None:

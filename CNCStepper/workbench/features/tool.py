@@ -5,12 +5,12 @@ from __future__ import annotations
 
 from typing import Any
 
+from CNCStepper.machine.shapes import SHAPES, foreign_keys
 from CNCStepper.workbench import packages
-from CNCStepper.workbench.features.base import DISTANCE, ENUMERATION, INTEGER, SPEED, Feature, Property, values
+from CNCStepper.workbench.features.base import ANGLE, DISTANCE, ENUMERATION, INTEGER, SPEED, Feature, Property, values
 from CNCStepper.workbench.words import later
 
-TOOL, CUTTING = later("Tool"), later("Cutting")
-SHAPES = ("flat", "ball", "bullnose", "v", "drill", "engraver")
+TOOL, CUTTING, FORM, LIMITS = later("Tool"), later("Cutting"), later("Tip"), later("Lengths and limits")
 
 
 class Tool(Feature):
@@ -28,7 +28,49 @@ class Tool(Feature):
                  200.0),
         Property("spindle_rpm", "SpindleSpeed", "App::PropertyFloat", CUTTING, later("Spindle"),
                  later("Spindle turns a minute"), 10000.0),
+        Property("corner_radius_mm", "CornerRadius", DISTANCE, FORM, later("Corner radius"),
+                 later("Of a bull nose; 0: not given"), 0.0),
+        Property("tip_diameter_mm", "TipDiameter", DISTANCE, FORM, later("Tip diameter"),
+                 later("The flat at the tip of a V-bit or engraver; 0: it is pointed"), 0.0),
+        Property("tip_angle_deg", "TipAngle", ANGLE, FORM, later("Tip angle"),
+                 later("Between the two sides of a V-bit or engraver; 0: not given"), 0.0),
+        Property("point_angle_deg", "PointAngle", ANGLE, FORM, later("Point angle"),
+                 later("Between the two sides of a drill's point; 0: not given"), 0.0),
+        Property("taper_deg", "Taper", ANGLE, FORM, later("Taper"),
+                 later("Of one wall that a jet or wire leaves, against the vertical; 0: none"), 0.0),
+        Property("core_diameter_mm", "CoreDiameter", DISTANCE, FORM, later("Core diameter"),
+                 later("The middle of a mill's end that does not cut; 0: it cuts over its centre"), 0.0),
+        Property("flute_length_mm", "FluteLength", DISTANCE, LIMITS, later("Flute length"),
+                 later("The length of the cutting edges; 0: not given"), 0.0),
+        Property("length_mm", "Length", DISTANCE, LIMITS, later("Free length"),
+                 later("From the tip to the holder; 0: not given"), 0.0),
+        Property("holder_diameter_mm", "HolderDiameter", DISTANCE, LIMITS, later("Holder diameter"),
+                 later("The diameter of what holds the tool; 0: not given"), 0.0),
+        Property("ramp_max_deg", "RampMax", ANGLE, LIMITS, later("Steepest ramp"),
+                 later("For a mill that does not cut over its centre; 0: 10°"), 0.0),
+        Property("flutes", "Flutes", INTEGER, LIMITS, later("Flutes"), later("How many teeth; 0: not given"), 0),
+        Property("chip_load_min_mm", "ChipLoadMin", DISTANCE, LIMITS, later("Least chip load"),
+                 later("The thinnest chip of a tooth, below which it rubs; 0: not given"), 0.0),
+        Property("chip_load_max_mm", "ChipLoadMax", DISTANCE, LIMITS, later("Greatest chip load"),
+                 later("The thickest chip that a tooth bears; 0: not given"), 0.0),
+        Property("engagement_max_deg", "EngagementMax", ANGLE, LIMITS, later("Greatest engagement"),
+                 later("How much of the rim may be in the material, as an angle; 0: not given"), 0.0),
     )  # fmt: skip
+
+    def add_properties(self, obj: Any) -> None:
+        """Add what `obj` lacks, and let only those be typed that a tool of its shape has."""
+        super().add_properties(obj)
+        _fix_foreign(obj)
+
+    def onChanged(self, obj: Any, name: str) -> None:
+        """Let only those values be typed that the shape has; FreeCAD calls this at every change."""
+        if name == "ToolShape":
+            _fix_foreign(obj)
+
+    def given(self, found: dict[str, Any]) -> dict[str, Any]:
+        """Return the values that say something: no 0 that means "not given", and nothing of other shapes."""
+        foreign = foreign_keys(found["shape"])
+        return {key: value for key, value in found.items() if key not in foreign and (value or key not in OPTIONAL)}
 
     def check(self, obj: Any) -> None:
         """Raise JobError that names the value that cannot be."""
@@ -37,10 +79,20 @@ class Tool(Feature):
     make = check
 
 
+OPTIONAL = {entry.key for entry in Tool.PROPERTIES if entry.group in (FORM, LIMITS)}
+
+
+def _fix_foreign(obj: Any) -> None:
+    foreign = foreign_keys(obj.ToolShape)
+    for entry in Tool.PROPERTIES:
+        if entry.group == FORM and entry.name in obj.PropertiesList:
+            obj.setEditorMode(entry.name, 1 if entry.key in foreign else 0)
+
+
 def model_of(obj: Any) -> Any:
     """Return a tool object as `machine.tool.Tool`; raises JobError."""
     packages.require()
     from CNCStepper.machine.profile import validated
     from CNCStepper.machine.tool import Tool as Model
 
-    return validated(Model, values(obj), obj.Label)
+    return validated(Model, obj.Proxy.given(values(obj)), obj.Label)

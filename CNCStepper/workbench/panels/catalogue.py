@@ -7,12 +7,13 @@ from typing import Any
 
 from CNCStepper.workbench.features.base import JOB, proxy_type
 from CNCStepper.workbench.features.elliptical_pocket import FINISH, PATH
+from CNCStepper.workbench.features.tool import FORM, LIMITS
 from CNCStepper.workbench.panels.editor import Editor
 from CNCStepper.workbench.panels.links import DrawingField, ToolField
 from CNCStepper.workbench.panels.panel import Panel
 
 KINDS = {"tool": ToolField, "drawing": DrawingField}
-FOLDED = {"CNCStepper_EllipticalPocket": (FINISH, PATH)}
+FOLDED = {"CNCStepper_EllipticalPocket": (FINISH, PATH), "CNCStepper_Tool": (FORM, LIMITS)}
 FREEHAND = "CNCStepper_Freehand"
 HIDDEN = {FREEHAND: ("points_mm",)}
 

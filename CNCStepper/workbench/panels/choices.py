@@ -19,6 +19,8 @@ WORDS = {
     "v": later("V-bit"),
     "drill": later("drill"),
     "engraver": later("engraver"),
+    "jet": later("jet (water, plasma, laser)"),
+    "wire": later("wire"),
     "mm": later("millimetres (G21)"),
     "inch": later("inches (G20)"),
     "none": later("none"),

@@ -117,10 +117,13 @@ class Editor(QtGui.QWidget):
     def _accepted(self, changes: dict[str, Any]) -> dict[str, Any]:
         """Return those changes that the core's model has nothing against; the others are marked."""
         model = model_of_type(self.obj)
-        wrong = complaints(model, values(self.obj) | changes, self._shown) if model and changes else {}
+        wrong = complaints(model, self._given(changes), self._shown) if model and changes else {}
         for key in wrong.keys() & changes.keys():
             self._mark(key, wrong[key])
         return {key: value for key, value in changes.items() if key not in wrong}
+
+    def _given(self, changes: dict[str, Any]) -> dict[str, Any]:
+        return dict(self.obj.Proxy.given(values(self.obj) | changes))
 
     def _judge(self, changed: list[str]) -> None:
         """Keep what could be made as good; take back what could not, and say why."""

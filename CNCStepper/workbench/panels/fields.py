@@ -121,7 +121,10 @@ class Field(QtCore.QObject):
     def _why_fixed(self) -> str:
         if any(path.lstrip(".").split(".")[0] == self.entry.name for path, *_ in self.obj.ExpressionEngine):
             return tr("An expression gives this value; change it in the property editor")
-        return tr("The drawing gives this value") if "ReadOnly" in self.obj.getEditorMode(self.entry.name) else ""
+        if "ReadOnly" not in self.obj.getEditorMode(self.entry.name):
+            return ""
+        is_drawn = "Drawing" in self.obj.PropertiesList
+        return tr("The drawing gives this value") if is_drawn else tr("A tool of this shape has none")
 
 
 class NumberField(Field):

@@ -9,6 +9,7 @@ from PySide import QtGui
 
 from CNCStepper.workbench.commands.defaults import stock_of_drawing, stock_of_solid
 from CNCStepper.workbench.features.job import HEIGHTS, PROGRAM, STOCK
+from CNCStepper.workbench.features.tool import FORM, LIMITS
 from CNCStepper.workbench.panels.editor import Editor
 from CNCStepper.workbench.panels.fields import NAME
 from CNCStepper.workbench.panels.lists import OperationList, ToolList
@@ -91,7 +92,7 @@ class JobPanel(Panel):
         self.editor.form.add_widget(STOCK, button)
 
     def _tool_editor(self, tool: Any) -> Editor:
-        editor = Editor(tool, {}, parent=self.tools)
+        editor = Editor(tool, {}, (FORM, LIMITS), parent=self.tools)
         editor.applied.connect(guarded(self._tool_changed))
         self.tools.layout().addWidget(editor)
         return editor

@@ -103,3 +103,100 @@ def test_only_enter_alone_goes_on(program: Path, table: tuple[str, Path]) -> Non
     sent = send(program, table[0], "--zero-confirmed", answer="x\nwhat\nstop\n")
     assert sent.returncode == 1
     assert sent.stderr.count("is neither") == 2
+
+
+ZERO = ("--work-zero", "-200,-200,-40")
+
+
+@pytest.fixture
+def certificate(program: Path, tmp_path: Path) -> Path:
+    path = tmp_path / "certificado 1.json"
+    stock = ("--stock", "40,40,5", "--tool", "flat:6")
+    line = command("check", program, "--machine", "table-a", *stock, *ZERO, "--certificate", path)
+    assert subprocess.run(line, capture_output=True, timeout=60).returncode == 1  # its spindle stands still
+    program.write_text(PROGRAM.replace("G0 Z5\n", "M3 S10000\nG4 P3\nG0 Z5\n", 1), encoding="utf-8")
+    told = subprocess.run(line, capture_output=True, encoding="utf-8", timeout=60)
+    assert told.returncode == 0, told.stdout
+    assert "pierces 1" in told.stdout and "cm³ removed" in told.stdout
+    return path
+
+
+def certified(program: Path, port: str, path: Path, *more: str | Path) -> subprocess.CompletedProcess[str]:
+    line = command("send", program, "--port", port, "--certificate", path, "--zero-confirmed", "--resume-pauses", *more)
+    return subprocess.run(line, capture_output=True, encoding="utf-8", timeout=60)
+
+
+def set_zero(port: str, zero: str) -> None:
+    import serial
+
+    with serial.serial_for_url(port, timeout=5) as line:
+        line.read_until(b"help]\r\n")
+        line.write(f"G10 L2 P1 {zero}\n".encode("ascii"))
+        assert line.readline().strip() == b"ok"
+
+
+def test_a_certified_program_is_cut_where_it_was_proven(
+    program: Path, certificate: Path, table: tuple[str, Path]
+) -> None:
+    port = table[0]
+    elsewhere = certified(program, port, certificate)
+    assert elsewhere.returncode == 1
+    assert "work zero is not where the program was proven" in elsewhere.stderr and "G54" in elsewhere.stderr
+    set_zero(port, "X-200 Y-200 Z-40")
+    sent = certified(program, port, certificate, "--machine", "table-a", "--tool", "flat:6", *ZERO)
+    assert sent.returncode == 0, sent.stderr
+    assert "10 of 10 lines acknowledged" in sent.stdout
+
+
+def test_other_bytes_machines_starts_and_tools_are_refused(program: Path, certificate: Path, tmp_path: Path) -> None:
+    nowhere = "socket://127.0.0.1:9"
+    slower = tmp_path / "slower.toml"
+    profile = (Path(__file__).parents[3] / "examples" / "machines" / "table-a.toml").read_text("utf-8")
+    slower.write_text(profile.replace("5000", "4000"), encoding="utf-8")
+    for word, more in (
+        ("machine", ("--machine", slower)),
+        ("start", ("--work-zero", "-200,-200,-41")),
+        ("tools", ("--tool", "flat:5")),
+        ("stock", ("--stock", "41,40,5")),
+    ):
+        sent = certified(program, nowhere, certificate, *more)
+        assert sent.returncode == 1 and f"[certificate-{word}]" in sent.stderr, sent.stderr
+    program.write_text(program.read_text("utf-8").replace("X10", "X9"), encoding="utf-8")
+    assert "[certificate-program]" in certified(program, nowhere, certificate).stderr
+    certificate.write_text(certificate.read_text("utf-8").replace("look", "talk"), encoding="utf-8")
+    assert "[certificate-changed]" in certified(program, nowhere, certificate).stderr
+
+
+def test_other_bytes_are_sent_when_told(program: Path, certificate: Path, table: tuple[str, Path]) -> None:
+    program.write_text(program.read_text("utf-8").replace("X10", "X9").replace("I-10", "I-9"), encoding="utf-8")
+    sent = certified(program, table[0], certificate, "--despite-certificate")
+    assert sent.returncode == 0, sent.stderr
+    assert "its text differs" in sent.stderr and "10 of 10" in sent.stdout
+
+
+def test_a_certificate_with_errors_is_refused_unless_told(
+    program: Path, tmp_path: Path, table: tuple[str, Path]
+) -> None:
+    path = tmp_path / "c.json"
+    far = ("--work-zero", "-5,-200,-40")
+    subprocess.run(command("check", program, "--machine", "table-a", *far, "--certificate", path), capture_output=True)
+    sent = certified(program, table[0], path)
+    assert sent.returncode == 1 and "[certificate-errors]" in sent.stderr and f"{program}:3:" in sent.stderr
+    sent = certified(program, table[0], path, "--despite-certificate", "--allow-differences")
+    assert sent.returncode == 0, sent.stderr
+
+
+def test_a_job_whose_tools_were_changed_since_is_refused(tmp_path: Path) -> None:
+    folder = Path(__file__).parents[3] / "examples" / "jobs"
+    text = (folder / "elliptical-pocket.toml").read_text("utf-8").replace("../machines/table-a.toml", "table-a")
+    job = tmp_path / "job.toml"
+    job.write_text(text, encoding="utf-8")
+    assert subprocess.run(command("run", job, "--out", tmp_path), capture_output=True).returncode == 0
+    program, path = tmp_path / "program.nc", tmp_path / "certificate.json"
+    same = certified(program, "/dev/no-such-port", path, "--job", job)
+    assert "/dev/no-such-port" in same.stderr and "[certificate" not in same.stderr
+    for old, new, word in (("= 6.0", "= 5.9", "tools"), ("70, 20]", "70, 21]", "stock")):
+        assert old in text
+        job.write_text(text.replace(old, new), encoding="utf-8")
+        other = certified(program, "/dev/no-such-port", path, "--job", job)
+        assert other.returncode == 1 and f"[certificate-{word}]" in other.stderr, other.stderr

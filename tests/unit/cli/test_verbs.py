@@ -8,13 +8,18 @@ import subprocess
 import sys
 from pathlib import Path
 
+import numpy as np
 import pytest
 from click.testing import CliRunner, Result
 
 from CNCStepper.cli.main import VERBS, group
+from CNCStepper.control.certificate import Certificate
+from CNCStepper.simulation.mesh import STL_FACET
 
 ROOT = Path(__file__).parents[3]
 JOBS = ROOT / "examples" / "jobs"
+POCKET = JOBS / "elliptical-pocket.toml"
+PLATE = ("--stock", "40,40,5", "--origin", "top-left-front", "--tool", "flat:6")
 SQUARE = "G21 G90 G17\nT1\nM3 S10000\nG4 P3\nG0 Z5\nG0 X0 Y0\nG1 Z-1 F100\nG1 X20 F500\nY20\nX0\nY0\nG0 Z5\nM5\nM2\n"
 
 
@@ -41,6 +46,10 @@ def test_run_writes_program_report_and_picture(tmp_path: Path) -> None:
     assert result.exit_code == 0, result.output
     report = json.loads((tmp_path / "saída 1" / "report.json").read_text("utf-8"))
     assert report["time_s"] > 40 and report["gouge_mm"] <= 0.01
+    certificate = Certificate.read(tmp_path / "saída 1" / "certificate.json")
+    certificate.check_clean()
+    assert certificate.content["times"]["operations_s"][0]["time_s"] > 40
+    assert "pierces 1" in result.output and "engrave: " in result.output
     assert (tmp_path / "saída 1" / "part.png").read_bytes().startswith(b"\x89PNG")
     assert (tmp_path / "saída 1" / "program.nc").read_text("ascii").endswith("M2\n")
 
@@ -131,8 +140,16 @@ def test_run_tells_the_recalculated_stepover_and_what_no_tool_reaches(tmp_path: 
         ("check", "SQUARE", "--machine", "table-a", "--stock=-1,10,10"),
         ("check", "SQUARE", "--machine", "table-a", "--dialect", "nosuch"),
         ("check", "SQUARE"),
+        ("simulate", "SQUARE", *PLATE, "--out", "p.gif"),
+        ("simulate", "SQUARE", *PLATE, "--out", "p.png", "--at", "1", "--line", "2"),
+        ("simulate", "SQUARE", *PLATE, "--out", "p.png", "--view", "yz"),
+        ("simulate", "SQUARE", "--out", "p.png"),
+        ("simulate", "SQUARE", *PLATE, "--job", POCKET, "--out", "p.png"),
+        ("check", "SQUARE", "--machine", "table-a", "--tool", "flat:6", "--job", POCKET),
         ("virtual", "grbl"),
         ("send", "SQUARE"),
+        ("send", "SQUARE", "--port", "none", "--despite-certificate"),
+        ("send", "SQUARE", "--port", "none", "--tool", "flat:6"),
         ("nonsense",),
     ],
 )
@@ -148,11 +165,83 @@ def test_time_is_one_number_on_the_last_line(square: Path) -> None:
 
 def test_simulate_draws_and_reports(square: Path, tmp_path: Path) -> None:
     out, told = tmp_path / "part.png", tmp_path / "part.json"
-    stock = ("--stock", "40,40,5", "--origin", "top-left-front", "--tool", "flat:6")
-    result = run("simulate", square, *stock, "--out", out, "--json", told)
+    result = run("simulate", square, *PLATE, "--out", out, "--json", told)
     assert result.exit_code == 0, result.output
     assert out.stat().st_size > 10_000
     assert json.loads(told.read_text("utf-8"))["removed_volume_mm3"] > 300
+
+
+@pytest.mark.parametrize("view", ["isometric", "xy", "zy", "depth"])
+def test_simulate_draws_each_view(view: str, square: Path, tmp_path: Path) -> None:
+    for ending, begin in ((".png", b"\x89PNG"), (".svg", b"<?xml")):
+        out = tmp_path / f"part{ending}"
+        result = run("simulate", square, *PLATE, "--view", view, "--out", out, "--work-zero", "-200,-200,-40")
+        assert result.exit_code == 0, result.output
+        assert out.read_bytes().startswith(begin)
+
+
+def removed_cm3(result: Result) -> float:
+    return float(result.output.splitlines()[-1].rpartition(": ")[2].split()[0])
+
+
+def test_simulate_shows_the_part_at_a_moment_as_the_picture_and_the_mesh(square: Path, tmp_path: Path) -> None:
+    volumes = []
+    for more in ((), ("--line", "8"), ("--at", "0"), ("--line", "7")):
+        stl = tmp_path / "part.stl"
+        result = run("simulate", square, *PLATE, "--out", tmp_path / "part.png", "--stl", stl, *more)
+        assert result.exit_code == 0, result.output
+        facets = np.frombuffer(stl.read_bytes()[84:], STL_FACET)["points"].astype(float)
+        volumes.append(float(np.einsum("ij,ij->", facets[:, 0], np.cross(facets[:, 1], facets[:, 2])) / 6))
+        assert removed_cm3(result) == pytest.approx((8000 - volumes[-1]) / 1000, abs=0.06)
+    whole, one_side, nothing, plunge = volumes
+    quarter_mm2 = np.pi * 9 / 4  # of the tool, whose centre runs along the stock's edge; the cut is 1 mm deep
+    assert nothing == pytest.approx(8000, rel=1e-6) and nothing - plunge == pytest.approx(quarter_mm2, rel=0.02)
+    assert nothing - one_side == pytest.approx(20 * 3 + quarter_mm2, rel=0.02)
+    assert whole < one_side
+    assert ", line 8" in run("simulate", square, *PLATE, "--out", tmp_path / "p.png", "--line", "8").output
+
+
+def test_simulate_is_exit_1_when_a_check_refuses_the_program_and_draws_it(square: Path, tmp_path: Path) -> None:
+    square.write_text(SQUARE.replace("G0 Z5\nM5", "G0 X40\nG0 Z5\nM5"), encoding="utf-8")
+    out = tmp_path / "part.png"
+    result = run("simulate", square, *PLATE, "--out", out)
+    assert result.exit_code == 1 and f"{square}:12:" in result.output
+    assert out.stat().st_size > 10_000
+
+
+def test_simulate_animates(square: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("CNCStepper.cli.simulate.ANIMATION_S", 0.4)
+    out = tmp_path / "part.gif"
+    assert run("simulate", square, *PLATE, "--view", "depth", "--out", out).exit_code == 0
+    assert out.read_bytes().startswith(b"GIF89a")
+
+
+def test_a_program_changed_by_hand_is_checked_against_its_job(tmp_path: Path) -> None:
+    assert run("run", POCKET, "--out", tmp_path).exit_code == 0
+    program, told = tmp_path / "program.nc", tmp_path / "told.json"
+    against = ("--job", POCKET, "--json", told)
+    certificate = tmp_path / "again.json"
+    clean = run("check", program, "--machine", "table-a", *against, "--certificate", certificate)
+    assert clean.exit_code == 0, clean.output
+    assert Certificate.read(certificate).content == Certificate.read(tmp_path / "certificate.json").content
+    lines = program.read_text("ascii").splitlines()
+    last = max(number for number, line in enumerate(lines) if line.startswith("G3"))
+    program.write_text("\n".join(lines[: last - 40] + lines[last + 1 :]), encoding="ascii")
+    refused = run("check", program, "--machine", "table-a", *against)
+    assert refused.exit_code == 1 and json.loads(told.read_text("utf-8"))["left_over_mm"] > 0.1
+    drawn = run("simulate", program, "--job", POCKET, "--out", tmp_path / "p.png", "--view", "xy", "--line", "60")
+    assert drawn.exit_code == 1 and "[left-over]" in drawn.output and ", line 60" in drawn.output
+
+
+def test_a_job_file_brings_its_clamps_and_edge_into_the_check(tmp_path: Path) -> None:
+    text = POCKET.read_text("utf-8").replace("../machines/", f"{(ROOT / 'examples' / 'machines').as_posix()}/")
+    careful, clamped = tmp_path / "careful.toml", tmp_path / "clamped.toml"
+    careful.write_text(text.replace("[stock]", "[stock]\nedge_mm = 10.5"), encoding="utf-8")
+    clamped.write_text(f"{text}\n[[clamp]]\ncorners_mm = [[35, -5], [48, 5]]\ntop_mm = 12\n", encoding="utf-8")
+    assert run("run", POCKET, "--out", tmp_path).exit_code == 0
+    for job, code in ((careful, "sheet-edge"), (clamped, "clamp")):
+        result = run("check", tmp_path / "program.nc", "--machine", "table-a", "--job", job)
+        assert result.exit_code == 1 and f"[{code}]" in result.output, result.output
 
 
 def test_trace_prints_canonical_calls(square: Path) -> None:

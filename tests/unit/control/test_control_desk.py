@@ -6,6 +6,7 @@ from __future__ import annotations
 import pytest
 from desk_table import Visit
 
+from CNCStepper.control.certificate import FORMAT, VERSION, Certificate, digest_of_lines
 from CNCStepper.control.grbl import HOLD, JOG_CANCEL, RESET
 from CNCStepper.control.jogger import LAPSE_S
 from CNCStepper.control.outcome import DONE, FAILED, REFUSED, STOPPED
@@ -724,3 +725,34 @@ def test_end_asked_in_a_jog_brakes_first(visit):
 
     visit.receive(person)
     assert len(visit.table.sent(JOG_CANCEL)) >= 1 and visit.table.board.axes.idle and visit.table.x_mm() > -20
+
+
+def certificate(findings=(), **send) -> str:
+    wire = {"sha256": digest_of_lines(SQUARE), "dialect": "grbl"}
+    content = {"format": FORMAT, "version": VERSION, "wire": wire, "findings": list(findings)}
+    return Certificate(content | {"send": {"lines": list(SQUARE), "file": "part.nc"} | send}).to_json()
+
+
+ERROR = {"severity": "error", "file": "part.nc", "line": 3, "column": 1, "text": "the spindle stands still"}
+CERTIFICATES = {
+    "done": certificate(),
+    "start-differs": certificate(work_offsets_mm={"G54": [-1.0, 0.0, 0.0]}, work_system="G54"),
+    "certificate-errors": certificate([ERROR]),
+    "certificate-changed": certificate().replace("part.nc", "tarp.nc"),
+    "certificate-wire": certificate(lines=[*SQUARE, "G0X1"]),
+}
+
+
+@pytest.mark.parametrize("code", CERTIFICATES)
+def test_certificate_is_run_when_it_holds_and_refused_when_not(code, visit, tmp_path):
+    file = tmp_path / "send.json"
+    file.write_text(CERTIFICATES[code], "utf-8")
+
+    def person():
+        visit.ask("run", file=str(file), zero_confirmed=True, allow_differences=False)
+        yield visit.ended(1)
+
+    visit.receive(person)
+    (outcome,) = visit.outcomes
+    assert (DONE if outcome.done else outcome.error.code) == code
+    assert visit.phase == "idle"

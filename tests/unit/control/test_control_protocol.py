@@ -28,9 +28,9 @@ from CNCStepper.control.grbl_report import (
 )
 from CNCStepper.control.lines import check_line, dwell_s, needs_idle, pauses, stores
 from CNCStepper.control.outcome import error_from_json, error_to_json
-from CNCStepper.control.readiness import differences
+from CNCStepper.control.readiness import check_offsets, differences, offset_differences
 from CNCStepper.control.transport import Link, open_link, port_names
-from CNCStepper.errors import LinkError, Place, ProgramError
+from CNCStepper.errors import LinkError, MachineRefusal, Place, ProgramError
 
 
 @pytest.mark.parametrize(
@@ -263,3 +263,17 @@ def test_room_imports_without_unix_modules_and_without_heavy_packages():
         "import CNCStepper.control.worker, CNCStepper.control.session\n"
     )
     subprocess.run([sys.executable, "-c", script], check=True)
+
+
+def test_offsets_are_compared_to_the_printed_digits():
+    offsets = {"G54": (-200.0, -150.0, -40.0), "G92": (0.0, 0.0, 0.0)}
+    modes = "G0 G54 G17 G21"
+    assert not offset_differences(offsets, modes, {"G54": (-200.0004, -150, -40), "G92": (0, 0, 0)}, "G54")
+    assert not offset_differences({}, "", {"G54": (1, 2, 3)}, "G54")
+    found = offset_differences(offsets, modes, {"G54": (-200, -150, -40.01)}, "G55")
+    assert found == [
+        "G55 is not the work system in force",
+        "G54 is -200.000,-150.000,-40.000, wanted -200.000,-150.000,-40.010 mm",
+    ]
+    with pytest.raises(MachineRefusal, match="not where the program was proven: G55"):
+        check_offsets(found)

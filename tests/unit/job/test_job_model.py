@@ -8,8 +8,12 @@ from pathlib import Path
 import pytest
 
 from CNCStepper.errors import CNCStepperError, JobError
+from CNCStepper.job.certify import stock_digest
 from CNCStepper.job.make import make_program
 from CNCStepper.job.model import Job, load_job, save_job
+from CNCStepper.job.prove import prove_job
+from CNCStepper.simulation.clamps import Clamp
+from CNCStepper.simulation.stock import Cylinder, HeightField, Stock
 
 EXAMPLES = Path(__file__).parents[3] / "examples"
 POCKET = EXAMPLES / "jobs" / "elliptical-pocket.toml"
@@ -93,3 +97,71 @@ def test_two_tools_of_one_number_are_refused() -> None:
     job, _ = load_job(POCKET)
     with pytest.raises(ValueError, match="same number"):
         Job.model_validate(job.model_dump() | {"tool": job.tool * 2, "operation": job.operation})
+
+
+def test_clamps_and_the_sheets_edge_are_kept_and_go_into_the_proof(tmp_path: Path) -> None:
+    stock = 'origin = "top-centre"'
+    path = changed(tmp_path, stock, f"{stock}\nedge_mm = 30\n\n[[clamp]]\ncorners_mm = [[-2, -2], [2, 2]]\ntop_mm = 6")
+    job, machine = load_job(path)
+    save_job(job, tmp_path / "job.json")
+    again, _ = load_job(tmp_path / "job.json")
+    assert again.clamps == job.clamps == [Clamp(((-2, -2), (2, 2)), 6)]
+    codes = {finding.code for finding in prove_job(again, machine, make_program(again, machine).program).findings}
+    assert {"clamp", "sheet-edge"} <= codes
+
+
+def test_a_clamp_that_encloses_nothing_is_refused(tmp_path: Path) -> None:
+    stock = 'origin = "top-centre"'
+    path = changed(tmp_path, stock, f"{stock}\n\n[[clamp]]\ncorners_mm = [[-2, 2], [-2, 4]]\ntop_mm = 6")
+    with pytest.raises(JobError, match="enclose nothing"):
+        load_job(path)
+
+
+def test_stocks_of_every_form_are_made_saved_and_certified(tmp_path: Path) -> None:
+    (tmp_path / "campo.csv").write_text("# mm\n20; 20;19,5\n20;20;20\n", encoding="utf-8")
+    size = "size_mm = [100, 70, 20]"
+    kinds = {}
+    for form, text in (
+        ("box", size),
+        ("sheet", f'{size}\nform = "sheet"\nedge_mm = 5'),
+        ("cylinder", 'form = "cylinder"\nsize_mm = [100, 100, 20]'),
+        ("height_field", f'{size}\nform = "height_field"\nheights = "campo.csv"'),
+    ):
+        job, _ = load_job(changed(tmp_path, size, text))
+        assert job.stock.form == form
+        save_job(job, tmp_path / "job.json")
+        again, _ = load_job(tmp_path / "job.json")
+        assert stock_digest(again.stock.stock()) == stock_digest(job.stock.stock())
+        kinds[form] = type(job.stock.stock())
+    assert kinds == {"box": Stock, "sheet": Stock, "cylinder": Cylinder, "height_field": HeightField}
+    assert job.stock.stock().heights_mm.tolist() == [[20, 20, 19.5], [20, 20, 20]]
+
+
+@pytest.mark.parametrize(
+    ("new", "told"),
+    [
+        ('form = "cylinder"\nsize_mm = [100, 70, 20]', "as long in X as in Y"),
+        ('form = "ball"\nsize_mm = [100, 70, 20]', "height_field"),
+        ('form = "height_field"\nsize_mm = [100, 70, 20]', "heights belong"),
+        ("size_mm = [100, 70, 20]\nheights_mm = [[20.0, 20.0], [20.0, 20.0]]", "heights belong"),
+        ('form = "height_field"\nsize_mm = [100, 70, 20]\nheights_mm = [[20.0], [20.0, 20.0]]', "differ in length"),
+        ('form = "height_field"\nsize_mm = [100, 70, 20]\nheights = "none.csv"', "none.csv"),
+        ('form = "height_field"\nsize_mm = [100, 70, 20]\nheights = "bad.csv"', "bad.csv:2: "),
+        ('form = "height_field"\nsize_mm = [100, 70, 20]\nheights = "uneven.csv"', "different numbers"),
+        ("size_mm = [0, 70, 20]", "three lengths above zero"),
+    ],
+)
+def test_stocks_that_are_none_are_refused(new: str, told: str, tmp_path: Path) -> None:
+    (tmp_path / "bad.csv").write_text("20,20\n20,x\n", encoding="utf-8")
+    (tmp_path / "uneven.csv").write_text("20 20\n20 20 20\n", encoding="utf-8")
+    with pytest.raises(JobError) as caught:
+        load_job(changed(tmp_path, "size_mm = [100, 70, 20]", new))
+    assert told in str(caught.value)
+
+
+def test_tools_take_every_key_of_their_shape(tmp_path: Path) -> None:
+    v = 'shape = "v"\ntip_angle_deg = 60\ntip_diameter_mm = 0.2\nflute_length_mm = 8\nlength_mm = 30'
+    job, _ = load_job(changed(tmp_path, 'shape = "flat"', v))
+    assert (job.tool[0].tip_angle_deg, job.tool[0].flute_length_mm) == (60.0, 8.0)
+    with pytest.raises(JobError, match="a flat tool has no tip_angle_deg"):
+        load_job(changed(tmp_path, 'shape = "flat"', 'shape = "flat"\ntip_angle_deg = 60'))

@@ -9,8 +9,8 @@ from pathlib import Path
 
 import pytest
 
+from CNCStepper.control.certificate import sendable
 from CNCStepper.control.python_finder import command, environment
-from CNCStepper.control.send_job import SendJob
 from CNCStepper.errors import CNCStepperError
 from CNCStepper.job.make import make_program
 from CNCStepper.job.model import load_job
@@ -58,7 +58,7 @@ def test_the_answer_is_that_of_prove_job(folder: Path) -> None:
     assert answer.report == proof.report and answer.findings == proof.findings and not answer.refused
     assert answer.moves.duration_s == proof.times_s[-1]
     assert (answer.part.heights_mm == proof.part.heights_mm).all()
-    sent = SendJob.from_json(answer.send_file.read_text("utf-8"))
+    sent = sendable(answer.send_file.read_text("utf-8"))
     assert sent.lines == list(proof.wire.lines) and sent.file_lines == proof.wire.file_lines.tolist()
 
 

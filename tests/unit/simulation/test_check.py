@@ -9,7 +9,7 @@ from CNCStepper.errors import Place
 from CNCStepper.machine.profile import load_machine
 from CNCStepper.simulation.check import check
 from CNCStepper.simulation.finding import Finding, refused
-from CNCStepper.simulation.stock import Stock
+from CNCStepper.simulation.stock import HeightField, Stock
 from CNCStepper.toolpath import ARC_CCW
 
 MACHINE = load_machine("table-a")
@@ -67,9 +67,26 @@ def test_a_rapid_along_a_wall_touches_only_when_it_leaves_the_cleared_width(x, t
     assert bool(codes(program)) is touches
 
 
+def test_a_ball_leaves_its_hole_whatever_the_decimals_of_its_depth():
+    for z in (-0.7, -1.00004, -1.00006, -2.0 / 3):
+        assert codes(begun().feed(0, 0, z).rapid(0, 0, 5), tool=BALL) == []
+
+
+def test_a_rapid_over_the_low_side_of_a_height_field_touches_nothing():
+    field = HeightField((60, 50, 20), heights_mm=np.array([[20.0, 10.0], [20.0, 10.0]]))  # falls from left to right
+    for x, z, touches in ((10, -6, False), (10, -6.3, True), (20, -7.5, False), (20, -8, True)):
+        program = begun().rapid(x, 0, 5).rapid(x, 0, z).rapid(x, 0, 5)
+        assert codes(program, stock=field) == ([("rapid-in-stock", 4)] if touches else [])
+
+
 def test_a_rapid_down_before_the_pocket_is_cut_is_found():
     program = begun().rapid(0, 0, -2).feed(5, 0, -2).rapid(5, 0, 5)
     assert codes(program) == [("rapid-in-stock", 3)]
+
+
+def test_a_ramp_that_ends_a_few_hundredths_deep_is_found():
+    program = begun(spindle="off", spindle_rpm=0).feed(0, 0, 1).feed(20, 0, -0.02).feed(0, 0, -1).rapid(0, 0, 5)
+    assert codes(program) == [("spindle-off", 4)]
 
 
 def test_a_cut_without_the_spindle_is_found_once():

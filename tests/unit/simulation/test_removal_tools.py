@@ -21,6 +21,8 @@ SHEET = Stock((40, 30, 3))
     [
         ({"shape": "flat", "corner_radius_mm": 1}, "a flat tool has no corner_radius_mm"),
         ({"shape": "drill", "tip_angle_deg": 90}, "a drill tool has no tip_angle_deg"),
+        ({"shape": "drill", "core_diameter_mm": 1}, "a drill tool has no core_diameter_mm"),
+        ({"shape": "v", "taper_deg": 0}, "a v tool has no taper_deg"),
         ({"shape": "bullnose", "corner_radius_mm": 3.5}, "must not exceed half of diameter_mm"),
         ({"shape": "v", "tip_diameter_mm": 6}, "must be below diameter_mm"),
         ({"shape": "v", "tip_angle_deg": 180}, "tip_angle_deg"),

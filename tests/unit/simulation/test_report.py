@@ -62,3 +62,10 @@ def test_an_empty_program_is_told_without_nan():
     told = report(Program().toolpath(), np.zeros(0))
     assert json.dumps(told, allow_nan=False)
     assert told["bounding_box_mm"]["min"] == [None, None, None]
+
+
+def test_pecks_and_levels_at_one_place_are_one_pierce_and_air_is_none():
+    program = begun().feed(0, 0, 1).feed(0, 0, -1).rapid(0, 0, 3).feed(0, 0, -2)
+    program.rapid(0, 0, 3).rapid(5, 0, 3).feed(5, 0, -1).feed(9, 0, -2).rapid(9, 0, 3).feed(9, 0, 1)
+    told = report(program.toolpath(), np.zeros(len(program.toolpath())))
+    assert (told["plunges"], told["pierces"]) == (5, 2)

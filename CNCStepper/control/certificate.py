@@ -1,0 +1,149 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The certificate of a program: which bytes were proven, against what, what was found, and all that a sender needs.
+
+`job.certify` makes it; here it is read, so that who sends need not know how a proof is made. What was proven
+(program, wire, start, machine, stock, tools) stands in it with its SHA-256; one more, over the whole, finds what
+was changed in the certificate itself. None of them is a signature: they stop mistakes, not a forger.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from CNCStepper.control.send_job import SendJob
+from CNCStepper.errors import JobError, Place
+
+FORMAT, VERSION = "CNCStepper certificate", 1
+CHECK_AGAIN = "check the program again, and send it with the certificate that this gives"
+OTHER = {
+    "program": "the program is not the one that was proven: its text differs",
+    "wire": "the lines to send are not those that were proven",
+    "start": "the program was proven from another start state: work zero, offsets or tool lengths differ",
+    "machine": "the program was proven for another machine, or its profile was changed since",
+    "stock": "the program was proven with another stock",
+    "tools": "the program was proven with other tools",
+}
+
+
+def digest_of(content: Any) -> str:
+    """Return the SHA-256 of plain data, as hexadecimal digits; the order of keys does not count."""
+    text = json.dumps(content, sort_keys=True, separators=(",", ":"))
+    return hashlib.sha256(text.encode("ascii")).hexdigest()
+
+
+def digest_of_text(text: str) -> str:
+    """Return the SHA-256 of a text, as hexadecimal digits."""
+    return hashlib.sha256(text.encode("utf-8")).hexdigest()
+
+
+def digest_of_lines(lines: Iterable[str]) -> str:
+    """Return the SHA-256 of wire lines as they are sent, each with its newline."""
+    return digest_of_text("".join(f"{line}\n" for line in lines))
+
+
+@dataclass(frozen=True)
+class Certificate:
+    """What a proof says of a program; content: plain data with the keys that `job.certify` writes."""
+
+    content: Mapping[str, Any]
+
+    @classmethod
+    def read(cls, path: Path) -> Certificate:
+        """Return the certificate of a file; raises JobError naming it."""
+        try:
+            return cls.from_json(path.read_text("utf-8"))
+        except (OSError, ValueError) as error:
+            if isinstance(error, JobError):
+                raise error.at(Place(str(path))) from error
+            raise _refusal("certificate", "the certificate cannot be read", str(error)).at(Place(str(path))) from error
+
+    @classmethod
+    def from_json(cls, text: str) -> Certificate:
+        """Return the certificate of `to_json`; raises JobError when it is none, or not as it was made."""
+        try:
+            content = json.loads(text)
+        except ValueError as error:
+            raise _refusal("certificate", "this is no certificate", str(error)) from error
+        return cls.from_content(content)
+
+    @classmethod
+    def from_content(cls, content: Any) -> Certificate:
+        """Return the certificate of JSON already read, as `from_json` does."""
+        if not is_certificate(content):
+            raise _refusal("certificate", "this is no certificate")
+        if content.get("version") != VERSION:
+            raise _refusal("certificate", "the certificate is of another version", str(content.get("version")))
+        content = dict(content)
+        if content.pop("sha256", None) != digest_of(content):
+            raise _refusal("certificate-changed", "the certificate was changed after it was made")
+        certificate = cls(content)
+        certificate.compare("wire", digest_of_lines(certificate.send_job().lines))
+        return certificate
+
+    def to_json(self) -> str:
+        """Return the certificate as strict JSON, with the fingerprint of all of it."""
+        content = dict(self.content) | {"sha256": digest_of(self.content)}
+        return json.dumps(content, indent=1, allow_nan=False) + "\n"
+
+    @property
+    def dialect(self) -> str:
+        """The language in which the program was read."""
+        return str(self.content["wire"]["dialect"])
+
+    def compare(self, what: str, sha256: str) -> None:
+        """Refuse something else than was proven; `what` is a key of OTHER. Raises JobError."""
+        proven = self.content[what]["sha256"]
+        if sha256 != proven:
+            raise JobError(
+                f"certificate-{what}",
+                OTHER[what],
+                value=f"SHA-256 {sha256[:12]}…",
+                limit=f"{proven[:12]}…",
+                advice=CHECK_AGAIN,
+            )
+
+    def check_clean(self) -> None:
+        """Refuse a program in which the proof found errors; raises JobError naming the first."""
+        errors = [finding for finding in self.content["findings"] if finding["severity"] == "error"]
+        if errors:
+            first = errors[0]
+            place = Place(first["file"], first["line"], first["column"])
+            what = f"the proof found {len(errors)} error(s) in the program, the first: {first['text']}"
+            raise JobError("certificate-errors", what, advice="correct the program, and check it again", place=place)
+
+    def send_job(self, **instead: Any) -> SendJob:
+        """Return the job of sending the proven lines, with other values for some fields of it."""
+        try:
+            return SendJob.from_content({"port": "", **self.content["send"], **instead})
+        except (KeyError, TypeError) as error:
+            raise _refusal("certificate", "the certificate lacks what a sender needs", str(error)) from error
+
+
+def is_certificate(content: Any) -> bool:
+    """Return whether JSON that was read says that it is a certificate."""
+    return isinstance(content, dict) and content.get("format") == FORMAT
+
+
+def sendable(text: str, **instead: Any) -> SendJob:
+    """Return the job of a certificate, or a bare `SendJob` as JSON, with other values for some fields.
+
+    Raises JobError for a certificate that was changed or that holds errors, and for what is neither.
+    """
+    try:
+        content = json.loads(text)
+    except ValueError:
+        content = None
+    if not is_certificate(content):
+        return SendJob.from_json(text, **instead)
+    certificate = Certificate.from_content(content)
+    certificate.check_clean()
+    return certificate.send_job(**instead)
+
+
+def _refusal(code: str, what: str, value: str = "") -> JobError:
+    return JobError(code, what, value=value[:60], advice=CHECK_AGAIN)

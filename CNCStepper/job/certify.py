@@ -1,0 +1,156 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""From a proof to its certificate: the one place where proofs and senders meet."""
+
+from __future__ import annotations
+
+import hashlib
+import math
+from collections.abc import Sequence
+from dataclasses import asdict, dataclass
+from typing import TYPE_CHECKING, Any
+
+from CNCStepper import __version__
+from CNCStepper.control.certificate import FORMAT, VERSION, Certificate, digest_of, digest_of_text
+from CNCStepper.control.readiness import expected_settings
+from CNCStepper.control.send_job import SendJob
+from CNCStepper.cycles.form import Removal
+from CNCStepper.gcode.prepare import WireText
+from CNCStepper.machine.profile import Machine
+from CNCStepper.machine.tool import Tool
+from CNCStepper.simulation.clamps import Clamp
+from CNCStepper.simulation.cutter import Tools
+from CNCStepper.simulation.stock import HeightField, Stock
+from CNCStepper.state import ZERO3, Start
+
+if TYPE_CHECKING:
+    from CNCStepper.job.prove import Proof
+
+FIGURES = ("blocks", "moves", "cut_length_mm", "air_length_mm", "rapid_length_mm", "pierces", "removed_volume_mm3")
+VERDICT = ("gouge_mm", "left_over_mm")
+SENT = ("lines", "file", "file_lines", "messages", "expected", "work_offsets_mm", "work_system")
+ANY_TOOL = "any"  # the number of a tool that stands for every number
+
+
+@dataclass(frozen=True)
+class Given:
+    """What a proof was made against; None and empty are "not given", and then not judged."""
+
+    text: str
+    dialect: str
+    machine: Machine
+    stock: Stock | None = None
+    tools: Tools | None = None
+    removals: Sequence[Removal] = ()
+    keep_out: Sequence[Clamp] = ()
+    edge_mm: float | None = None
+
+
+def certificate_of(proof: Proof) -> Certificate:
+    """Return the certificate of a proof, clean or not."""
+    given, report = proof.given, proof.report
+    return Certificate(
+        {
+            "format": FORMAT,
+            "version": VERSION,
+            "made_by": f"CNCStepper {__version__}",
+            "program": {"file": report["program"], "sha256": digest_of_text(given.text)},
+            "wire": {"sha256": proof.wire.sha256, "lines": len(proof.wire.lines), "dialect": given.dialect},
+            "start": {"sha256": proof.toolpath.start.sha256(), "state": _start(proof.toolpath.start)},
+            "machine": {"sha256": machine_digest(given.machine), "name": given.machine.name},
+            "stock": {"sha256": stock_digest(given.stock), "stock": _stock(given.stock)},
+            "tools": {"sha256": tools_digest(given.tools), "tools": _tools(given.tools)},
+            "clamps": [asdict(clamp) for clamp in given.keep_out],
+            "edge_mm": given.edge_mm,
+            "tolerance": _tolerance(proof),
+            "times": {"program_s": report["time_s"], "operations_s": _times(report["operations"])},
+            "figures": {name: report[name] for name in (*FIGURES, *VERDICT)},
+            "findings": report["findings"],
+            "send": _send(proof),
+        }
+    )
+
+
+def send_job(wire: WireText, machine: Machine | None, file: str, start: Start | None = None) -> SendJob:
+    """Return the job of sending `wire`, whose port is still to be chosen and whose zero is not confirmed.
+
+    machine: its settings must hold on the controller. start: so must its work zero, where that is known. None
+    compares nothing.
+    """
+    known = start if start is not None and start.zero_known else None
+    return SendJob(
+        port="",
+        lines=wire.lines,
+        file=file,
+        file_lines=wire.file_lines.tolist(),
+        messages=wire.messages,
+        expected=expected_settings(machine) if machine else {},
+        work_offsets_mm=_offsets(known) if known else {},
+        work_system=known.work_system if known else "",
+    )
+
+
+def _offsets(start: Start) -> dict[str, tuple[float, ...]]:
+    """Return the offsets that act from the start on, those that are zero too."""
+    return {start.work_system: ZERO3, **start.work_offsets_mm, "G92": start.g92_mm}
+
+
+def machine_digest(machine: Machine) -> str:
+    """Return the fingerprint of a whole machine profile."""
+    return digest_of(machine.model_dump(mode="json"))
+
+
+def stock_digest(stock: Stock | None) -> str:
+    """Return the fingerprint of a stock; None has one too."""
+    return digest_of(_stock(stock))
+
+
+def tools_digest(tools: Tools | None) -> str:
+    """Return the fingerprint of the tools; None has one too."""
+    return digest_of(_tools(tools))
+
+
+def _stock(stock: Stock | None) -> dict[str, Any] | None:
+    if stock is None:
+        return None
+    told: dict[str, Any] = {
+        "form": type(stock).__name__.lower(),
+        "size_mm": list(stock.size_mm),
+        "origin": stock.origin,
+    }
+    if isinstance(stock, HeightField) and stock.heights_mm is not None:
+        told["heights_sha256"] = hashlib.sha256(stock.heights_mm.astype("<f8").tobytes()).hexdigest()
+        told["points"] = list(stock.heights_mm.shape)
+    return told
+
+
+def _tools(tools: Tools | None) -> dict[str, Any] | None:
+    if tools is None:
+        return None
+    if isinstance(tools, Tool):
+        return {ANY_TOOL: tools.model_dump(mode="json")}
+    return {str(number): tool.model_dump(mode="json") for number, tool in sorted(tools.items())}
+
+
+def _start(start: Start) -> dict[str, Any]:
+    """Return the start state as plain data; a position that is not known is null."""
+    position = [None if math.isnan(value) else value for value in start.position_mm]
+    return asdict(start) | {"position_mm": position}
+
+
+def _tolerance(proof: Proof) -> dict[str, Any]:
+    """Return how far the program may leave the shapes wanted, and the cells of the volume that is removed."""
+    allowed = [removal.tolerance_mm for removal in proof.given.removals]
+    return {
+        "shape_mm": min(allowed) if allowed else None,
+        "cell_mm": None if proof.part is None else list(proof.part.cell_mm),
+    }
+
+
+def _times(operations: list[dict[str, Any]]) -> list[dict[str, Any]]:
+    return [{"name": operation["name"], "time_s": operation["time_s"]} for operation in operations]
+
+
+def _send(proof: Proof) -> dict[str, Any]:
+    job = send_job(proof.wire, proof.given.machine, proof.report["program"], proof.toolpath.start)
+    content = job.to_content()
+    return {name: content[name] for name in SENT}

@@ -1,0 +1,177 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The certificate: what it names, that it gives the sender all it needs, and that nothing in it can be changed."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from CNCStepper.control.certificate import Certificate, digest_of, digest_of_lines, digest_of_text, sendable
+from CNCStepper.control.readiness import expected_settings
+from CNCStepper.errors import JobError
+from CNCStepper.gcode.prepare import prepare
+from CNCStepper.job.certify import certificate_of, machine_digest, send_job, stock_digest, tools_digest
+from CNCStepper.job.prove import Proof, prove
+from CNCStepper.machine.profile import load_machine
+from CNCStepper.machine.tool import Tool
+from CNCStepper.simulation.clamps import Clamp
+from CNCStepper.simulation.stock import Cylinder, HeightField, Stock
+from CNCStepper.state import Start
+
+TEXT = (
+    "%\n(peça)\nG21 G90\nT1\nM3 S10000\nG4 P3\nG0 Z5\nG0 X10 Y0\nG1 Z-1 F300\n(MSG, look)\nM0\n"
+    "G3 X10 Y0 I-10 J0 F2000\nG0 Z5\nM5\nM2\n"
+)
+MACHINE = load_machine("table-a")
+START = Start.with_work_zero((-200.0, -150.0, -40.0))
+STOCK = Stock((40, 40, 5))
+CLAMP = Clamp(((30.0, 30.0), (35.0, 35.0)), 8.0)
+TOOLS = {1: Tool(number=1, shape="flat", diameter_mm=6.0)}
+
+
+def proof_of(text: str = TEXT, **instead: Any) -> Proof:
+    words = {"file": "p.nc", "start": START, "stock": STOCK, "tools": TOOLS, "keep_out": [CLAMP]} | instead
+    return prove(text, words.pop("machine", MACHINE), **words)
+
+
+PROOF = proof_of()
+CERTIFICATE = certificate_of(PROOF)
+JSON = CERTIFICATE.to_json()
+
+
+def test_it_names_what_was_proven_and_what_was_found() -> None:
+    content = json.loads(JSON)
+    assert content["wire"]["sha256"] == prepare(TEXT).sha256 == digest_of_lines(prepare(TEXT).lines)
+    assert content["start"]["sha256"] == START.sha256()
+    assert content["start"]["state"]["work_offsets_mm"] == {"G54": [-200.0, -150.0, -40.0]}
+    assert content["machine"]["name"] == MACHINE.name
+    assert content["clamps"] == [{"corners_mm": [[30.0, 30.0], [35.0, 35.0]], "top_mm": 8.0}]
+    assert content["edge_mm"] is None
+    assert content["stock"]["stock"] == {"form": "stock", "size_mm": [40.0, 40.0, 5.0], "origin": "top-centre"}
+    assert content["tools"]["tools"]["1"]["diameter_mm"] == 6.0
+    assert content["findings"] == PROOF.report["findings"]
+    assert content["times"]["program_s"] == PROOF.report["time_s"] > 0
+    assert content["figures"]["pierces"] == 1 and content["figures"]["removed_volume_mm3"] > 300
+    assert content["tolerance"]["cell_mm"] == pytest.approx(PROOF.part.cell_mm)
+
+
+def test_a_program_that_starts_nowhere_has_a_certificate_in_strict_json() -> None:
+    content = json.loads(certificate_of(proof_of(start=None, stock=None, tools=None)).to_json())
+    assert content["start"]["state"]["position_mm"] == [None] * 3
+    assert content["stock"]["stock"] is None and content["tools"]["tools"] is None
+    assert content["send"]["work_offsets_mm"] == {}
+
+
+def test_the_sender_finds_all_it_needs() -> None:
+    job = sendable(JSON, port="COM3", zero_confirmed=True)
+    wire = prepare(TEXT)
+    assert (job.port, job.zero_confirmed, tuple(job.lines)) == ("COM3", True, wire.lines)
+    assert list(job.file_lines) == wire.file_lines.tolist() and job.messages == wire.messages
+    assert job.expected == expected_settings(MACHINE)
+    assert job.work_offsets_mm == {"G54": [-200.0, -150.0, -40.0], "G92": [0.0, 0.0, 0.0]}
+    assert job.work_system == "G54"
+
+
+def test_a_bare_job_stays_sendable() -> None:
+    job = send_job(prepare(TEXT), MACHINE, "p.nc")
+    assert sendable(job.to_json()) == replace(job, lines=list(job.lines))
+
+
+def test_errors_are_not_sendable() -> None:
+    refused = certificate_of(proof_of(start=Start.with_work_zero((-5.0, -150.0, -40.0))))
+    with pytest.raises(JobError, match=r"1 error\(s\)") as refusal:
+        sendable(refused.to_json())
+    assert refusal.value.code == "certificate-errors" and refusal.value.place.line == 8
+    CERTIFICATE.check_clean()
+
+
+@given(st.data())
+def test_any_changed_character_of_the_wire_text_is_refused(data: st.DataObject) -> None:
+    wire = prepare(TEXT).text
+    at = data.draw(st.integers(0, len(wire) - 1))
+    other = data.draw(st.characters(min_codepoint=10, max_codepoint=126).filter(lambda c: c != wire[at]))
+    lines = (wire[:at] + other + wire[at + 1 :]).split("\n")[:-1]
+    with pytest.raises(JobError, match="not those that were proven"):
+        CERTIFICATE.compare("wire", digest_of_lines(lines))
+    forged = dict(CERTIFICATE.content) | {"send": CERTIFICATE.content["send"] | {"lines": lines}}
+    with pytest.raises(JobError):  # also when the certificate's own fingerprint was made anew
+        Certificate.from_json(Certificate(forged).to_json())
+
+
+@given(st.data())
+def test_any_changed_character_of_the_program_is_refused(data: st.DataObject) -> None:
+    at = data.draw(st.integers(0, len(TEXT) - 1))
+    other = data.draw(st.characters(exclude_categories=["Cs"]).filter(lambda c: c != TEXT[at]))
+    with pytest.raises(JobError, match="its text differs"):
+        CERTIFICATE.compare("program", digest_of_text(TEXT[:at] + other + TEXT[at + 1 :]))
+
+
+def leaves(content: Any, path: tuple[Any, ...] = ()) -> list[tuple[Any, ...]]:
+    """Return the way to every value of plain data."""
+    if isinstance(content, dict):
+        return [leaf for key, value in content.items() for leaf in leaves(value, (*path, key))]
+    if isinstance(content, list):
+        return [leaf for key, value in enumerate(content) for leaf in leaves(value, (*path, key))]
+    return [path]
+
+
+@given(st.data())
+def test_any_changed_value_of_a_certificate_is_refused(data: st.DataObject) -> None:
+    content = json.loads(JSON)
+    *way, last = data.draw(st.sampled_from(leaves(content)))
+    inner = content
+    for key in way:
+        inner = inner[key]
+    inner[last] = data.draw(st.sampled_from([None, 0, 17.5, "x", [], {}]).filter(lambda value: value != inner[last]))
+    with pytest.raises(JobError) as refusal:
+        Certificate.from_json(json.dumps(content))
+    assert refusal.value.advice
+
+
+CHANGES: dict[str, Callable[[], str]] = {
+    "start": lambda: Start.with_work_zero((-200.0, -150.0, -39.99)).sha256(),
+    "machine": lambda: machine_digest(MACHINE.model_copy(update={"tool_change": "split"})),
+    "stock": lambda: stock_digest(Stock((40, 40, 6))),
+    "tools": lambda: tools_digest({1: TOOLS[1].model_copy(update={"diameter_mm": 5.99})}),
+}
+
+
+@pytest.mark.parametrize("what", CHANGES)
+def test_another_start_machine_stock_or_tool_is_refused(what: str) -> None:
+    with pytest.raises(JobError) as refusal:
+        CERTIFICATE.compare(what, CHANGES[what]())
+    assert refusal.value.code == f"certificate-{what}" and "check the program again" in str(refusal.value)
+    same = {
+        "start": Start.with_work_zero((-200.0, -150.0, -40.0)).sha256(),
+        "machine": machine_digest(load_machine("table-a")),
+        "stock": stock_digest(Stock((40.0, 40.0, 5.0))),
+        "tools": tools_digest({1: Tool(number=1, shape="flat", diameter_mm=6)}),
+    }
+    CERTIFICATE.compare(what, same[what])
+
+
+def test_stocks_of_other_forms_have_other_fingerprints() -> None:
+    field = np.full((2, 3), 5.0)
+    lower = field.copy()
+    lower[0, 0] = 4.999
+    stocks = [None, STOCK, Cylinder((40, 40, 5)), *(HeightField((40, 40, 5), heights_mm=one) for one in (field, lower))]
+    assert len({stock_digest(stock) for stock in stocks}) == len(stocks)
+
+
+@pytest.mark.parametrize("text", ["", "{", "[]", "{}", '{"format": "CNCStepper certificate"}', "\ud800".join("ab")])
+def test_what_is_no_certificate_is_refused_with_a_sentence(text: str) -> None:
+    with pytest.raises(JobError, match="check the program again"):
+        Certificate.from_json(text)
+
+
+def test_another_version_is_refused() -> None:
+    content = dict(CERTIFICATE.content) | {"version": 2}
+    with pytest.raises(JobError, match="another version"):
+        Certificate.from_json(json.dumps(content | {"sha256": digest_of(content)}))
