@@ -25,6 +25,10 @@ from PySide import QtGui
 PICTURES = Path(os.environ["CNCSTEPPER_WINDOW_PICTURES"])
 APPEARS_S = 5.0  # so long may a window or an entry take to appear
 FINGER_S = 0.05  # between the clicks of a double click
+REST_S = 0.03  # what has not moved for so long rests
+CLICKS = 3  # so often is a button clicked that does not see it
+TOOLTIP_S = 2.0  # so long may a tooltip take that comes
+HOVERS = 4  # so often is the pointer brought back where no tooltip came
 Target = Any  # an objectName or a widget
 Point = tuple[float, float]
 
@@ -121,19 +125,34 @@ class Hand:
         double: bool = False,
         modifiers: Sequence[str] = (),
     ) -> None:
-        """Click a widget (or the one with this objectName), in its middle or `at` a place in it."""
-        self._click_place(self._place(places.of_widget, target, at), button, double, modifiers)
+        """Click a widget (or the one with this objectName), in its middle or `at` a place in it.
+
+        A button that was not pressed by that is clicked again, as a person does: FreeCAD 1.1 lets clicks fall
+        through a panel that has just grown.
+        """
+        for _ in range(CLICKS):
+            place = self._place(places.of_widget, target, at)
+            pressed = self.main(places.Pressed, target)
+            self._click_place(place, button, double, modifiers)
+            if button != x_input.LEFT or self.main(pressed.told):
+                return
+            print(f"the button {target} did not see the click", flush=True)
+        raise AssertionError(f"{target} does not see clicks; {self.describe()}")
 
     def _place(self, where: Callable[..., Point], *arguments: Any) -> Point:
-        """Return a place as soon as it can be seen: windows appear, and trees fill, a moment later."""
+        """Return a place as soon as it can be seen and rests: windows appear, and trees fill, a moment later."""
         until_s = time.monotonic() + APPEARS_S
+        before = None
         while True:
             try:
-                return self.main(where, *arguments)
+                place = self.main(where, *arguments)
+                if place == before:
+                    return place
+                before = place
             except (AssertionError, RuntimeError):  # not there yet, or going away at this moment
                 if time.monotonic() > until_s:
                     raise
-            time.sleep(0.05)
+            time.sleep(REST_S)
 
     def _click_place(self, place: Point, button: int = 1, double: bool = False, modifiers: Sequence[str] = ()) -> None:
         self.mouse.move(*place)
@@ -150,11 +169,24 @@ class Hand:
 
     def hover(self, target: Target) -> None:
         """Put the pointer on a widget."""
-        x, y = self._place(places.of_widget, target, None)
-        self.mouse.move(x - 3, y - 3)
-        self.settle()
-        self.mouse.move(x, y)
-        self.settle()
+        self._hover_place(self._place(places.of_widget, target, None))
+
+    def _hover_place(self, place: Point) -> None:
+        for away in (3, 0):
+            self.mouse.move(place[0] - away, place[1] - away)
+            self.settle()
+
+    def tooltip_in_tree(self, label: str) -> str:
+        """Return the tooltip of an object in FreeCAD's tree; the pointer comes back when none appears."""
+        for _ in range(HOVERS):
+            self._hover_place(self._place(places.of_tree_item, label))
+            until_s = time.monotonic() + TOOLTIP_S
+            while time.monotonic() < until_s:
+                if shown := self.main(places.tooltip):
+                    return str(shown)
+                time.sleep(REST_S)
+            self.mouse.move(*self.main(places.at_rest))
+        raise AssertionError(f"{label} in the tree has no tooltip; {self.describe()}")
 
     def command(self, name: str) -> None:
         """Click the toolbar button of a FreeCAD command."""

@@ -54,6 +54,30 @@ def find(target: Any) -> Any:
     return found[0]
 
 
+class Pressed(QtCore.QObject):
+    """Hears whether a button is pressed; anything that is no button hears every click."""
+
+    def __init__(self, target: Any):
+        super().__init__()
+        widget = find(target)
+        self._heard = not isinstance(widget, QtGui.QAbstractButton)
+        if not self._heard:
+            widget.pressed.connect(self._hear)
+
+    @QtCore.Slot()
+    def _hear(self) -> None:
+        self._heard = True
+
+    def told(self) -> bool:
+        """Return whether the click has come."""
+        return self._heard
+
+
+def tooltip() -> str:
+    """Return the text of the tooltip that is shown, "" when there is none."""
+    return str(QtGui.QToolTip.text()) if QtGui.QToolTip.isVisible() else ""
+
+
 def text(widget: Any) -> str:
     """Return what a widget shows as text."""
     for method in ("text", "currentText", "toPlainText", "windowTitle"):

@@ -56,7 +56,11 @@ class Bench:
 
     def open(self, obj: Any) -> None:
         self.hand.main(editing.edit, obj)
-        self.hand.wait(lambda: self.panel() is not None, what="the panel")
+        self.opened()
+
+    def opened(self) -> None:
+        """Wait until the panel is there and has taken the keyboard, which it does a moment later."""
+        self.hand.wait(lambda: self.panel() is not None and keyboard_in_panel(), what="the panel")
         self.hand.settle()
 
     def panel(self) -> Any:
@@ -118,7 +122,7 @@ def key_of(field: str) -> str:
 def test_ok_is_one_undo_step(hand: Hand, bench: Bench) -> None:
     before = hand.main(bench.values)
     hand.tree(bench.pocket.Label, double=True)
-    hand.wait(lambda: bench.panel() is not None)
+    bench.opened()
     hand.fill(DEPTH, "12,5")
     hand.wait(lambda: bench.pocket.Depth.Value == 12.5)
     hand.fill(STEPOVER, "1 mm + 1 mm")
@@ -161,12 +165,13 @@ def test_a_cancelled_new_operation_is_gone_and_a_kept_one_is_undone_at_once(hand
     count, before = hand.main(lambda: len(bench.document.Objects)), hand.main(bench.values)
     hand.main(new)
     assert hand.main(lambda: len(bench.document.Objects)) == count + 1
-    hand.wait(keyboard_in_panel)
+    bench.opened()
     hand.key("Esc")
     hand.wait(bench.closed)
     assert hand.main(lambda: len(bench.document.Objects)) == count
     assert hand.main(bench.values) == before
     hand.main(new)
+    bench.opened()
     hand.fill(DEPTH, "3")
     hand.click(OK)
     hand.wait(bench.closed)
@@ -206,7 +211,7 @@ def test_every_field_of_every_panel_takes_bad_values(hand: Hand, bench: Bench, k
     assert fields
     for number, field in enumerate(fields):
         for text in (NO_NUMBERS[number % len(NO_NUMBERS)], NO_NUMBERS[(number + 5) % len(NO_NUMBERS)]):
-            hand.main(partial(keyboard_into, bench, field))
+            hand.main(partial(keyboard_into, field))
             hand.key("Ctrl+A")
             hand.key("BackSpace")
             hand.type(text)
@@ -222,18 +227,18 @@ def test_every_field_of_every_panel_takes_bad_values(hand: Hand, bench: Bench, k
 
 
 def keyboard_in_panel() -> bool:
-    """Tell whether the panel that was opened has taken the keyboard, which it does a moment later."""
+    """Tell whether the keyboard is in a panel of ours."""
     focus = QtGui.QApplication.focusWidget()
     return focus is not None and focus.objectName().startswith("CNCStepper_Panel")
 
 
-def keyboard_into(bench: Bench, name: str) -> None:
+def keyboard_into(name: str) -> None:
     """Give a field the keyboard; clicks into a panel that has grown fall through FreeCAD 1.1's overlay for a while."""
-    hand_into(bench, name)
+    hand_into(name)
     hand_box(name).setFocus()
 
 
-def hand_into(bench: Bench, name: str) -> None:
+def hand_into(name: str) -> None:
     """Scroll the task panel until a widget can be seen."""
     places.scroll_to(places.find(name))
 
@@ -285,12 +290,8 @@ def test_a_drawing_is_chosen_taken_and_let_go(hand: Hand, bench: Bench) -> None:
     assert hand.main(lambda: hand_box("CNCStepper_Panel_radius_x_mm").isEnabled())
     hand.main(FreeCADGui.Selection.clearSelection)
     hand.main(FreeCADGui.Selection.addSelection, bench.line)
-    said = lambda: "no ellipse" in bench.note("drawing") or bench.panel_problem()  # noqa: E731
-    for _ in range(5):  # FreeCAD 1.1 lets clicks fall through a panel that has just grown
-        hand.click("CNCStepper_Panel_drawing_take")
-        if hand.main(said):
-            break
-    hand.wait(said, 5, "why it cannot be taken")
+    hand.click("CNCStepper_Panel_drawing_take")
+    hand.wait(lambda: "no ellipse" in bench.note("drawing") or bench.panel_problem(), 5, "why it cannot be taken")
     assert hand.main(lambda: bench.pocket.Drawing) is None
 
 
@@ -302,20 +303,20 @@ def test_the_job_s_operations_and_tools(hand: Hand, bench: Bench) -> None:
     bench.open(bench.job)
     hand.shot("panel-job")
     first, second = hand.main(lambda: [operation.Label for operation in bench.job.Operations])
-    hand.main(lambda: hand_into(bench, "CNCStepper_Panel_operations_up"))
+    hand.main(lambda: hand_into("CNCStepper_Panel_operations_up"))
     hand.item("CNCStepper_Panel_operations", second)
     hand.click("CNCStepper_Panel_operations_up")
     hand.wait(lambda: [operation.Label for operation in bench.job.Operations] == [second, first])
     assert hand.main(api.program_text, bench.job).index("engrave") < hand.main(api.program_text, bench.job).index("ell")
-    hand.main(lambda: hand_into(bench, "CNCStepper_Panel_tools_add"))
+    hand.main(lambda: hand_into("CNCStepper_Panel_tools_add"))
     hand.click("CNCStepper_Panel_tools_remove")
     assert "is cut with it" in hand.text("CNCStepper_Panel_tools_error")
     hand.click("CNCStepper_Panel_tools_add")
     hand.wait(lambda: len(bench.job.Tools) == 2)
-    hand.main(lambda: hand_into(bench, "CNCStepper_Panel_diameter_mm"))
+    hand.main(lambda: hand_into("CNCStepper_Panel_diameter_mm"))
     hand.fill("CNCStepper_Panel_diameter_mm", "3,175")
     hand.wait(lambda: bench.job.Tools[1].Diameter.Value == 3.175)
-    hand.main(lambda: hand_into(bench, "CNCStepper_Panel_tools_remove"))
+    hand.main(lambda: hand_into("CNCStepper_Panel_tools_remove"))
     hand.shot("panel-job-tools")
     hand.click("CNCStepper_Panel_tools_remove")
     hand.wait(lambda: len(bench.job.Tools) == 1)
@@ -331,11 +332,11 @@ def test_what_the_cut_warns_of_is_shown(hand: Hand, bench: Bench) -> None:
     bench.open(bench.pocket)
     assert not hand.exists("CNCStepper_Panel_warnings")
     hand.main(bench.fields)  # unfolds the groups
-    hand.main(lambda: hand_into(bench, "CNCStepper_Panel_method"))
+    hand.main(lambda: hand_into("CNCStepper_Panel_method"))
     hand.choose("CNCStepper_Panel_method", "published points (DDA)")
     hand.wait(lambda: bench.pocket.Method == "dda")
     hand.wait(lambda: bench.panel().warnings.isVisible() and bench.panel().warnings.text())
-    hand.main(lambda: hand_into(bench, "CNCStepper_Panel_warnings"))
+    hand.main(lambda: hand_into("CNCStepper_Panel_warnings"))
     hand.shot("panel-pocket-warned")
 
 

@@ -89,11 +89,7 @@ def test_a_problem_has_a_badge_and_a_tooltip(hand: Hand, job: Any) -> None:
         "Problem", "Problem", "",
     )  # fmt: skip
     assert hand.main(lambda: tips.problem_at(row(pocket.Label))) == hand.main(problem_of, pocket) != ""
-    place = hand.main(places.of_tree_item, pocket.Label)
-    hand.mouse.move(place[0] - 3, place[1])
-    hand.settle()
-    hand.mouse.move(*place)
-    hand.wait(lambda: QtGui.QToolTip.isVisible() and "wider than the pocket" in QtGui.QToolTip.text(), 5, "the tooltip")
+    assert "wider than the pocket" in hand.tooltip_in_tree(pocket.Label)
     hand.shot("tree-problem")
     hand.main(lambda: (api.edit(pocket, radius_x_mm=40), job.Document.recompute()))
     assert hand.main(badge, pocket) == ""

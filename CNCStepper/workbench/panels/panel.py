@@ -65,7 +65,8 @@ class Panel:
         editor = self.editors[0]
         if editor.isVisible() or not self._looks:
             self._shown.stop()
-            editor.form.focus_first()
+            if not editor.isAncestorOf(QtGui.QApplication.focusWidget()):  # where a person was quicker, it stays
+                editor.form.focus_first()
 
     def _document(self) -> Any:
         """Return the object's document, or None when it was closed meanwhile."""
