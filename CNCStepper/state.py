@@ -76,3 +76,8 @@ class State:
     mist: bool = False
     flood: bool = False
     feed_mm_min: float = 0.0  # the F word in force
+
+    @property
+    def spindle_turns(self) -> bool:
+        """Whether the spindle turns, or the beam burns: M3 at S0 leaves both off."""
+        return self.spindle != "off" and self.spindle_rpm > 0

@@ -3,7 +3,8 @@
 
 A point of the tool at height z touches when it lies inside the stock and no earlier move has cut it
 down to z. The points lie on the tool's rims, along the move, close together, and RUB_MM inside the
-tool, so that a tool that only rubs along a wall it has cut itself touches nothing.
+tool, so that a tool that only rubs along a wall it has cut itself touches nothing. To them come the
+corners of what the move and the stock share, so that a corner of the stock between the points is met too.
 """
 
 from __future__ import annotations
@@ -23,7 +24,9 @@ LEVEL_STEP_MM = (
 )
 SAME_TIP_MM = 1e-4  # heights of the tip are rounded up to it: a level below the path would not see it
 DISCS = 9  # of a cutter that is not flat are looked at, spread over what is below the stock's top
-RIM_RAD = np.arange(64) * np.pi / 32
+RIM_STEP_MM = 0.25  # between the points of a disc's rim, at most; the places of a move close the gaps
+ALONE_STEP_MM = 0.02  # between those of a disc that has one place only
+FEWEST_POINTS = 64
 SHARES = (1.0, 0.7, 0.4, 0.1)  # of the radius, at which points lie
 
 
@@ -34,6 +37,7 @@ class Remaining:
         self.stock = stock
         self.outline = stock.outline
         self.path = path
+        self.inside = self.outline.buffer(-RUB_MM, join_style="mitre")
         shapely.prepare(self.outline)
 
     def first_contact(self, cutter: Cutter, move: Segments) -> tuple[float, ...] | None:
@@ -49,18 +53,27 @@ class Remaining:
         return None
 
     def _contact(self, cutter: Cutter, centres: np.ndarray, tip_mm: float, row: int) -> tuple[float, ...] | None:
-        heights = np.linspace(0.0, min(cutter.rise_mm, self.stock.top_mm - tip_mm), 1 if cutter.is_flat else DISCS)
+        under_top_mm = max(self.stock.top_mm - 2 * RUB_MM - tip_mm, 0.0)  # the widest disc that counts is the highest
+        heights = np.linspace(0.0, min(cutter.rise_mm, under_top_mm), 1 if cutter.is_flat else DISCS)
         for height, radius in zip(heights, cutter.radius_at(heights), strict=True):
             z_mm = max(tip_mm + height, self.stock.bottom_mm)
             if z_mm >= self.stock.top_mm - RUB_MM:
                 continue
-            points = _disc_points(centres, max(radius - RUB_MM, 0.0))
+            points = self._points(centres, max(radius - RUB_MM, 0.0))
             points = points[shapely.contains_xy(self.outline, points)]
             points = points[self.stock.tops_at(points) > z_mm + RUB_MM]
             open_ = points[~self._cut(points, z_mm + RUB_MM, row)] if len(points) else points
             if len(open_):
                 return (*open_[0].tolist(), z_mm)
         return None
+
+    def _points(self, centres: np.ndarray, radius_mm: float) -> np.ndarray:
+        """Return the points, float64[n, 2], at which discs about the centres may meet the stock."""
+        if radius_mm <= RUB_MM:
+            return centres
+        way = shapely.LineString(centres) if len(centres) > 1 else shapely.Point(centres[0])
+        corners = shapely.get_coordinates(way.buffer(radius_mm, quad_segs=64).intersection(self.inside))
+        return np.vstack([corners, _disc_points(centres, radius_mm)]) if len(corners) else corners
 
     def _cut(self, points: np.ndarray, z_mm: float, row: int) -> np.ndarray:
         """Say which points the moves before `row` have cut down to `z_mm`."""
@@ -111,9 +124,12 @@ def _runs(keys: np.ndarray) -> list[tuple[int, int]]:
 
 
 def _disc_points(centres: np.ndarray, radius_mm: float) -> np.ndarray:
-    """Return points on the discs about the centres: on the rim, and on rings inside; one for a disc without width."""
-    if radius_mm <= RUB_MM:
-        return centres
-    rim = np.stack([np.cos(RIM_RAD), np.sin(RIM_RAD)], axis=1) * radius_mm
-    rings = np.vstack([rim * share for share in SHARES])
+    """Return points on the discs about the centres: on the rim, and on rings inside."""
+    step_mm = RIM_STEP_MM if len(centres) > 1 else ALONE_STEP_MM
+    rings = np.vstack([_ring(radius_mm * share, step_mm) for share in SHARES])
     return (centres[:, None, :] + rings[None, :, :]).reshape(-1, 2)
+
+
+def _ring(radius_mm: float, step_mm: float) -> np.ndarray:
+    angle = np.linspace(0, 2 * np.pi, max(FEWEST_POINTS, int(np.ceil(2 * np.pi * radius_mm / step_mm))), endpoint=False)
+    return np.stack([np.cos(angle), np.sin(angle)], axis=1) * radius_mm

@@ -23,6 +23,7 @@ from CNCStepper.simulation.region import EdgeTree, Region, climbed, flat_edges, 
 from CNCStepper.simulation.segments import Segments, split_ramps
 
 SMALL_MM = 0.0003  # what flattening may add; less is no gouge
+SAME_PLACE_MM = 0.0003  # a piece that comes this near to the worst place has cut it too
 RAMP_STEP_MM = 0.05  # a ramp counts with the lower end of parts of this height
 WORST_PIECES = 64
 COARSE_DISCS = 32  # with which the pieces that enter nothing are told from the rest
@@ -33,7 +34,7 @@ ROUND_RAD = np.arange(72) * np.pi / 36
 
 @dataclass(frozen=True)
 class Worst:
-    """The worst of its kind: how much, where (work coordinates), and the row of the table nearest to it."""
+    """The worst of its kind: how much, where (work coordinates), and the row of the table that is to blame."""
 
     depth_mm: float = 0.0
     place_mm: tuple[float, ...] | None = None
@@ -131,7 +132,16 @@ def deepest(found: Entries, kept: Kept) -> Worst:
     best = max(best, fine_best, key=lambda candidate: candidate.depth)
     place = _climbed_inside(best, worst, kept) if found.cutter.is_flat else _on_face(best, centres, index, worst, kept)
     depth = float(kept.depth(np.array([place[:2]]), np.array([place[2]]))[0])
-    return Worst(depth, place, int(worst.pieces.row[best.piece]))
+    return Worst(depth, place, _first_row(place, found, kept, int(worst.pieces.row[best.piece])))
+
+
+def _first_row(place: tuple[float, ...], found: Entries, kept: Kept, row: int) -> int:
+    """Return the row that cuts the place first: not the one that leaves a hole, but the one that makes it."""
+    earlier = found.pieces[(found.bound_mm > SMALL_MM) & (found.pieces.row < row)]
+    rise = place[2] - np.maximum(earlier.low_mm, kept.stock_bottom_mm)
+    beside = shapely.distance(shapely.linestrings(flat_edges(earlier)), shapely.Point(place[:2]))
+    cuts = (rise >= -SAME_PLACE_MM) & (beside <= found.cutter.radius_at(rise) + SAME_PLACE_MM)
+    return int(earlier.row[cuts].min(initial=row))
 
 
 def _climbed_inside(best: _Best, worst: Entries, kept: Kept) -> tuple[float, ...]:

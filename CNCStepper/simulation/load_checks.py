@@ -138,6 +138,6 @@ def _thin_chips(subject: Subject, tool: Tool, mine: np.ndarray, stock: Stock) ->
 
 def _chip_load_mm(subject: Subject, tool: Tool) -> np.ndarray:
     """Return how far the tool goes on with each tooth on every row, 0 where nothing turns."""
-    rpm = np.array([state.spindle_rpm if state.spindle != "off" else 0.0 for state in subject.toolpath.states])
+    rpm = np.array([state.spindle_rpm if state.spindle_turns else 0.0 for state in subject.toolpath.states])
     teeth = rpm[subject.table.state] * tool.flutes
     return np.where(teeth > 0, subject.table.feed / np.where(teeth > 0, teeth, 1.0), 0.0)

@@ -129,7 +129,7 @@ def _forms(toolpath: Toolpath, tools: Tools, stock: Stock) -> tuple[list[Form], 
     of_state, is_beam = np.full(len(toolpath.states), -1), np.zeros(len(toolpath.states), bool)
     for k, state in enumerate(toolpath.states):
         tool = tool_numbered(tools, state.tool)
-        if tool is None or (tool.shape in BEAM and state.spindle == "off"):
+        if tool is None or (tool.shape in BEAM and not state.spindle_turns):
             continue
         form = form_of(tool, stock.top_mm - stock.bottom_mm)
         if form not in forms:

@@ -15,7 +15,8 @@ from CNCStepper.simulation.cutter import BEAM, Cutter, Tools, tool_numbered
 from CNCStepper.simulation.finding import Finding
 from CNCStepper.simulation.form import form_of
 from CNCStepper.simulation.gouge import Worst
-from CNCStepper.simulation.segments import Segments, segments
+from CNCStepper.simulation.region import flat_edges
+from CNCStepper.simulation.segments import Segments, clipped_below, segments
 from CNCStepper.simulation.stock import Stock
 from CNCStepper.simulation.subject import Subject
 from CNCStepper.simulation.sweep import FLATTEN_MM, Judgement, cutting_path
@@ -121,10 +122,11 @@ class StockChecks:
 
     def _over_stock(self, row: int) -> bool:
         cutter = self.cutter(row)
-        ends = np.array([self.subject.begin[row, :2], self.subject.end[row, :2]])
-        if cutter is None or not np.isfinite(ends).all():
+        deep = clipped_below(self.pieces(row), self.stock.bottom_mm - PASSED_MM)
+        if cutter is None:
             return False
-        return bool(shapely.distance(shapely.LineString(ends), self.stock.outline) < cutter.radius_mm)
+        beside = shapely.distance(shapely.linestrings(flat_edges(deep)), self.stock.outline)
+        return bool((beside < cutter.radius_mm).any())
 
     def _contact(self, row: int) -> tuple[float, ...] | None:
         cutter = self.cutter(row)

@@ -4,12 +4,14 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
 import numpy as np
 
 from CNCStepper.errors import Place
 from CNCStepper.machine.profile import Machine
+from CNCStepper.simulation.arcs import extremes
 from CNCStepper.simulation.finding import Finding, Severity
 from CNCStepper.simulation.segments import tips_mm
 from CNCStepper.toolpath import RAPID, Chunk, Toolpath
@@ -36,15 +38,16 @@ class Subject:
         """Which rows cut, bool[n]."""
         return self.table.kind != RAPID
 
-    @property
+    @cached_property
     def low_mm(self) -> np.ndarray:
-        """The lower end of each row, float64[n]."""
-        return np.fmin(self.begin[:, 2], self.end[:, 2])
+        """The lowest height of each row, that of an arc of G18 and G19 on its way too, float64[n]."""
+        low, _ = extremes(self.table, self.toolpath.begins()[:, :3])
+        return low[:, 2] - (self.table.end[:, 2] - self.end[:, 2])
 
     @property
     def spindle_on(self) -> np.ndarray:
-        """Whether the spindle runs on each row, bool[n]."""
-        return np.array([state.spindle != "off" for state in self.toolpath.states], bool)[self.table.state]
+        """Whether the spindle turns, or the beam is on, on each row, bool[n]."""
+        return np.array([state.spindle_turns for state in self.toolpath.states], bool)[self.table.state]
 
     def finding(self, row: int, severity: Severity, code: str, text: str, **more: Any) -> Finding:
         """Return a finding at a row of the table, or at the start of the file where there is none (-1)."""

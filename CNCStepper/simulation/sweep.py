@@ -118,7 +118,7 @@ def cutting_path(toolpath: Toolpath, tools: Tools, top_mm: float, stock: Stock |
 def _beam(toolpath: Toolpath, pieces: Segments, bottom_mm: float) -> Segments:
     """Return the pieces on which a beam is on, laid at the stock's bottom, where the narrow end of its kerf is."""
     table = toolpath.table()
-    on = np.array([state.spindle != "off" for state in toolpath.states])[table.state] & (table.kind != RAPID)
+    on = np.array([state.spindle_turns for state in toolpath.states])[table.state] & (table.kind != RAPID)
     pieces = pieces[on[pieces.row]]
     begin, end = pieces.begin.copy(), pieces.end.copy()
     begin[:, 2] = end[:, 2] = bottom_mm

@@ -65,7 +65,7 @@ def _low_feeds(checks: StockChecks, downwards: bool) -> list[tuple[int, Tool]]:
     subject = checks.subject
     low = subject.is_feed & (subject.low_mm < checks.stock.top_mm - RUB_MM)
     if downwards:
-        low &= subject.end[:, 2] < subject.begin[:, 2]
+        low &= subject.low_mm < subject.begin[:, 2]
     tools = [(row, checks.tool(row)) for row in np.flatnonzero(low).tolist()]
     return [(row, tool) for row, tool in tools if tool is not None]
 

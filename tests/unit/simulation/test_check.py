@@ -3,14 +3,17 @@
 
 import numpy as np
 import pytest
+import shapely
 from programs import BALL, FLAT, Program, begun, square_pocket, square_removal
 
+from CNCStepper.cycles.form import Removal
 from CNCStepper.errors import Place
 from CNCStepper.machine.profile import load_machine
+from CNCStepper.machine.tool import Tool
 from CNCStepper.simulation.check import check
 from CNCStepper.simulation.finding import Finding, refused
 from CNCStepper.simulation.stock import HeightField, Stock
-from CNCStepper.toolpath import ARC_CCW
+from CNCStepper.toolpath import ARC_CCW, ARC_CW, ZX
 
 MACHINE = load_machine("table-a")
 STOCK = Stock((60, 50, 20))
@@ -34,7 +37,7 @@ def test_clean_programs_have_no_finding():
 
 def test_a_finding_reads_as_file_line_column_text():
     finding = Finding("error", "c", Place("p.nc", 3, 1), "it is bad", "mend it", (1, 2, 3), 1.5, 1.0, "mm", 2)
-    assert str(finding) == "p.nc:3:1: error: it is bad (value 1.5 mm, limit 1 mm, 2 moves); mend it [c]"
+    assert str(finding) == "p.nc:3:1: error: it is bad (at X1 Y2 Z3, value 1.5 mm, limit 1 mm, 2 moves); mend it [c]"
     assert refused([finding])
     assert finding.as_dict()["place_mm"] == [1, 2, 3]
 
@@ -87,6 +90,39 @@ def test_a_rapid_down_before_the_pocket_is_cut_is_found():
 def test_a_ramp_that_ends_a_few_hundredths_deep_is_found():
     program = begun(spindle="off", spindle_rpm=0).feed(0, 0, 1).feed(20, 0, -0.02).feed(0, 0, -1).rapid(0, 0, 5)
     assert codes(program) == [("spindle-off", 4)]
+
+
+def dip(**state) -> Program:
+    """Return a program whose half circle of G18 begins and ends over the stock and dips into it."""
+    program = begun(**state).rapid(-10, 0, 1)
+    return program.arc(ARC_CW, (10, 0, 1), (0, 0, 1), plane=ZX).rapid(10, 0, 5)
+
+
+def test_an_arc_that_dips_into_the_stock_between_its_ends_is_seen():
+    assert codes(dip()) == []
+    assert codes(dip(spindle="off")) == [("spindle-off", 4)]
+
+
+def test_a_spindle_switched_on_at_no_speed_stands():
+    slow = MACHINE.model_copy(update={"spindle": MACHINE.spindle.model_copy(update={"min_rpm": 0.0})})
+    program = begun(spindle_rpm=0).feed(0, 0, -1).rapid(0, 0, 5)
+    assert codes(program, machine=slow) == [("spindle-off", 3)]
+
+
+def test_a_wide_mill_that_comes_down_on_a_corner_between_two_points_of_its_rim():
+    wide = Tool(number=1, shape="flat", diameter_mm=50)
+    for into_mm, touches in ((0.1, True), (-0.01, False)):
+        x, y = 30 + (25 - into_mm) * np.cos(np.radians(47.8)), 25 + (25 - into_mm) * np.sin(np.radians(47.8))
+        program = begun().rapid(x, y, 5).rapid(x, y, -3).rapid(x, y, 5)
+        assert codes(program, tool=wide) == ([("rapid-in-stock", 4)] if touches else [])
+
+
+def test_a_gouge_is_told_of_the_line_that_makes_it_and_not_of_the_way_out():
+    program = begun().feed(0, 0, -1).feed(2, 0, -1).rapid(2, 0, 5)
+    hole = Removal(shapely.Point(0, 0).buffer(3), 0, -1)
+    assert [one for one in codes(program, removals=[hole]) if one[0] == "gouge"] == [("gouge", 4)]
+    deep = begun().feed(0, 0, -3).rapid(0, 0, 5)
+    assert ("gouge", 3) in codes(deep, removals=[hole])
 
 
 def test_a_cut_without_the_spindle_is_found_once():
@@ -158,6 +194,8 @@ def test_below_the_stock_and_from_nowhere():
     assert [(f.code, f.severity) for f in found(through)] == [("below-stock", "warning")]
     beside = begun().rapid(50, 0, 5).rapid(50, 0, -25).rapid(50, 0, 5)
     assert found(beside) == []
+    arc = begun().rapid(40, -30, 5).feed(40, -30, -21).arc(ARC_CW, (40, 30, -21), (40, 0, 0)).rapid(40, 30, 5)
+    assert codes(arc) == [("below-stock", 5)]  # it bulges under the stock, its ends lie beside it
     assert codes(Program().feed(0, 0, 1)) == [("position-unknown", 1)]
     assert codes(Program().rapid(0, 0, 5)) == [("height-unknown", 1)]
 

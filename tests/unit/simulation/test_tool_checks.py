@@ -9,7 +9,7 @@ from CNCStepper.machine.profile import load_machine
 from CNCStepper.machine.tool import Tool
 from CNCStepper.simulation.check import check
 from CNCStepper.simulation.stock import Stock
-from CNCStepper.toolpath import ARC_CCW
+from CNCStepper.toolpath import ARC_CCW, ARC_CW, ZX
 
 MACHINE = load_machine("table-a")
 STOCK = Stock((60, 50, 20))
@@ -45,6 +45,19 @@ def test_it_goes_down_on_ramps_and_helices_that_are_not_too_steep(angle_deg, may
     turn = 2 * np.pi * 2 * np.tan(np.radians(angle_deg))
     helix = begun().rapid(2, 0, 0).arc(ARC_CCW, (2, 0, -turn), (0, 0, 0)).rapid(2, 0, 5)
     assert codes(helix) == ([] if may else [("plunge", 4)])
+
+
+def test_a_drill_that_clips_the_rim_of_the_stock_with_its_cone():
+    reach = 30 + 0.5 * np.tan(np.radians(59))  # so wide is the cone at the stock's top
+    for into_mm, touches in ((0.06, True), (-0.01, False)):
+        program = begun(tool=2).rapid(reach - into_mm, 40, 5).rapid(reach - into_mm, 40, -0.5)
+        program.rapid(reach - into_mm, 0, -0.5).rapid(reach - into_mm, 0, 5)
+        assert codes(program) == ([("rapid-in-stock", 5)] if touches else [])
+
+
+def test_it_does_not_go_down_on_a_steep_arc_that_comes_up_again():
+    arc = begun().feed(0, 0, 1).arc(ARC_CW, (0.1, 0, 1), (0.05, 0, -1), plane=ZX).rapid(0, 0, 5)
+    assert codes(arc) == [("plunge", 4)]
 
 
 def drilled_first(x: float, depth: float = -4) -> Program:
