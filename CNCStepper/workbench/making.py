@@ -12,10 +12,12 @@ from CNCStepper.job.model import Job
 from CNCStepper.machine.profile import validated
 from CNCStepper.state import Start
 from CNCStepper.toolpath import Toolpath
+from CNCStepper.workbench.clamps import clamps_content
 from CNCStepper.workbench.features.base import values
 from CNCStepper.workbench.features.job import active_operations
 from CNCStepper.workbench.features.tool import model_of
 from CNCStepper.workbench.machines import machine_of
+from CNCStepper.workbench.stock import stock_content
 
 __all__ = ["job_of", "machine_of", "program", "read_back", "setup_of"]
 
@@ -33,7 +35,7 @@ def job_of(obj: Any) -> Job:
     operations = active_operations(obj)
     tools = {operation.Tool.Name: operation.Tool for operation in operations}
     content = {key: value for key, value in values(obj).items() if key in Job.model_fields}
-    content["stock"] = {"size_mm": values(obj)["stock_size_mm"], "origin": obj.StockOrigin}
+    content["stock"], content["clamp"] = stock_content(obj), clamps_content(obj)
     content["operation"] = tuple(each.Proxy.cycle(each, tuple(obj.WorkOrigin)) for each in operations)
     content["tool"] = tuple(model_of(tool) for tool in tools.values())
     return validated(Job, content, obj.Label)

@@ -6,10 +6,12 @@ Only X and Y of a drawing count: depths are measured from the top of the stock, 
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 from CNCStepper.errors import GeometryError
 
+CURVE_POINTS = 64  # of an edge, where its distance from the middle is looked for
 FLAT_MM = 1e-4  # a drawing whose heights differ by less is flat
 
 
@@ -18,7 +20,7 @@ def edges_of(drawing: Any) -> list[Any]:
 
     Construction lines of a sketch are no part of its shape.
     """
-    edges = [edge for edge in _placed_shape(drawing).Edges if not edge.Degenerated]
+    edges = [edge for edge in placed_shape(drawing).Edges if not edge.Degenerated]
     if not edges:
         raise GeometryError(
             "drawing-empty",
@@ -33,8 +35,30 @@ def box_of(obj: Any) -> Any:
     """Return the bounding box of an object's shape in the document's coordinates, not valid when it has none."""
     import FreeCAD
 
-    shape = _placed_shape(obj)
+    shape = placed_shape(obj)
     return FreeCAD.BoundBox() if shape.isNull() else shape.optimalBoundingBox(False)
+
+
+def box_round(shapes: list[Any]) -> Any:
+    """Return the bounding box of several shapes."""
+    import FreeCAD
+
+    around = FreeCAD.BoundBox()
+    for shape in shapes:
+        around.add(shape.BoundBox)
+    return around
+
+
+def round_box(shapes: list[Any]) -> Any:
+    """Return the bounding box of the standing cylinder round several shapes, its axis in the middle of their own."""
+    import FreeCAD
+
+    box = box_round(shapes)
+    x, y = box.Center.x, box.Center.y
+    edges = [edge for shape in shapes for edge in shape.Edges if not edge.Degenerated]
+    points = [point for edge in edges for point in edge.discretize(CURVE_POINTS)]
+    radius = max(math.hypot(point.x - x, point.y - y) for point in points)
+    return FreeCAD.BoundBox(x - radius, y - radius, box.ZMin, x + radius, y + radius, box.ZMax)
 
 
 def containers_of(drawing: Any) -> list[Any]:
@@ -47,8 +71,11 @@ def containers_of(drawing: Any) -> list[Any]:
     return found
 
 
-def _placed_shape(drawing: Any) -> Any:
-    """Return the shape where the user sees it: an object inside a part or body moves with that."""
+def placed_shape(drawing: Any) -> Any:
+    """Return an object's shape where the user sees it, an empty one where it has none.
+
+    An object inside a part or body moves with that.
+    """
     import Part
 
     shape = getattr(drawing, "Shape", None)

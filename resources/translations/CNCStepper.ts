@@ -40,6 +40,18 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Clamp Containers</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Clamp Outlines</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Clamps</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Clearance</source>
             <translation type="unfinished"></translation>
         </message>
@@ -49,6 +61,10 @@
         </message>
         <message>
             <source>Containers</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Containers of the clamps</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -108,6 +124,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Edge Margin</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Edge margin</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Ellipse</source>
             <translation type="unfinished"></translation>
         </message>
@@ -164,6 +188,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Form</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Free length</source>
             <translation type="unfinished"></translation>
         </message>
@@ -205,6 +233,10 @@
         </message>
         <message>
             <source>Holder diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How far from the stock's edge cuts must stay; 0: the edge does not matter</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -272,7 +304,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Length, width and height</source>
+            <source>Length, width and height; of a cylinder, which stands, the length is its diameter</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -333,6 +365,10 @@
         </message>
         <message>
             <source>Operations</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Outlines of the clamps</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -428,6 +464,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Solids that hold the work down, which the tool must not touch</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Spindle</source>
             <translation type="unfinished"></translation>
         </message>
@@ -472,6 +512,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Stock Form</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Stock Origin</source>
             <translation type="unfinished"></translation>
         </message>
@@ -489,6 +533,10 @@
         </message>
         <message>
             <source>The centre, from the work zero</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The clamps seen from above, at the height of their tops</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -553,6 +601,10 @@
         </message>
         <message>
             <source>The middle of a mill's end that does not cut; 0: it cuts over its centre</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The parts and bodies that the clamps move with</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -669,6 +721,10 @@
         </message>
         <message>
             <source>What is switched on while cutting</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>What the raw material looks like</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -811,6 +867,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Add selected</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Add tool</source>
             <translation type="unfinished"></translation>
         </message>
@@ -903,6 +963,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Clamps</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Clearance</source>
             <translation type="unfinished"></translation>
         </message>
@@ -948,6 +1012,10 @@
         </message>
         <message>
             <source>Containers</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Containers of the clamps</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1015,6 +1083,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Diameter and height</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Direction</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1052,6 +1124,10 @@
         </message>
         <message>
             <source>Earlier</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Edge margin</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1140,6 +1216,10 @@
         </message>
         <message>
             <source>For a mill that does not cut over its centre; 0: 10°</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Form</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1236,6 +1316,10 @@
         </message>
         <message>
             <source>Homing works only while the machine is idle or in alarm.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How far from the stock's edge cuts must stay; 0: the edge does not matter</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1347,7 +1431,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Length, width and height</source>
+            <source>Length, width and height; of a cylinder, which stands, the length is its diameter</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1508,6 +1592,10 @@
         </message>
         <message>
             <source>Operations</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Outlines of the clamps</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1679,6 +1767,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Select one or more solids first</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Select the job in the tree: this document has several</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1704,6 +1796,14 @@
         </message>
         <message>
             <source>Size</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Solids that hold the work down, which the tool must not touch</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Solids that the tool must not touch; findings name them by their number</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1779,11 +1879,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Take out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Take selected</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Take the alarm away without homing: only when the position is surely right.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Take the solids that are selected for clamps</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1804,6 +1912,10 @@
         </message>
         <message>
             <source>The checks found errors: nothing is sent. Mend them, then send again.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The clamps seen from above, at the height of their tops</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1947,7 +2059,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The marked solid is no clamp any more; it stays</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The middle of a mill's end that does not cut; 0: it cuts over its centre</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The parts and bodies that the clamps move with</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2127,6 +2247,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>What the raw material looks like</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>What the round tool must leave at the ends of the long axis</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2203,6 +2327,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>box</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>bull nose</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2216,6 +2344,10 @@
         </message>
         <message>
             <source>conventional</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>cylinder</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2319,6 +2451,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>sheet</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>straight down</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2410,6 +2546,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>'{0}' is no solid and cannot be a clamp</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>'{0}' is not a tool</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2419,6 +2559,10 @@
         </message>
         <message>
             <source>'{0}' names no port number</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>'{0}' stands on this job and cannot be its clamp</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2722,6 +2866,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>choose a solid, for example a box</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>choose another</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2842,6 +2990,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>edge_mm must not be below zero</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>enable homing ($22=1) or switch soft limits off ($20=0)</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2931,6 +3083,10 @@
         </message>
         <message>
             <source>give the stock and the tools</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>give the timeline its machine</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3227,6 +3383,10 @@
         </message>
         <message>
             <source>prove parts of the program alone</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>pulses are those of a machine</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4111,6 +4271,10 @@
         </message>
         <message>
             <source>work_offset must be one of {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write 0 where the edge does not matter</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

@@ -40,6 +40,18 @@
             <translation>Avanço por dente mínimo</translation>
         </message>
         <message>
+            <source>Clamp Containers</source>
+            <translation>Recipientes dos grampos</translation>
+        </message>
+        <message>
+            <source>Clamp Outlines</source>
+            <translation>Contornos dos grampos</translation>
+        </message>
+        <message>
+            <source>Clamps</source>
+            <translation>Grampos</translation>
+        </message>
+        <message>
             <source>Clearance</source>
             <translation>Altura de segurança</translation>
         </message>
@@ -50,6 +62,10 @@
         <message>
             <source>Containers</source>
             <translation>Recipientes</translation>
+        </message>
+        <message>
+            <source>Containers of the clamps</source>
+            <translation>Recipientes dos grampos</translation>
         </message>
         <message>
             <source>Coolant</source>
@@ -108,6 +124,14 @@
             <translation>Desenho</translation>
         </message>
         <message>
+            <source>Edge Margin</source>
+            <translation>Margem da borda</translation>
+        </message>
+        <message>
+            <source>Edge margin</source>
+            <translation>Margem da borda</translation>
+        </message>
+        <message>
             <source>Ellipse</source>
             <translation>Elipse</translation>
         </message>
@@ -164,6 +188,10 @@
             <translation>Para uma fresa sem corte no centro; 0: 10°</translation>
         </message>
         <message>
+            <source>Form</source>
+            <translation>Forma</translation>
+        </message>
+        <message>
             <source>Free length</source>
             <translation>Comprimento livre</translation>
         </message>
@@ -206,6 +234,10 @@
         <message>
             <source>Holder diameter</source>
             <translation>Diâmetro do porta-ferramenta</translation>
+        </message>
+        <message>
+            <source>How far from the stock's edge cuts must stay; 0: the edge does not matter</source>
+            <translation>A que distância da borda do bloco os cortes devem ficar; 0: a borda não importa</translation>
         </message>
         <message>
             <source>How far the path may be off an ellipse or a B-spline; lines and arcs are exact</source>
@@ -272,8 +304,8 @@
             <translation>Comprimento livre</translation>
         </message>
         <message>
-            <source>Length, width and height</source>
-            <translation>Comprimento, largura e altura</translation>
+            <source>Length, width and height; of a cylinder, which stands, the length is its diameter</source>
+            <translation>Comprimento, largura e altura; num cilindro, que fica em pé, o comprimento é o diâmetro</translation>
         </message>
         <message>
             <source>Lengths and limits</source>
@@ -334,6 +366,10 @@
         <message>
             <source>Operations</source>
             <translation>Operações</translation>
+        </message>
+        <message>
+            <source>Outlines of the clamps</source>
+            <translation>Contornos dos grampos</translation>
         </message>
         <message>
             <source>Passes</source>
@@ -428,6 +464,10 @@
             <translation>Tamanho</translation>
         </message>
         <message>
+            <source>Solids that hold the work down, which the tool must not touch</source>
+            <translation>Sólidos que prendem a peça e em que a ferramenta não pode tocar</translation>
+        </message>
+        <message>
             <source>Spindle</source>
             <translation>Spindle</translation>
         </message>
@@ -472,6 +512,10 @@
             <translation>Bloco</translation>
         </message>
         <message>
+            <source>Stock Form</source>
+            <translation>Forma do bloco</translation>
+        </message>
+        <message>
             <source>Stock Origin</source>
             <translation>Origem no bloco</translation>
         </message>
@@ -490,6 +534,10 @@
         <message>
             <source>The centre, from the work zero</source>
             <translation>O centro, a partir do zero-peça</translation>
+        </message>
+        <message>
+            <source>The clamps seen from above, at the height of their tops</source>
+            <translation>Os grampos vistos de cima, na altura dos seus topos</translation>
         </message>
         <message>
             <source>The depth below the top of the stock</source>
@@ -554,6 +602,10 @@
         <message>
             <source>The middle of a mill's end that does not cut; 0: it cuts over its centre</source>
             <translation>O meio do topo da fresa que não corta; 0: ela tem corte no centro</translation>
+        </message>
+        <message>
+            <source>The parts and bodies that the clamps move with</source>
+            <translation>As peças e os corpos com que os grampos se movem</translation>
         </message>
         <message>
             <source>The parts and bodies that the drawing moves with</source>
@@ -670,6 +722,10 @@
         <message>
             <source>What is switched on while cutting</source>
             <translation>O que fica ligado durante o corte</translation>
+        </message>
+        <message>
+            <source>What the raw material looks like</source>
+            <translation>Como é a matéria-prima</translation>
         </message>
         <message>
             <source>What the round tool must leave at the ends of the long axis</source>
@@ -811,6 +867,10 @@
             <translation>Adiciona uma ferramenta a este trabalho</translation>
         </message>
         <message>
+            <source>Add selected</source>
+            <translation>Adicionar seleção</translation>
+        </message>
+        <message>
             <source>Add tool</source>
             <translation>Adicionar</translation>
         </message>
@@ -903,6 +963,10 @@
             <translation>Escolha aqui</translation>
         </message>
         <message>
+            <source>Clamps</source>
+            <translation>Grampos</translation>
+        </message>
+        <message>
             <source>Clearance</source>
             <translation>Altura de segurança</translation>
         </message>
@@ -949,6 +1013,10 @@
         <message>
             <source>Containers</source>
             <translation>Recipientes</translation>
+        </message>
+        <message>
+            <source>Containers of the clamps</source>
+            <translation>Recipientes dos grampos</translation>
         </message>
         <message>
             <source>Controller</source>
@@ -1015,6 +1083,10 @@
             <translation>Diâmetro</translation>
         </message>
         <message>
+            <source>Diameter and height</source>
+            <translation>Diâmetro e altura</translation>
+        </message>
+        <message>
             <source>Direction</source>
             <translation>Sentido</translation>
         </message>
@@ -1053,6 +1125,10 @@
         <message>
             <source>Earlier</source>
             <translation>Antes</translation>
+        </message>
+        <message>
+            <source>Edge margin</source>
+            <translation>Margem da borda</translation>
         </message>
         <message>
             <source>Edit</source>
@@ -1141,6 +1217,10 @@
         <message>
             <source>For a mill that does not cut over its centre; 0: 10°</source>
             <translation>Para uma fresa sem corte no centro; 0: 10°</translation>
+        </message>
+        <message>
+            <source>Form</source>
+            <translation>Forma</translation>
         </message>
         <message>
             <source>Free length</source>
@@ -1237,6 +1317,10 @@
         <message>
             <source>Homing works only while the machine is idle or in alarm.</source>
             <translation>Só é possível referenciar com a máquina pronta ou em alarme.</translation>
+        </message>
+        <message>
+            <source>How far from the stock's edge cuts must stay; 0: the edge does not matter</source>
+            <translation>A que distância da borda do bloco os cortes devem ficar; 0: a borda não importa</translation>
         </message>
         <message>
             <source>How far one click moves the machine.</source>
@@ -1347,8 +1431,8 @@
             <translation>Deixar fora do programa</translation>
         </message>
         <message>
-            <source>Length, width and height</source>
-            <translation>Comprimento, largura e altura</translation>
+            <source>Length, width and height; of a cylinder, which stands, the length is its diameter</source>
+            <translation>Comprimento, largura e altura; num cilindro, que fica em pé, o comprimento é o diâmetro</translation>
         </message>
         <message>
             <source>Lengths and limits</source>
@@ -1509,6 +1593,10 @@
         <message>
             <source>Operations</source>
             <translation>Operações</translation>
+        </message>
+        <message>
+            <source>Outlines of the clamps</source>
+            <translation>Contornos dos grampos</translation>
         </message>
         <message>
             <source>Overrides</source>
@@ -1679,6 +1767,10 @@
             <translation>Selecione antes um desenho ou um sólido</translation>
         </message>
         <message>
+            <source>Select one or more solids first</source>
+            <translation>Selecione antes um ou mais sólidos</translation>
+        </message>
+        <message>
             <source>Select the job in the tree: this document has several</source>
             <translation>Selecione o trabalho na árvore: este documento tem vários</translation>
         </message>
@@ -1705,6 +1797,14 @@
         <message>
             <source>Size</source>
             <translation>Tamanho</translation>
+        </message>
+        <message>
+            <source>Solids that hold the work down, which the tool must not touch</source>
+            <translation>Sólidos que prendem a peça e em que a ferramenta não pode tocar</translation>
+        </message>
+        <message>
+            <source>Solids that the tool must not touch; findings name them by their number</source>
+            <translation>Sólidos em que a ferramenta não pode tocar; as ocorrências os citam pelo número</translation>
         </message>
         <message>
             <source>Speed</source>
@@ -1779,12 +1879,20 @@
             <translation>Incluir no programa</translation>
         </message>
         <message>
+            <source>Take out</source>
+            <translation>Tirar</translation>
+        </message>
+        <message>
             <source>Take selected</source>
             <translation>Usar seleção</translation>
         </message>
         <message>
             <source>Take the alarm away without homing: only when the position is surely right.</source>
             <translation>Retira o alarme sem referenciar: só quando a posição está certa com certeza.</translation>
+        </message>
+        <message>
+            <source>Take the solids that are selected for clamps</source>
+            <translation>Usa como grampos os sólidos selecionados</translation>
         </message>
         <message>
             <source>Taper</source>
@@ -1805,6 +1913,10 @@
         <message>
             <source>The checks found errors: nothing is sent. Mend them, then send again.</source>
             <translation>A verificação encontrou erros: nada foi enviado. Corrija-os e envie de novo.</translation>
+        </message>
+        <message>
+            <source>The clamps seen from above, at the height of their tops</source>
+            <translation>Os grampos vistos de cima, na altura dos seus topos</translation>
         </message>
         <message>
             <source>The connection is being made.</source>
@@ -1947,8 +2059,16 @@
             <translation>A máquina está parada; nada se perdeu. Retome ou pare.</translation>
         </message>
         <message>
+            <source>The marked solid is no clamp any more; it stays</source>
+            <translation>O sólido marcado deixa de ser grampo; ele continua no documento</translation>
+        </message>
+        <message>
             <source>The middle of a mill's end that does not cut; 0: it cuts over its centre</source>
             <translation>O meio do topo da fresa que não corta; 0: ela tem corte no centro</translation>
+        </message>
+        <message>
+            <source>The parts and bodies that the clamps move with</source>
+            <translation>As peças e os corpos com que os grampos se movem</translation>
         </message>
         <message>
             <source>The parts and bodies that the drawing moves with</source>
@@ -2127,6 +2247,10 @@
             <translation>O que fica ligado durante o corte</translation>
         </message>
         <message>
+            <source>What the raw material looks like</source>
+            <translation>Como é a matéria-prima</translation>
+        </message>
+        <message>
             <source>What the round tool must leave at the ends of the long axis</source>
             <translation>O que a ferramenta redonda deixa nas pontas do eixo maior</translation>
         </message>
@@ -2203,6 +2327,10 @@
             <translation>fresa de topo esférico</translation>
         </message>
         <message>
+            <source>box</source>
+            <translation>bloco</translation>
+        </message>
+        <message>
             <source>bull nose</source>
             <translation>fresa toroidal</translation>
         </message>
@@ -2217,6 +2345,10 @@
         <message>
             <source>conventional</source>
             <translation>discordante</translation>
+        </message>
+        <message>
+            <source>cylinder</source>
+            <translation>cilindro</translation>
         </message>
         <message>
             <source>drill</source>
@@ -2319,6 +2451,10 @@
             <translation>rápido</translation>
         </message>
         <message>
+            <source>sheet</source>
+            <translation>chapa</translation>
+        </message>
+        <message>
             <source>straight down</source>
             <translation>na vertical</translation>
         </message>
@@ -2410,6 +2546,10 @@
             <translation>'{0}' não é uma origem de bloco</translation>
         </message>
         <message>
+            <source>'{0}' is no solid and cannot be a clamp</source>
+            <translation>'{0}' não é um sólido e não pode ser grampo</translation>
+        </message>
+        <message>
             <source>'{0}' is not a tool</source>
             <translation>'{0}' não é uma ferramenta</translation>
         </message>
@@ -2420,6 +2560,10 @@
         <message>
             <source>'{0}' names no port number</source>
             <translation>'{0}' não indica um número de porta</translation>
+        </message>
+        <message>
+            <source>'{0}' stands on this job and cannot be its clamp</source>
+            <translation>'{0}' depende deste trabalho e não pode ser grampo dele</translation>
         </message>
         <message>
             <source>0 to {0} mm</source>
@@ -2722,6 +2866,10 @@
             <translation>escolha uma ferramenta menor</translation>
         </message>
         <message>
+            <source>choose a solid, for example a box</source>
+            <translation>escolha um sólido, por exemplo uma caixa</translation>
+        </message>
+        <message>
             <source>choose another</source>
             <translation>escolha outro</translation>
         </message>
@@ -2842,6 +2990,10 @@
             <translation>desenhe algo nele, ou escolha outro desenho</translation>
         </message>
         <message>
+            <source>edge_mm must not be below zero</source>
+            <translation>edge_mm não pode ser menor que zero</translation>
+        </message>
+        <message>
             <source>enable homing ($22=1) or switch soft limits off ($20=0)</source>
             <translation>habilite o referenciamento ($22=1) ou desligue os limites de software ($20=0)</translation>
         </message>
@@ -2932,6 +3084,10 @@
         <message>
             <source>give the stock and the tools</source>
             <translation>informe o bloco e as ferramentas</translation>
+        </message>
+        <message>
+            <source>give the timeline its machine</source>
+            <translation>informe a máquina à linha do tempo</translation>
         </message>
         <message>
             <source>give the tool a {0}</source>
@@ -3228,6 +3384,10 @@
         <message>
             <source>prove parts of the program alone</source>
             <translation>verifique partes do programa em separado</translation>
+        </message>
+        <message>
+            <source>pulses are those of a machine</source>
+            <translation>os pulsos são os de uma máquina</translation>
         </message>
         <message>
             <source>pyserial is not installed</source>
@@ -4112,6 +4272,10 @@
         <message>
             <source>work_offset must be one of {0}</source>
             <translation>work_offset deve ser um destes: {0}</translation>
+        </message>
+        <message>
+            <source>write 0 where the edge does not matter</source>
+            <translation>escreva 0 onde a borda não importa</translation>
         </message>
         <message>
             <source>write G4 P{0} after the spindle starts</source>

@@ -98,6 +98,21 @@ def test_an_unchanged_program_is_not_proven_again(job: Any, folder: Path) -> Non
     assert other.part.heights_mm.min() == pytest.approx(-3)
 
 
+def test_a_clamp_of_the_document_is_in_the_proof(job: Any, folder: Path) -> None:
+    clamp = job.Document.addObject("Part::Box", "Clamp")
+    clamp.Placement.Base = (5, 6, 0)  # beside the work zero, and 3 mm above it
+    api.edit(job, clamps=[clamp])
+    job.Document.recompute()
+    (result,) = Heard(ProofRun(job)).wait().results
+    assert result.refused and [finding.text for finding in result.findings if finding.code == "clamp"] == [
+        "the tool goes into clamp 1"
+    ]
+    clamp.Placement.Base = (80, 6, 0)
+    job.Document.recompute()
+    (result,) = Heard(ProofRun(job)).wait().results
+    assert not result.refused
+
+
 def test_a_stale_or_missing_program_is_refused(job: Any, folder: Path) -> None:
     api.edit(job.Operations[0], depth_mm=3)
     assert [error.code for error in Heard(ProofRun(job)).wait().errors] == ["program-stale"]

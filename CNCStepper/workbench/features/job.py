@@ -6,10 +6,12 @@ from __future__ import annotations
 from typing import Any
 
 from CNCStepper.state import WORK_SYSTEMS
-from CNCStepper.workbench import packages, program_file
+from CNCStepper.workbench import clamps, packages, program_file
 from CNCStepper.workbench.features.base import (
+    CONTAINERS,
     DISTANCE,
     ENUMERATION,
+    POINTS,
     POSITION,
     TEXT,
     Feature,
@@ -17,12 +19,14 @@ from CNCStepper.workbench.features.base import (
     proxy_type,
     require_parts,
 )
+from CNCStepper.workbench.stock import FORMS, stock_content, stock_of
 from CNCStepper.workbench.undo import follow
 from CNCStepper.workbench.words import later
 
 MACHINE, STOCK, HEIGHTS, PROGRAM = later("Machine"), later("Stock"), later("Heights"), later("Program")
 JOB_GROUP = later("Job")
 LINKS = "App::PropertyLinkList"
+SOLIDS = CONTAINERS  # a clamp may lie inside a part, the job outside
 ORIGINS = ("top-centre", "top-left-front")
 SETUP = {"Clearance", "Retract", "WorkOrigin", "Operations"}  # what an operation's own figures depend on
 
@@ -47,12 +51,17 @@ class Job(Feature):
                  later("The work coordinate system"), "G54", choices=WORK_SYSTEMS),
         Property("coolant", "Coolant", ENUMERATION, PROGRAM, later("Coolant"),
                  later("What is switched on while cutting"), "none", choices=("none", "mist", "flood")),
-        Property("stock_size_mm", "StockSize", POSITION, STOCK, later("Size"), later("Length, width and height"),
+        Property("stock_form", "StockForm", ENUMERATION, STOCK, later("Form"),
+                 later("What the raw material looks like"), "box", choices=FORMS),
+        Property("stock_size_mm", "StockSize", POSITION, STOCK, later("Size"),
+                 later("Length, width and height; of a cylinder, which stands, the length is its diameter"),
                  (100.0, 70.0, 20.0)),
         Property("stock_origin", "StockOrigin", ENUMERATION, STOCK, later("Work zero"),
                  later("Where on the stock the work zero lies"), "top-centre", choices=ORIGINS),
         Property("work_origin_mm", "WorkOrigin", POSITION, STOCK, later("Zero's place"),
                  later("Where the work zero lies in this document"), (0.0, 0.0, 0.0)),
+        Property("edge_mm", "EdgeMargin", DISTANCE, STOCK, later("Edge margin"),
+                 later("How far from the stock's edge cuts must stay; 0: the edge does not matter"), 0.0),
         Property("clearance_mm", "Clearance", DISTANCE, HEIGHTS, later("Clearance"),
                  later("Where rapids travel across the work"), 10.0),
         Property("retract_mm", "Retract", DISTANCE, HEIGHTS, later("Retract"),
@@ -61,6 +70,12 @@ class Job(Feature):
                  later("What is cut, in this order"), ()),
         Property("tools", "Tools", LINKS, JOB_GROUP, later("Tools"),
                  later("The tools that operations may choose from"), ()),
+        Property("clamps", "Clamps", SOLIDS, JOB_GROUP, later("Clamps"),
+                 later("Solids that hold the work down, which the tool must not touch"), ()),
+        Property("clamp_containers", "ClampContainers", CONTAINERS, JOB_GROUP, later("Containers of the clamps"),
+                 later("The parts and bodies that the clamps move with"), (), output=True),
+        Property("clamp_outlines", "ClampOutlines", POINTS, JOB_GROUP, later("Outlines of the clamps"),
+                 later("The clamps seen from above, at the height of their tops"), (), output=True),
         Property("program", "Program", "App::PropertyFileIncluded", JOB_GROUP, later("Program"),
                  later("The program, kept in this document"), output=True),
         Property("message", "Message", TEXT, JOB_GROUP, later("Message"), later("Why there is no program"), "",
@@ -68,17 +83,19 @@ class Job(Feature):
     )  # fmt: skip
 
     def check(self, obj: Any) -> None:
-        """Raise JobError for a machine that there is not, or a stock without a size."""
+        """Raise JobError for a machine that there is not, or a stock that none can be."""
         packages.require()
-        from CNCStepper.simulation.stock import Stock
         from CNCStepper.workbench.machines import machine_of
 
         machine_of(obj)
-        Stock(tuple(obj.StockSize), obj.StockOrigin)
+        stock_of(obj)
+        stock_content(obj)
 
     def make(self, obj: Any) -> None:
         """Make the program from all active operations."""
         self.check(obj)
+        require_parts(obj.Clamps)
+        obj.ClampOutlines = clamps.outlines_of(obj.Clamps)
         require_parts(active_operations(obj))
         if not active_operations(obj):
             self.invalidate(obj, "the job has no operations")
@@ -97,8 +114,12 @@ class Job(Feature):
                 preview.Proxy.clear(preview)
 
     def onChanged(self, obj: Any, name: str) -> None:
-        """Let operations be figured again when what they depend on in the job changes."""
-        if name in SETUP and "Operations" in obj.PropertiesList and "Restore" not in obj.State:
+        """Stand on what the clamps move with, and let operations be figured again when what they need changes."""
+        if "Restore" in obj.State:
+            return
+        if name == "Clamps" and "ClampContainers" in obj.PropertiesList:
+            obj.ClampContainers = clamps.containers(obj.Clamps)
+        if name in SETUP and "Operations" in obj.PropertiesList:
             for operation in obj.Operations:
                 operation.touch()
 

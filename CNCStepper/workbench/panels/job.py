@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The task panel of a job: its own values, its operations, and its tools with the marked one to edit below."""
+"""The task panel of a job: its own values, its clamps, its operations, and its tools with the marked one below."""
 
 from __future__ import annotations
 
@@ -10,19 +10,23 @@ from PySide import QtGui
 from CNCStepper.workbench.commands.defaults import stock_of_drawing, stock_of_solid
 from CNCStepper.workbench.features.job import HEIGHTS, PROGRAM, STOCK
 from CNCStepper.workbench.features.tool import FORM, LIMITS
+from CNCStepper.workbench.panels.clamp_list import ClampList
 from CNCStepper.workbench.panels.editor import Editor
 from CNCStepper.workbench.panels.fields import NAME
 from CNCStepper.workbench.panels.lists import OperationList, ToolList
 from CNCStepper.workbench.panels.machine import DialectField, MachineField
 from CNCStepper.workbench.panels.panel import Panel
+from CNCStepper.workbench.panels.stock_size import StockSizeField
 from CNCStepper.workbench.remake import remake
+from CNCStepper.workbench.shapes import box_round, round_box
+from CNCStepper.workbench.stock import CYLINDER
 from CNCStepper.workbench.tell import guarded
 from CNCStepper.workbench.words import later, tr
 
-KINDS = {"machine": MachineField, "dialect": DialectField}
+KINDS = {"machine": MachineField, "dialect": DialectField, "stock_size_mm": StockSizeField}
 FOLDED = (PROGRAM, HEIGHTS)
-HIDDEN = ("operations", "tools")
-OPERATIONS, TOOLS = later("Operations"), later("Tools")
+HIDDEN = ("operations", "tools", "clamps")
+CLAMPS, OPERATIONS, TOOLS = later("Clamps"), later("Operations"), later("Tools")
 
 
 class JobPanel(Panel):
@@ -33,13 +37,17 @@ class JobPanel(Panel):
         self.editor = Editor(job, KINDS, FOLDED, HIDDEN)
         super().__init__(job, self.editor)
         self._add_stock_button()
+        self.clamps = ClampList(job, self.editor)
         self.operations = OperationList(job, self.editor)
         self.tools = ToolList(job, self.editor)
+        self.lists = (self.clamps, self.operations, self.tools)
+        self.editor.form.box(CLAMPS, folded=not job.Clamps)
+        self.editor.form.add_widget(CLAMPS, self.clamps)
         self.editor.form.add_widget(OPERATIONS, self.operations)
         self.editor.form.add_widget(TOOLS, self.tools)
         self.editor.form.box(OPERATIONS).setVisible(bool(job.Operations))
         self.tools.list.currentRowChanged.connect(guarded(self.show_tool))
-        for part in (self.operations, self.tools):
+        for part in self.lists:
             part.changed.connect(guarded(self.remake))
         self.editor.applied.connect(guarded(self.operations.refresh))
         self.tools.choose(next(iter(job.Tools), None))
@@ -49,7 +57,7 @@ class JobPanel(Panel):
         self.editor.apply()
         remake(self.job.Document)
         self.editor.apply()
-        for part in (self.operations, self.tools):
+        for part in self.lists:
             part.refresh()
 
     def show_tool(self) -> None:
@@ -73,13 +81,11 @@ class JobPanel(Panel):
 
         drawn = [operation.Drawing for operation in self.job.Operations if operation.Drawing is not None]
         shapes = [obj.Shape for obj in FreeCADGui.Selection.getSelection() or drawn if hasattr(obj, "Shape")]
-        boxes = [shape.BoundBox for shape in shapes if not shape.isNull() and shape.BoundBox.isValid()]
-        if not boxes:
+        shapes = [shape for shape in shapes if not shape.isNull() and shape.BoundBox.isValid()]
+        if not shapes:
             self.editor.form.mark("stock_size_mm", tr("Select a drawing or a solid first"))
             return
-        around = boxes[0]
-        for box in boxes[1:]:
-            around.add(box)
+        around = round_box(shapes) if self.job.StockForm == CYLINDER else box_round(shapes)
         solid = any(shape.Solids for shape in shapes)
         self.editor.take(stock_of_solid(around) if solid else stock_of_drawing(around))
 

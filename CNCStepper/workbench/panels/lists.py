@@ -80,7 +80,7 @@ class ObjectList(QtGui.QWidget):
         self.list.blockSignals(True)
         self.list.clear()
         for obj in self.objects():
-            item = QtGui.QListWidgetItem(icon(proxy_type(obj)), self.words(obj))
+            item = QtGui.QListWidgetItem(self.picture(obj), self.words(obj))
             if problem_of(obj):
                 item.setForeground(QtGui.QColor(ERROR_COLOUR))
                 item.setToolTip(translated(problem_of(obj)))
@@ -95,6 +95,10 @@ class ObjectList(QtGui.QWidget):
     def words(self, obj: Any) -> str:
         """Return how an object is listed."""
         return str(obj.Label)
+
+    def picture(self, obj: Any) -> Any:
+        """Return the icon that stands before an object."""
+        return icon(proxy_type(obj))
 
     def dress(self, item: Any, obj: Any) -> None:
         """Give an entry what else it shows."""

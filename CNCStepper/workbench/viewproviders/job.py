@@ -8,24 +8,28 @@ from typing import Any
 from CNCStepper.workbench.features.base import proxy_type
 from CNCStepper.workbench.tell import guarded, polled
 from CNCStepper.workbench.viewproviders.base import Entry, ViewProvider
+from CNCStepper.workbench.viewproviders.clamp_blocks import ClampBlocks
 from CNCStepper.workbench.viewproviders.stock_box import SHAPED_BY, StockBox
 from CNCStepper.workbench.words import tr
 
 STOCK = "Stock"  # the one way in which a job is drawn
+DRAWN_FROM = {*SHAPED_BY, "ClampOutlines"}
 
 
 class Job(ViewProvider):
-    """The view of a job: in the 3D view it is the edges of its stock."""
+    """The view of a job: in the 3D view it is the edges of its stock, and its clamps."""
 
     stock: StockBox | None = None  # FreeCAD tells of properties before it attaches the view of an opened document
+    clamps: ClampBlocks | None = None
 
     @polled
     def attach(self, view: Any) -> None:
-        """Draw the stock; FreeCAD calls this for a new view and when a document is opened."""
+        """Draw stock and clamps; FreeCAD calls this for a new view and when a document is opened."""
         super().attach(view)
-        self.stock = StockBox()
+        self.stock, self.clamps = StockBox(), ClampBlocks()
+        self.stock.node.addChild(self.clamps.node)
         view.addDisplayMode(self.stock.node, STOCK)
-        self._draw_stock()
+        self._draw()
 
     def getDisplayModes(self, view: Any) -> list[str]:
         """Return the one way to draw a job."""
@@ -37,14 +41,15 @@ class Job(ViewProvider):
 
     @polled
     def updateData(self, obj: Any, name: str) -> None:
-        """Follow the stock too; FreeCAD calls this at every change of a property."""
+        """Follow stock and clamps too; FreeCAD calls this at every change of a property."""
         super().updateData(obj, name)
-        if name in SHAPED_BY:
-            self._draw_stock()
+        if name in DRAWN_FROM:
+            self._draw()
 
-    def _draw_stock(self) -> None:
-        if self.stock is not None and set(SHAPED_BY) <= set(self.obj.PropertiesList):
+    def _draw(self) -> None:
+        if self.stock is not None and self.clamps is not None and set(self.obj.PropertiesList) >= DRAWN_FROM:
             self.stock.update(self.obj)
+            self.clamps.update(self.obj)
 
     @polled
     def claimChildren(self) -> list[Any]:

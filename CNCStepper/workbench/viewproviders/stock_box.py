@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The edges of a job's stock in the 3D view, where it lies round the work zero, and a small cross at that zero."""
+"""The edges of a job's stock in the 3D view, where it lies round the work zero, and a small cross at that zero.
+
+Where cuts must stay within the stock's edge, the line that they stay within is drawn on its top.
+"""
 
 from __future__ import annotations
 
@@ -7,11 +10,12 @@ from typing import Any
 
 from CNCStepper.errors import JobError
 from CNCStepper.workbench import packages
+from CNCStepper.workbench.stock import stock_of
 
 RGB = (0.72, 0.53, 0.20)  # of wood: seen on FreeCAD's blue and on white
 CROSS_SHARE = 0.05  # of the stock's length: half an arm of the cross
-SHAPED_BY = ("StockSize", "StockOrigin", "WorkOrigin")
-RECTANGLE = ((0, 0), (1, 0), (1, 1), (0, 1))
+POSTS = 4
+SHAPED_BY = ("StockForm", "StockSize", "StockOrigin", "EdgeMargin", "WorkOrigin")
 
 
 class StockBox:
@@ -40,21 +44,27 @@ class StockBox:
 
 
 def _strips(job: Any) -> list[list[Any]]:
-    """Return the edges of the stock and the cross at the work zero, in the document's coordinates."""
-    from CNCStepper.simulation.stock import Stock
-
+    """Return the edges of the stock, the margin at its edge and the cross, in the document's coordinates."""
     try:
-        stock = Stock(tuple(job.StockSize), job.StockOrigin)
+        stock = stock_of(job)
     except JobError:
         return []
     zero = tuple(job.WorkOrigin)
-    (x0, y0, z0), (x1, y1, z1) = (
-        tuple(at + shift for at, shift in zip(corner, zero, strict=True)) for corner in (stock.low_mm, stock.high_mm)
-    )
-    corners = [((x0, x1)[i], (y0, y1)[j]) for i, j in RECTANGLE]
-    rims = [[(*corner, z) for corner in (*corners, corners[0])] for z in (z0, z1)]
-    posts = [[(*corner, z0), (*corner, z1)] for corner in corners]
     arm = CROSS_SHARE * max(stock.size_mm[:2])
-    cross = [[(zero[0] - arm, zero[1], zero[2]), (zero[0] + arm, zero[1], zero[2])]]
-    cross += [[(zero[0], zero[1] - arm, zero[2]), (zero[0], zero[1] + arm, zero[2])]]
-    return rims + posts + cross
+    cross = [[(-arm, 0.0, 0.0), (arm, 0.0, 0.0)], [(0.0, -arm, 0.0), (0.0, arm, 0.0)]]
+    strips = _edges(stock) + _margin(stock, float(job.EdgeMargin)) + cross
+    return [[tuple(at + shift for at, shift in zip(point, zero, strict=True)) for point in strip] for strip in strips]
+
+
+def _edges(stock: Any) -> list[list[Any]]:
+    """Return the rims of top and bottom, and four posts between them: at a cylinder's sides, at a box's corners."""
+    rim = list(stock.outline.exterior.coords)
+    heights = stock.bottom_mm, stock.top_mm
+    posts = [[(*rim[i * (len(rim) - 1) // POSTS], z) for z in heights] for i in range(POSTS)]
+    return [[(*point, z) for point in rim] for z in heights] + posts
+
+
+def _margin(stock: Any, edge_mm: float) -> list[list[Any]]:
+    """Return the line that cuts stay within, on the top; none where no margin is asked for or none is left."""
+    inside = stock.outline.buffer(-edge_mm, join_style="mitre")
+    return [[(*point, stock.top_mm) for point in inside.exterior.coords]] if edge_mm > 0 and not inside.is_empty else []
