@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import click
 
@@ -35,9 +35,12 @@ if TYPE_CHECKING:
     from CNCStepper.control.certificate import Certificate
     from CNCStepper.control.outcome import Outcome
     from CNCStepper.control.send_job import SendJob
+    from CNCStepper.job.model import Job
     from CNCStepper.simulation.cutter import Tools
+    from CNCStepper.simulation.finding import Finding
     from CNCStepper.simulation.stock import Stock
     from CNCStepper.state import Start
+    from CNCStepper.toolpath import Toolpath
 
 
 @click.command("send")
@@ -55,6 +58,7 @@ if TYPE_CHECKING:
 @click.option(
     "--allow-differences", is_flag=True, help="Send though the controller's settings or offsets are not those wanted."
 )
+@click.option("--unchecked", is_flag=True, help="Send without a certificate and without a check.")
 @click.option("--despite-certificate", is_flag=True, help="Send though the certificate does not fit, or has errors.")
 def command(
     program: Path,
@@ -71,30 +75,36 @@ def command(
     zero_confirmed: bool,
     resume_pauses: bool,
     allow_differences: bool,
+    unchecked: bool,
     despite_certificate: bool,
 ) -> None:
     """Send PROGRAM to the controller at --port and wait until the machine is idle again.
 
     With --certificate only the program that was proven is sent, to the machine, from the start state and with the
-    tools and the stock of the proof, as far as these are given here. Without one, and with --machine, the program
-    is checked first. The controller's settings, and its work zero where the proof knows it, are compared.
+    tools, the stock and the clamps of the proof, as far as these are given here. Without one the program is checked
+    first: with --machine, with --job (whose machine counts where none is given), or not at all if told so by
+    --unchecked. The controller's settings, and its work zero where the proof knows it, are compared.
     Ctrl-C holds the machine and asks what to do. A stop here is not an emergency stop.
     """
     from CNCStepper.cli.watch import watch
-    from CNCStepper.job.model import read_job
+    from CNCStepper.job.model import load_job
 
     if not certificate or job_path:
         check_stock(stock, tool, job_path)
     if despite_certificate and not certificate:
         raise click.UsageError("--despite-certificate goes with --certificate")
+    if not (certificate or machine or job_path or unchecked):
+        raise click.UsageError("give --certificate, or --machine or --job to have it checked, or --unchecked")
     wanted = _Wanted(read_program(program), str(program), machine, stock_of(stock, origin), tool, start_of(work_zero))
     if job_path:
-        job_file = read_job(job_path)
-        wanted = replace(wanted, stock=job_file.stock.stock(), tools=job_file.tools)
+        job_file, job_machine = load_job(job_path)
+        wanted = replace(
+            wanted, machine=machine or job_machine, stock=job_file.stock.stock(), tools=job_file.tools, job=job_file
+        )
     if certificate:
         job = _certified(certificate, wanted, dialect, despite_certificate)
     else:
-        job = _checked(wanted, dialect_name(dialect, machine))
+        job = _checked(wanted, dialect_name(dialect, wanted.machine), unchecked)
     job = replace(job, port=port, baud=baud, allow_differences=allow_differences)
     _conclude(watch(_confirmed(job, zero_confirmed), resume_pauses))
 
@@ -109,6 +119,7 @@ class _Wanted:
     stock: Stock | None
     tools: Tools | None
     start: Start | None
+    job: Job | None = None
 
 
 def _certified(path: Path, wanted: _Wanted, dialect: str | None, despite: bool) -> SendJob:
@@ -136,7 +147,7 @@ def _refusals(certificate: Certificate, wanted: _Wanted, dialect: str) -> Iterat
     """Yield each thing in which what is wanted is not what was proven, and the proof's own errors."""
     from CNCStepper.control.certificate import digest_of_text
     from CNCStepper.gcode.prepare import prepare
-    from CNCStepper.job.certify import machine_digest, stock_digest, tools_digest
+    from CNCStepper.job.certify import keep_out_digest, machine_digest, stock_digest, tools_digest
 
     digests = {
         "program": digest_of_text(wanted.text),
@@ -145,6 +156,7 @@ def _refusals(certificate: Certificate, wanted: _Wanted, dialect: str) -> Iterat
         "start": wanted.start and wanted.start.sha256(),
         "stock": wanted.stock and stock_digest(wanted.stock),
         "tools": wanted.tools and tools_digest(wanted.tools),
+        "keep_out": wanted.job and keep_out_digest(wanted.job.clamps, wanted.job.stock.edge_mm),
     }
     checks: list[Callable[[], None]] = [
         partial(certificate.compare, what, digest) for what, digest in digests.items() if digest
@@ -156,22 +168,33 @@ def _refusals(certificate: Certificate, wanted: _Wanted, dialect: str) -> Iterat
             yield error
 
 
-def _checked(wanted: _Wanted, dialect: str) -> SendJob:
+def _checked(wanted: _Wanted, dialect: str, unchecked: bool) -> SendJob:
     """Read the program back and check it; exits with 1 where a check refuses it."""
     from CNCStepper.gcode.prepare import prepare
     from CNCStepper.gcode.read_back import read_back
     from CNCStepper.job.certify import send_job
-    from CNCStepper.simulation.check import check
     from CNCStepper.simulation.finding import refused
 
     wire = prepare(wanted.text, dialect, wanted.file)
     toolpath = read_back(wire, wanted.text, wanted.start, dialect, wanted.file)
-    if wanted.machine:
-        findings = check(toolpath, wanted.machine, file=wanted.file, stock=wanted.stock, tools=wanted.tools)
+    if wanted.machine and not unchecked:
+        findings = _findings(wanted, wanted.machine, toolpath)
         show_findings(finding for finding in findings if finding.severity == "error")
         if refused(findings):
             sys.exit(1)
     return send_job(wire, wanted.machine, wanted.file, toolpath.start)
+
+
+def _findings(wanted: _Wanted, machine: Machine, toolpath: Toolpath) -> list[Finding]:
+    """Return what every check finds, with a job also against its shapes, its clamps and its sheet's edge."""
+    from CNCStepper.job.make import make_program
+    from CNCStepper.simulation.check import check
+
+    given: dict[str, Any] = {"file": wanted.file, "stock": wanted.stock, "tools": wanted.tools}
+    if wanted.job:
+        removals = make_program(wanted.job, machine).removals
+        given |= {"removals": removals, "keep_out": wanted.job.clamps, "edge_mm": wanted.job.stock.edge_mm}
+    return check(toolpath, machine, **given)
 
 
 def _uncertified(wanted: _Wanted, dialect: str) -> SendJob:

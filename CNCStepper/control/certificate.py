@@ -2,7 +2,7 @@
 """The certificate of a program: which bytes were proven, against what, what was found, and all that a sender needs.
 
 `job.certify` makes it; here it is read, so that who sends need not know how a proof is made. What was proven
-(program, wire, start, machine, stock, tools) stands in it with its SHA-256; one more, over the whole, finds what
+(program, wire, start, machine, stock, tools, clamps) stands in it with its SHA-256; one more, over the whole, finds what
 was changed in the certificate itself. None of them is a signature: they stop mistakes, not a forger.
 """
 
@@ -27,6 +27,7 @@ OTHER = {
     "machine": "the program was proven for another machine, or its profile was changed since",
     "stock": "the program was proven with another stock",
     "tools": "the program was proven with other tools",
+    "keep_out": "the program was proven with other clamps, or another distance from the sheet's edge",
 }
 
 

@@ -59,8 +59,10 @@ def certificate_of(proof: Proof) -> Certificate:
             "machine": {"sha256": machine_digest(given.machine), "name": given.machine.name},
             "stock": {"sha256": stock_digest(given.stock), "stock": _stock(given.stock)},
             "tools": {"sha256": tools_digest(given.tools), "tools": _tools(given.tools)},
-            "clamps": [asdict(clamp) for clamp in given.keep_out],
-            "edge_mm": given.edge_mm,
+            "keep_out": {
+                "sha256": keep_out_digest(given.keep_out, given.edge_mm),
+                **_keep_out(given.keep_out, given.edge_mm),
+            },
             "tolerance": _tolerance(proof),
             "times": {"program_s": report["time_s"], "operations_s": _times(report["operations"])},
             "figures": {name: report[name] for name in (*FIGURES, *VERDICT)},
@@ -107,6 +109,15 @@ def stock_digest(stock: Stock | None) -> str:
 def tools_digest(tools: Tools | None) -> str:
     """Return the fingerprint of the tools; None has one too."""
     return digest_of(_tools(tools))
+
+
+def keep_out_digest(clamps: Sequence[Clamp], edge_mm: float | None) -> str:
+    """Return the fingerprint of what the tool must keep clear of: the clamps and the sheet's rim."""
+    return digest_of(_keep_out(clamps, edge_mm))
+
+
+def _keep_out(clamps: Sequence[Clamp], edge_mm: float | None) -> dict[str, Any]:
+    return {"clamps": [asdict(clamp) for clamp in clamps], "edge_mm": edge_mm}
 
 
 def _stock(stock: Stock | None) -> dict[str, Any] | None:

@@ -186,16 +186,44 @@ def test_a_certificate_with_errors_is_refused_unless_told(
     assert sent.returncode == 0, sent.stderr
 
 
-def test_a_job_whose_tools_were_changed_since_is_refused(tmp_path: Path) -> None:
+CLAMP = "[[clamp]]\ncorners_mm = [[-5, -5], [5, 5]]\ntop_mm = 30\n\n[[tool]]"
+
+
+@pytest.fixture
+def job(tmp_path: Path) -> Path:
+    """A job file whose program and certificate lie beside it."""
     folder = Path(__file__).parents[3] / "examples" / "jobs"
     text = (folder / "elliptical-pocket.toml").read_text("utf-8").replace("../machines/table-a.toml", "table-a")
     job = tmp_path / "job.toml"
     job.write_text(text, encoding="utf-8")
     assert subprocess.run(command("run", job, "--out", tmp_path), capture_output=True).returncode == 0
+    return job
+
+
+def test_a_job_without_a_certificate_is_checked_against_all_that_it_says(job: Path, tmp_path: Path) -> None:
+    def sent(*more: str) -> subprocess.CompletedProcess[str]:
+        line = command("send", tmp_path / "program.nc", "--port", "/dev/no-such-port", "--job", job, "--zero-confirmed")
+        return subprocess.run([*line, *more], capture_output=True, encoding="utf-8", timeout=60)
+
+    assert "/dev/no-such-port" in sent().stderr and not sent().stdout.count("error")
+    text = job.read_text("utf-8")
+    for old, new, code in (("[[tool]]", CLAMP, "clamp"), ("depth_mm = 10", "depth_mm = 9.9", "gouge")):
+        job.write_text(text.replace(old, new), encoding="utf-8")
+        refused = sent()
+        assert refused.returncode == 1 and f"[{code}]" in refused.stdout and not refused.stderr, refused.stdout
+        assert "/dev/no-such-port" in sent("--unchecked").stderr
+
+
+def test_a_job_whose_tools_were_changed_since_is_refused(job: Path, tmp_path: Path) -> None:
+    text = job.read_text("utf-8")
     program, path = tmp_path / "program.nc", tmp_path / "certificate.json"
     same = certified(program, "/dev/no-such-port", path, "--job", job)
     assert "/dev/no-such-port" in same.stderr and "[certificate" not in same.stderr
-    for old, new, word in (("= 6.0", "= 5.9", "tools"), ("70, 20]", "70, 21]", "stock")):
+    for old, new, word in (
+        ("= 6.0", "= 5.9", "tools"),
+        ("70, 20]", "70, 21]", "stock"),
+        ("[[tool]]", CLAMP, "keep_out"),
+    ):
         assert old in text
         job.write_text(text.replace(old, new), encoding="utf-8")
         other = certified(program, "/dev/no-such-port", path, "--job", job)

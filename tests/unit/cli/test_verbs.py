@@ -148,6 +148,7 @@ def test_run_tells_the_recalculated_stepover_and_what_no_tool_reaches(tmp_path: 
         ("check", "SQUARE", "--machine", "table-a", "--tool", "flat:6", "--job", POCKET),
         ("virtual", "grbl"),
         ("send", "SQUARE"),
+        ("send", "SQUARE", "--port", "none"),
         ("send", "SQUARE", "--port", "none", "--despite-certificate"),
         ("send", "SQUARE", "--port", "none", "--tool", "flat:6"),
         ("nonsense",),

@@ -17,7 +17,14 @@ from CNCStepper.control.certificate import Certificate, digest_of, digest_of_lin
 from CNCStepper.control.readiness import expected_settings
 from CNCStepper.errors import JobError
 from CNCStepper.gcode.prepare import prepare
-from CNCStepper.job.certify import certificate_of, machine_digest, send_job, stock_digest, tools_digest
+from CNCStepper.job.certify import (
+    certificate_of,
+    keep_out_digest,
+    machine_digest,
+    send_job,
+    stock_digest,
+    tools_digest,
+)
 from CNCStepper.job.prove import Proof, prove
 from CNCStepper.machine.profile import load_machine
 from CNCStepper.machine.tool import Tool
@@ -52,8 +59,8 @@ def test_it_names_what_was_proven_and_what_was_found() -> None:
     assert content["start"]["sha256"] == START.sha256()
     assert content["start"]["state"]["work_offsets_mm"] == {"G54": [-200.0, -150.0, -40.0]}
     assert content["machine"]["name"] == MACHINE.name
-    assert content["clamps"] == [{"corners_mm": [[30.0, 30.0], [35.0, 35.0]], "top_mm": 8.0}]
-    assert content["edge_mm"] is None
+    assert content["keep_out"]["clamps"] == [{"corners_mm": [[30.0, 30.0], [35.0, 35.0]], "top_mm": 8.0}]
+    assert content["keep_out"]["edge_mm"] is None
     assert content["stock"]["stock"] == {"form": "stock", "size_mm": [40.0, 40.0, 5.0], "origin": "top-centre"}
     assert content["tools"]["tools"]["1"]["diameter_mm"] == 6.0
     assert content["findings"] == PROOF.report["findings"]
@@ -140,11 +147,12 @@ CHANGES: dict[str, Callable[[], str]] = {
     "machine": lambda: machine_digest(MACHINE.model_copy(update={"tool_change": "split"})),
     "stock": lambda: stock_digest(Stock((40, 40, 6))),
     "tools": lambda: tools_digest({1: TOOLS[1].model_copy(update={"diameter_mm": 5.99})}),
+    "keep_out": lambda: keep_out_digest([Clamp(((30.0, 30.0), (35.0, 35.0)), 8.5)], None),
 }
 
 
 @pytest.mark.parametrize("what", CHANGES)
-def test_another_start_machine_stock_or_tool_is_refused(what: str) -> None:
+def test_another_start_machine_stock_tool_or_clamp_is_refused(what: str) -> None:
     with pytest.raises(JobError) as refusal:
         CERTIFICATE.compare(what, CHANGES[what]())
     assert refusal.value.code == f"certificate-{what}" and "check the program again" in str(refusal.value)
@@ -153,6 +161,7 @@ def test_another_start_machine_stock_or_tool_is_refused(what: str) -> None:
         "machine": machine_digest(load_machine("table-a")),
         "stock": stock_digest(Stock((40.0, 40.0, 5.0))),
         "tools": tools_digest({1: Tool(number=1, shape="flat", diameter_mm=6)}),
+        "keep_out": keep_out_digest([CLAMP], None),
     }
     CERTIFICATE.compare(what, same[what])
 
