@@ -6,7 +6,6 @@ Nothing here looks at what the cycles meant to do, except at the shapes that the
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -24,7 +23,7 @@ from CNCStepper.job.make import Made, make_program
 from CNCStepper.job.model import Job
 from CNCStepper.machine.profile import Machine
 from CNCStepper.machine.tool import Tool
-from CNCStepper.motion.plan import times_s
+from CNCStepper.motion.plan import begun, times_s
 from CNCStepper.simulation.check import check
 from CNCStepper.simulation.clamps import Clamp
 from CNCStepper.simulation.finding import Finding, refused
@@ -112,7 +111,7 @@ def prove(
     wire = prepare(text, language, file)
     toolpath = read_back(wire, text, start, language, file)
     tell("time")
-    ends_s = times_s(_begun(toolpath), machine)
+    ends_s = times_s(begun(toolpath), machine)
     tell("judge")
     judgement = judge(toolpath, tools, list(removals), stock) if tools is not None and removals else None
     tell("check")
@@ -125,13 +124,6 @@ def prove(
     told = report(toolpath, ends_s, file=file, findings=findings, judgement=judgement, part=part)
     given = Given(text, language, machine, stock, tools, removals, keep_out, edge_mm)
     return Proof(wire, toolpath, ends_s, findings, part, told, given)
-
-
-def _begun(toolpath: Toolpath) -> Toolpath:
-    """Return the table begun at the work zero on the axes whose position is unknown, so that it has a duration."""
-    pairs = zip(toolpath.start.position_mm, toolpath.states[0].offset_mm, strict=True)
-    position = tuple(zero if math.isnan(known) else known for known, zero in pairs)
-    return replace(toolpath, start=replace(toolpath.start, position_mm=position))
 
 
 def prove_job(

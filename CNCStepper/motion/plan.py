@@ -9,7 +9,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from dataclasses import replace
 from itertools import pairwise
+from typing import NamedTuple
 
 import numpy as np
 
@@ -29,12 +31,12 @@ RUNNING_EVENTS = ("message", "comment", "tool_select", "optional_pause")  # the 
 
 def times_s(toolpath: Toolpath, machine: Machine | Limits) -> np.ndarray:
     """Return the time in s at which every row ends, float64[n]; dwells before a row are included."""
-    return _Run(toolpath, machine).times_s()
+    return Run(toolpath, machine).times_s()
 
 
 def duration_s(toolpath: Toolpath, machine: Machine | Limits) -> float:
     """Return the time in s that the whole table takes, dwells included."""
-    run = _Run(toolpath, machine)
+    run = Run(toolpath, machine)
     for _ in run.segments():
         pass
     return run.clock / TICKS_PER_S
@@ -42,7 +44,7 @@ def duration_s(toolpath: Toolpath, machine: Machine | Limits) -> float:
 
 def top_speeds_mm_s(toolpath: Toolpath, machine: Machine | Limits) -> np.ndarray:
     """Return the greatest speed that each axis reaches on every row, float64[n, axes]."""
-    run = _Run(toolpath, machine)
+    run = Run(toolpath, machine)
     steps_per_mm = np.array(run.limits.steps_per_mm)
     fastest = np.zeros((len(toolpath), run.limits.axes))
     for segments in run.segments():
@@ -57,7 +59,7 @@ def sample(toolpath: Toolpath, machine: Machine | Limits, times_s: np.ndarray) -
     clocks = np.rint(np.asarray(times_s, float) * TICKS_PER_S).astype(np.int64)
     order = np.argsort(clocks, kind="stable")
     rising = clocks[order]
-    run = _Run(toolpath, machine)
+    run = Run(toolpath, machine)
     positions = np.tile(run.course.planner.position, (len(clocks), 1))
     done = 0
     for segments in run.segments():
@@ -70,13 +72,29 @@ def sample(toolpath: Toolpath, machine: Machine | Limits, times_s: np.ndarray) -
 
 def step_events(toolpath: Toolpath, machine: Machine | Limits) -> Iterator[tuple[np.ndarray, np.ndarray]]:
     """Yield every moment at which some axis steps, piece by piece: times in s, and positions in steps after it."""
-    for segments in _Run(toolpath, machine).segments():
+    for segments in Run(toolpath, machine).segments():
         clocks, positions = step_table(segments)
         yield clocks / TICKS_PER_S, positions
 
 
-class _Run:
-    """One pass through a table."""
+def begun(toolpath: Toolpath) -> Toolpath:
+    """Return the table begun at the work zero on the axes whose position is unknown, so that it has a duration."""
+    pairs = zip(toolpath.start.position_mm, toolpath.states[0].offset_mm, strict=True)
+    position = tuple(zero if math.isnan(known) else known for known, zero in pairs)
+    return replace(toolpath, start=replace(toolpath.start, position_mm=position))
+
+
+class Mark(NamedTuple):
+    """A place in a pass through a table from which it can go on again."""
+
+    chunk: int
+    stops: tuple[int, int]
+    dwell: np.ndarray | None  # of the row in hand, empty at a chunk's end; None where no chunk is in hand
+    memory: list[np.ndarray]
+
+
+class Run:
+    """One pass through a table, piece by piece."""
 
     def __init__(self, toolpath: Toolpath, machine: Machine | Limits):
         self.toolpath = toolpath
@@ -87,6 +105,9 @@ class _Run:
         self.table = new_segments(SEGMENT_ROWS, self.limits.axes)
         self.stops = Stops(toolpath.states, toolpath.events, self.limits.laser)
         self.ends: np.ndarray | None = None  # ticks, kept only where the end of every row is asked for
+        self._chunk = 0
+        self._rows: Rows | None = None  # of the chunk in hand
+        self._stops_before = self.stops.place  # that chunk
 
     @property
     def clock(self) -> int:
@@ -95,21 +116,41 @@ class _Run:
 
     def segments(self) -> Iterator[np.recarray]:
         """Yield all segments, at most SEGMENT_ROWS at a time; each is valid until the next is asked for."""
-        cursor = self.course.cursor[0]
-        for chunk in self.toolpath.chunks:
-            rows = self._rows(chunk)
-            cursor.row = 0
-            while cursor.row < len(chunk):
-                count = run_rows(self.course, rows, self.table)
-                if count:
-                    yield self.table[:count].view(np.recarray)
-            if self.ends is not None:
-                ends = self.ends[chunk.first - self.first :][: len(chunk)]
-                np.maximum(ends, rows.not_before, out=ends)
-        while count := run_empty(self.course, self.table, 0):
-            yield self.table[:count].view(np.recarray)
+        while len(piece := self.piece()):
+            yield piece
         for dwell in self.stops.last():
             stand_still(self.course, dwell)
+
+    def piece(self) -> np.recarray:
+        """Return the next segments, at most SEGMENT_ROWS, valid until the next are asked for; none at the end."""
+        cursor = self.course.cursor[0]
+        while self._chunk < len(self.toolpath.chunks):
+            rows = self._rows_in_hand()
+            while cursor.row < len(rows.kind):
+                if count := run_rows(self.course, rows, self.table):
+                    return self.table[:count].view(np.recarray)
+            if self.ends is not None:
+                ends = self.ends[rows.first - self.first :][: len(rows.kind)]
+                np.maximum(ends, rows.not_before, out=ends)
+            self._chunk, self._rows = self._chunk + 1, None
+        return self.table[: run_empty(self.course, self.table, 0)].view(np.recarray)
+
+    def mark(self) -> Mark:
+        """Return where this pass is, between two pieces."""
+        row = int(self.course.cursor[0].row)
+        dwell = self._rows.dwell[row : row + 1].copy() if self._rows else None
+        place = self.stops.place if self._rows is None else self._stops_before
+        return Mark(self._chunk, place, dwell, [memory.copy() for memory in self._memory])
+
+    def back_to(self, mark: Mark) -> None:
+        """Go on from a mark of this pass."""
+        for memory, kept in zip(self._memory, mark.memory, strict=True):
+            memory[:] = kept
+        self._chunk, self.stops.place, self._rows = mark.chunk, mark.stops, None
+        if mark.dwell is not None:
+            row = int(self.course.cursor[0].row)
+            self._rows_in_hand().dwell[row : row + 1] = mark.dwell
+            self.course.cursor[0].row = row
 
     def times_s(self) -> np.ndarray:
         """Return the end time of every row in s."""
@@ -124,7 +165,22 @@ class _Run:
         """The execution index of the first row."""
         return self.toolpath.chunks[0].first if self.toolpath.chunks else 0
 
-    def _rows(self, chunk: Chunk) -> Rows:
+    @property
+    def _memory(self) -> list[np.ndarray]:
+        """All arrays that a piece changes."""
+        planner, course = self.course.planner, self.course
+        known = (planner.blocks, planner.queue, planner.ramp, planner.position, planner.known)
+        return [*known, planner.previous_unit, planner.unit, *course[1:]]
+
+    def _rows_in_hand(self) -> Rows:
+        """Return the rows of the chunk in hand; a chunk that is taken up is begun at its first row."""
+        if self._rows is None:
+            self._stops_before = self.stops.place
+            self._rows = self._rows_of(self.toolpath.chunks[self._chunk])
+            self.course.cursor[0].row = 0
+        return self._rows
+
+    def _rows_of(self, chunk: Chunk) -> Rows:
         kind, plane, turns = (column.astype(np.int64) for column in (chunk.kind, chunk.plane, chunk.turns))
         dwell = self.stops.before(chunk)
         speed = chunk.feed / S_PER_MIN
@@ -145,6 +201,15 @@ class Stops:
         self.state = 0
         self.events = [event for event in events if event.kind not in RUNNING_EVENTS]
         self.next_event = 0
+
+    @property
+    def place(self) -> tuple[int, int]:
+        """How far it has come: the last state and the next event."""
+        return self.state, self.next_event
+
+    @place.setter
+    def place(self, place: tuple[int, int]) -> None:
+        self.state, self.next_event = place
 
     def before(self, chunk: Chunk) -> np.ndarray:
         """Return the ticks of standstill before each row, int64[n]; -1 where the motion goes on."""
