@@ -14,10 +14,12 @@ from dataclasses import dataclass
 import numpy as np
 
 from CNCStepper.simulation.heightmap import HeightMap
+from CNCStepper.simulation.stock import Stock
 
 MOST_FACES = 40_000  # a part that needs more is drawn from larger cells
 SAME_MM = 1e-4  # heights that differ by less are one
 BLUR = 2  # cells on each side over which a wall's direction is averaged
+RIM = BLUR + 2  # cells around a rectangle of cells that its walls' directions depend on
 UPRIGHT = 0.2  # a wall's normal leans at least that much towards its open side
 
 
@@ -34,28 +36,60 @@ class Faces:
 
 def faces_of(part: HeightMap, most: int = MOST_FACES) -> Faces:
     """Return the faces of a part, from its own cells or, where those make more than `most`, from larger ones."""
+    return _faces_and_step(part, most)[0]
+
+
+def step_of(part: HeightMap, most: int = MOST_FACES) -> int:
+    """Return of how many cells along x and y the larger ones of `faces_of` are made, a power of 2."""
+    return _faces_and_step(part, most)[1]
+
+
+def _faces_and_step(part: HeightMap, most: int) -> tuple[Faces, int]:
     step = 1
     while True:
-        faces = _Cells(part, step).faces()
+        heights = drawn_heights(part.heights_mm, part.stock.bottom_mm, step)
+        x_mm, y_mm = borders_mm(part.stock, heights.shape)
+        padded = np.pad(heights, RIM, constant_values=part.stock.bottom_mm)
+        faces = Cells(padded, x_mm, y_mm, part.stock.bottom_mm).faces()
         if len(faces) <= most or step >= min(part.heights_mm.shape):
-            return faces
+            return faces, step
         step *= 2
 
 
-class _Cells:
-    """Every `step`-th cell of a part, with a rim of air around."""
+def drawn_heights(heights_mm: np.ndarray, bottom_mm: float, step: int) -> np.ndarray:
+    """Return the heights that are drawn, of every `step`-th cell along x and y: none below the bottom, and rounded."""
+    heights = np.maximum(heights_mm[step // 2 :: step, step // 2 :: step], bottom_mm)
+    return np.round(heights.astype(float) / SAME_MM) * SAME_MM
 
-    def __init__(self, part: HeightMap, step: int):
-        bottom_mm, low, size = part.stock.bottom_mm, part.stock.low_mm, part.stock.size_mm
-        heights = np.maximum(part.heights_mm[step // 2 :: step, step // 2 :: step], bottom_mm)
-        heights = np.round(heights / SAME_MM) * SAME_MM
-        rows, columns = heights.shape
+
+def borders_mm(stock: Stock, shape: tuple[int, ...]) -> tuple[np.ndarray, np.ndarray]:
+    """Return the x and the y of the lines between the cells that fill a stock, its sides included."""
+    low, size = stock.low_mm, stock.size_mm
+    y_mm, x_mm = (low[k] + np.arange(n + 1) * size[k] / n for k, n in zip((1, 0), shape, strict=True))
+    return x_mm, y_mm
+
+
+class Cells:
+    """A rectangle of a part's cells, drawn: tops and bottom, the walls west and south of every cell, and the part's
+    last walls where the rectangle reaches to its east (`last[0]`) or north (`last[1]`).
+
+    heights: float64[rows + 2 RIM, columns + 2 RIM], mm, with the cells around, which are at the bottom beside the
+    part. x_mm, y_mm: the lines between the cells, from the rectangle's west and south side to its east and north.
+    """
+
+    def __init__(
+        self,
+        heights: np.ndarray,
+        x_mm: np.ndarray,
+        y_mm: np.ndarray,
+        bottom_mm: float,
+        last: tuple[bool, bool] = (True, True),
+    ):
         self.bottom_mm = bottom_mm
-        self.heights = np.pad(heights, 1, constant_values=bottom_mm)
-        self.x_mm = low[0] + np.arange(columns + 1) * size[0] / columns
-        self.y_mm = low[1] + np.arange(rows + 1) * size[1] / rows
-        self.cell_mm = (size[0] / columns, size[1] / rows)
-        self.slope = _slope(_blurred(self.heights), self.cell_mm)
+        self.heights, self.inner = heights, heights[RIM:-RIM, RIM:-RIM]
+        self.x_mm, self.y_mm, self.last = x_mm, y_mm, last
+        self.cell_mm = (x_mm[1] - x_mm[0], y_mm[1] - y_mm[0])
+        self.sums = np.pad(heights, ((1, 0), (1, 0))).cumsum(axis=0).cumsum(axis=1)
 
     def faces(self) -> Faces:
         """Return the tops, the walls across x, the walls across y and the bottom."""
@@ -63,21 +97,20 @@ class _Cells:
         return Faces(*(np.concatenate([getattr(part, name) for part in parts]) for name in ("corners", "normals")))
 
     def _tops(self) -> Faces:
-        heights = self.heights[1:-1, 1:-1]
-        row, first, last, count = _rectangles(heights)
-        z = heights[row, first]
+        row, first, last, count = _rectangles(self.inner)
+        z = self.inner[row, first]
         open_ = z > self.bottom_mm
         row, first, last, count, z = (column[open_] for column in (row, first, last, count, z))
         west, east, south, north = self.x_mm[first], self.x_mm[last], self.y_mm[row], self.y_mm[row + count]
         corners = _quads((west, south, z), (east, south, z), (east, north, z), (west, north, z))
-        gentle = [_gentle(self.heights, axis, self.cell_mm[axis])[row + 1, first + 1] for axis in range(2)]
+        gentle = [self._gentle(row + RIM, first + RIM, axis) for axis in range(2)]
         return Faces(corners, _unit(np.stack([-gentle[0], -gentle[1], np.ones(len(z))], axis=1)))
 
     def _walls(self, axis: int) -> Faces:
         """Return the walls between neighbours along an axis (0 is x), joined where they go on unchanged."""
-        heights = self.heights[1:-1, :] if axis == 0 else self.heights[:, 1:-1].T
-        slope = [part[1:-1, :] if axis == 0 else part[:, 1:-1].T for part in self.slope]
-        here, there = heights[:, :-1], heights[:, 1:]
+        along_axis = self.heights if axis == 0 else self.heights.T
+        lines = along_axis.shape[1] - 2 * RIM + self.last[axis]
+        here, there = (along_axis[RIM:-RIM, RIM + k : RIM + k + lines] for k in (-1, 0))
         line, first, last = _runs_of_walls(here, there)
         a, b = here[first, line], there[first, line]
         across = (self.x_mm, self.y_mm)[axis][line]
@@ -88,17 +121,21 @@ class _Cells:
         begin, end = np.where(turn, begin, end), np.where(turn, end, begin)
         places = [(across, at) if axis == 0 else (at, across) for at in (begin, end)]
         corners = _quads((*places[0], low), (*places[1], low), (*places[1], high), (*places[0], high))
-        middle = (first + last - 1) // 2
-        smooth = np.stack([-(part[middle, line] + part[middle, line + 1]) / 2 for part in slope], axis=1)
-        normals = _unit(np.column_stack([smooth, np.ones(len(line))]))
+        normals = self._wall_normals(axis, (first + last - 1) // 2 + RIM, line + RIM)
         leaning = normals[:, axis] * sense < UPRIGHT
         normals[leaning] = 0.0
         normals[leaning, axis] = sense[leaning]
         return Faces(corners, normals)
 
+    def _wall_normals(self, axis: int, along: np.ndarray, line: np.ndarray) -> np.ndarray:
+        """Return the normals of the blurred heights on the lines between two cells."""
+        sides = [(along, line - k) if axis == 0 else (line - k, along) for k in (0, 1)]
+        slopes = [-sum(self._slope(*side, part) for side in sides) / 2 for part in range(2)]
+        return _unit(np.column_stack([*slopes, np.ones(len(line))]))
+
     def _bottom(self) -> Faces:
         """Return the underside, open where the part is cut through."""
-        solid = self.heights[1:-1, 1:-1] > self.bottom_mm
+        solid = self.inner > self.bottom_mm
         row, first, last, count = _rectangles(solid)
         there = solid[row, first]
         row, first, last, count = (column[there] for column in (row, first, last, count))
@@ -106,6 +143,26 @@ class _Cells:
         z = np.full(len(row), self.bottom_mm)
         corners = _quads((west, south, z), (west, north, z), (east, north, z), (east, south, z))
         return Faces(corners, np.tile(np.array([0, 0, -1], np.float32), (len(row), 1)))
+
+    def _gentle(self, row: np.ndarray, column: np.ndarray, axis: int) -> np.ndarray:
+        """Return the slope of cells along x (0) or y (1): the gentler of its two sides, 0 beside an edge or ridge."""
+        down, east = (axis, 1 - axis)
+        middle = self.heights[row, column]
+        before = (middle - self.heights[row - down, column - east]) / self.cell_mm[axis]
+        after = (self.heights[row + down, column + east] - middle) / self.cell_mm[axis]
+        return np.where(before * after > 0, np.sign(before) * np.minimum(abs(before), abs(after)), 0.0)
+
+    def _slope(self, row: np.ndarray, column: np.ndarray, axis: int) -> np.ndarray:
+        """Return the slope of the blurred heights at cells, along x (0) or y (1)."""
+        down, east = (axis, 1 - axis)
+        rise = self._blurred(row + down, column + east) - self._blurred(row - down, column - east)
+        return rise / (2 * self.cell_mm[axis])
+
+    def _blurred(self, row: np.ndarray, column: np.ndarray) -> np.ndarray:
+        """Return the mean of the cells around each cell."""
+        south, north, west, east = row - BLUR, row + BLUR + 1, column - BLUR, column + BLUR + 1
+        total = self.sums[north, east] - self.sums[south, east] - self.sums[north, west] + self.sums[south, west]
+        return total / (2 * BLUR + 1) ** 2
 
 
 def _rectangles(heights: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
@@ -135,33 +192,6 @@ def _runs_of_walls(here: np.ndarray, there: np.ndarray) -> tuple[np.ndarray, np.
     line, first = np.nonzero(begins.T)
     _, last = np.nonzero(ends.T)
     return line, first, last + 1
-
-
-def _gentle(heights: np.ndarray, axis: int, cell_mm: float) -> np.ndarray:
-    """Return the slope along x (0) or y (1) at every cell: the gentler of its two sides, 0 beside an edge or ridge."""
-    rise = np.diff(heights, axis=1 - axis) / cell_mm
-    pad = [(0, 0), (0, 0)]
-    pad[1 - axis] = (1, 0)
-    before = np.pad(rise, pad)
-    pad[1 - axis] = (0, 1)
-    after = np.pad(rise, pad)
-    return np.where(before * after > 0, np.sign(before) * np.minimum(abs(before), abs(after)), 0.0)
-
-
-def _blurred(heights: np.ndarray) -> np.ndarray:
-    """Return the mean of the cells around each cell."""
-    for axis in range(2):
-        pad = [(0, 0), (0, 0)]
-        pad[axis] = (BLUR + 1, BLUR)
-        total = np.cumsum(np.pad(heights, pad, mode="edge"), axis=axis)
-        width, count = 2 * BLUR + 1, heights.shape[axis]
-        heights = (total.take(np.arange(width, width + count), axis) - total.take(np.arange(count), axis)) / width
-    return heights
-
-
-def _slope(heights: np.ndarray, cell_mm: tuple[float, float]) -> list[np.ndarray]:
-    along_y, along_x = np.gradient(heights, cell_mm[1], cell_mm[0])
-    return [along_x, along_y]
 
 
 def _quads(*corners: tuple[np.ndarray, np.ndarray, np.ndarray]) -> np.ndarray:
