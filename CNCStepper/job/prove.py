@@ -121,7 +121,7 @@ def prove(
     tell("cut")
     part = height_map(toolpath, tools, stock) if stock is not None and tools is not None else None
     tell("report")
-    told = report(toolpath, ends_s, file=file, findings=findings, judgement=judgement, part=part)
+    told = report(toolpath, ends_s, file=file, findings=findings, judgement=judgement, part=part, tools=tools)
     given = Given(text, language, machine, stock, tools, removals, keep_out, edge_mm)
     return Proof(wire, toolpath, ends_s, findings, part, told, given)
 

@@ -15,12 +15,11 @@ FULL_CIRCLE_RAD = 5e-7  # an arc of at most this angle is a whole circle, as in 
 def arcs_of(table: Chunk, begin: np.ndarray, end: np.ndarray, centre: np.ndarray) -> list[Arcs]:
     """Return the arcs of the three planes; points float64[n, 3] of each row in any one frame.
 
-    Arcs that begin at an unknown point are left out.
+    Arcs that begin at an unknown point of their plane are left out; the height over it may be unknown.
     """
-    is_arc = ((table.kind == ARC_CW) | (table.kind == ARC_CCW)) & np.isfinite(begin).all(axis=1)
-    return [
-        Arcs.of(table, begin, end, centre, np.flatnonzero(is_arc & (table.plane == plane)), plane) for plane in range(3)
-    ]
+    is_arc = (table.kind == ARC_CW) | (table.kind == ARC_CCW)
+    known = [np.isfinite(begin[:, PLANE_AXES[plane][:2]]).all(axis=1) & (table.plane == plane) for plane in range(3)]
+    return [Arcs.of(table, begin, end, centre, np.flatnonzero(is_arc & known[plane]), plane) for plane in range(3)]
 
 
 def extremes(table: Chunk, begin: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

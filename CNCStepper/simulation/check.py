@@ -8,6 +8,7 @@ from collections.abc import Iterator, Sequence
 from CNCStepper.cycles.form import Removal
 from CNCStepper.machine.profile import Machine
 from CNCStepper.simulation import load_checks, machine_checks, motor_checks, stock_checks, tool_checks
+from CNCStepper.simulation.beams import beams
 from CNCStepper.simulation.clamps import Clamp, clamps, sheet_edge
 from CNCStepper.simulation.cutter import Tools
 from CNCStepper.simulation.finding import Finding
@@ -66,6 +67,7 @@ def check(
 
 def _at_stock(subject: Subject, stock: Stock, tools: Tools) -> Iterator[Finding]:
     yield from stock_checks.blind(subject, stock)
+    yield from beams(subject, stock, tools)
     checks = stock_checks.StockChecks(subject, stock, tools)
     for one in (checks.rapids, checks.still_spindle, checks.below):
         yield from one()

@@ -11,7 +11,8 @@ import shapely
 
 from CNCStepper.errors import JobError
 from CNCStepper.machine.tool import Tool
-from CNCStepper.simulation.cutter import POINT, Cutter, Tools, tool_numbered
+from CNCStepper.simulation.beams import beam_cuts, through
+from CNCStepper.simulation.cutter import BEAM, POINT, Cutter, Tools, tool_numbered
 from CNCStepper.simulation.finding import Finding
 from CNCStepper.simulation.form import Form, form_of
 from CNCStepper.simulation.region import flat_edges
@@ -74,11 +75,7 @@ def clamps(subject: Subject, tools: Tools | None, keep_out: Sequence[Clamp]) -> 
 def sheet_edge(subject: Subject, tools: Tools, stock: Stock, edge_mm: float) -> Iterator[Finding]:
     """Yield the cut that comes nearest to the sheet's edge, where it comes nearer than `edge_mm`."""
     rim = stock.outline.boundary
-    for number, path in _by_tool(subject):
-        tool = tool_numbered(tools, number)
-        pieces = clipped_below(path[subject.is_feed[path.row]], stock.top_mm - TOUCH_MM)
-        if tool is None or not len(pieces):
-            continue
+    for tool, pieces in _cuts(subject, tools, stock):
         lines = shapely.linestrings(flat_edges(pieces))
         away = shapely.distance(lines, rim)
         inside = shapely.contains(stock.outline, lines)
@@ -101,9 +98,23 @@ def sheet_edge(subject: Subject, tools: Tools, stock: Stock, edge_mm: float) -> 
             )
 
 
-def _by_tool(subject: Subject) -> list[tuple[int, Segments]]:
-    """Return the known path of each tool number."""
-    path = segments(subject.toolpath, FLATTEN_MM).known()
+def _cuts(subject: Subject, tools: Tools, stock: Stock) -> Iterator[tuple[Tool, Segments]]:
+    """Yield each tool that is known with its feeds below the stock's top; those of a beam that is on all are."""
+    cut_by_beam = beam_cuts(subject.toolpath, tools)
+    for number, path in _by_tool(subject, known=False):
+        tool = tool_numbered(tools, number)
+        if tool is not None and tool.shape in BEAM:
+            pieces = through(path[cut_by_beam[path.row]], stock.bottom_mm).known()
+        else:
+            pieces = clipped_below(path[subject.is_feed[path.row]].known(), stock.top_mm - TOUCH_MM)
+        if tool is not None and len(pieces):
+            yield tool, pieces
+
+
+def _by_tool(subject: Subject, known: bool = True) -> list[tuple[int, Segments]]:
+    """Return the path of each tool number, all of it or what is known."""
+    path = segments(subject.toolpath, FLATTEN_MM)
+    path = path.known() if known else path
     number = np.array([state.tool for state in subject.toolpath.states], int)[subject.table.state[path.row]]
     return [(one, path[number == one]) for one in np.unique(number).tolist()]
 

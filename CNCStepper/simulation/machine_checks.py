@@ -80,7 +80,7 @@ def _larger(subject: Subject, name: str, low, high, travel_mm: float) -> Iterato
 
 def rates(subject: Subject) -> Iterator[Finding]:
     """Yield each axis that a feed asks to go faster than it can; the controller will slow the move down."""
-    path = segments(subject.toolpath, DIRECTION_TOLERANCE_MM).known()
+    path = segments(subject.toolpath, DIRECTION_TOLERANCE_MM).level_where_unknown()
     path = path[subject.is_feed[path.row]]
     delta = np.abs(path.end - path.begin)
     length = np.linalg.norm(delta, axis=1)

@@ -12,6 +12,8 @@ from typing import Any
 import numpy as np
 
 from CNCStepper.simulation.arcs import extremes
+from CNCStepper.simulation.beams import beam_cuts, beam_rows
+from CNCStepper.simulation.cutter import Tools
 from CNCStepper.simulation.finding import Finding
 from CNCStepper.simulation.gouge import Worst
 from CNCStepper.simulation.heightmap import HeightMap
@@ -32,12 +34,14 @@ def report(
     findings: Sequence[Finding] = (),
     judgement: Judgement | None = None,
     part: HeightMap | None = None,
+    tools: Tools | None = None,
 ) -> dict[str, Any]:
     """Return what is known of a program, as dicts, lists, texts, numbers and None.
 
-    times_s: end time of every row, float64[n]. part: the stock after the program.
+    times_s: end time of every row, float64[n]. part: the stock after the program. tools: a beam among them cuts
+    wherever it is on; without them the tool's height says what is cut.
     """
-    lengths = _Lengths(toolpath)
+    lengths = _Lengths(toolpath, tools)
     whole = slice(0, len(toolpath))
     table = toolpath.table()
     return {
@@ -64,16 +68,18 @@ def report(
 
 
 class _Lengths:
-    """Length of every row, and how much of it lies below the stock's top."""
+    """Length of every row, and how much of it lies below the stock's top, or is cut by a beam."""
 
-    def __init__(self, toolpath: Toolpath):
+    def __init__(self, toolpath: Toolpath, tools: Tools | None):
         rows = len(toolpath)
-        path = segments(toolpath, LENGTH_TOLERANCE_MM).known()
+        path = segments(toolpath, LENGTH_TOLERANCE_MM).level_where_unknown()
         below = clipped_below(path, 0.0)
         self.kind = toolpath.table().kind
         self.begin, self.end = tips_mm(toolpath)
         self.whole = _summed(path, rows)
         self.below = np.minimum(_summed(below[below.low_mm < 0.0], rows), self.whole)
+        self.is_beam, self.burns = beam_rows(toolpath, tools)[0], beam_cuts(toolpath, tools)
+        self.below[self.is_beam] = np.where(self.burns, self.whole, 0.0)[self.is_beam]
 
     def of(self, rows: slice) -> dict[str, float]:
         """Return the lengths of the rows: cutting (feeds below the stock's top), feeding in air, rapid."""
@@ -90,9 +96,13 @@ class _Lengths:
         return int(self._plunging(rows).sum())
 
     def pierces(self, rows: slice) -> int:
-        """Return at how many places the tool feeds straight down into the stock; pecks and levels are one pierce."""
-        piercing = self._plunging(rows) & (self.end[rows][:, 2] < 0.0)
-        return len(np.unique(np.round(self.end[rows][piercing, :2], SAME_PLACE_DECIMALS), axis=0))
+        """Return at how many places the tool feeds straight down into the stock; pecks and levels are one pierce.
+
+        A beam pierces each time it begins to cut.
+        """
+        piercing = self._plunging(rows) & (self.end[rows][:, 2] < 0.0) & ~self.is_beam[rows]
+        places = len(np.unique(np.round(self.end[rows][piercing, :2], SAME_PLACE_DECIMALS), axis=0))
+        return places + int(np.diff(self.burns[rows], prepend=False, append=False).sum()) // 2
 
     def _plunging(self, rows: slice) -> np.ndarray:
         delta = self.end[rows] - self.begin[rows]

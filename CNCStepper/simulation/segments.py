@@ -39,6 +39,13 @@ class Segments:
         """Return those whose two ends are known."""
         return self[np.isfinite(self.begin).all(axis=1) & np.isfinite(self.end).all(axis=1)]
 
+    def level_where_unknown(self) -> Segments:
+        """Return those known in X and Y; a height that is known at neither end counts as 0, as on a table without Z."""
+        begin, end = self.begin.copy(), self.end.copy()
+        nowhere = np.isnan(begin[:, 2]) & np.isnan(end[:, 2])
+        begin[nowhere, 2] = end[nowhere, 2] = 0.0
+        return Segments(begin, end, self.row).known()
+
 
 def frame_mm(toolpath: Toolpath) -> np.ndarray:
     """Return the machine coordinates of the stock's work zero, float64[3]: the offset of the first row."""

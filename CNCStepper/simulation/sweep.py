@@ -15,6 +15,7 @@ import numpy as np
 import shapely
 
 from CNCStepper.cycles.form import Removal
+from CNCStepper.simulation.beams import beam_cuts, through
 from CNCStepper.simulation.cutter import BEAM, POINT, Cutter, Tools, tool_numbered
 from CNCStepper.simulation.form import form_of
 from CNCStepper.simulation.gouge import SMALL_MM, Entries, Kept, Worst, deepest, entries
@@ -22,7 +23,7 @@ from CNCStepper.simulation.leftover import SAME_LEVEL_MM, Cuts, Island, Left, le
 from CNCStepper.simulation.region import EdgeTree, Region, flat_edges
 from CNCStepper.simulation.segments import Segments, clipped_below, segments
 from CNCStepper.simulation.stock import Stock
-from CNCStepper.toolpath import RAPID, Toolpath
+from CNCStepper.toolpath import Toolpath
 
 FLATTEN_MM = 0.0002
 FAR_MM = 1e5  # how far the air beside the stock reaches
@@ -102,7 +103,7 @@ def judge(
 
 def cutting_path(toolpath: Toolpath, tools: Tools, top_mm: float, stock: Stock | None = None) -> Cuts:
     """Return the tip's path below `top_mm` as segments, by cutter; that of a beam lies at the stock's bottom."""
-    path = segments(toolpath, FLATTEN_MM).known()
+    path, cuts = segments(toolpath, FLATTEN_MM), beam_cuts(toolpath, tools)
     number = np.array([state.tool for state in toolpath.states])[toolpath.table().state[path.row]]
     through_mm = 0.0 if stock is None else stock.top_mm - stock.bottom_mm
     by_cutter: dict[Cutter, list[Segments]] = {}
@@ -110,19 +111,9 @@ def cutting_path(toolpath: Toolpath, tools: Tools, top_mm: float, stock: Stock |
         tool, pieces = tool_numbered(tools, used), path[number == used]
         if tool is not None:
             if stock is not None and tool.shape in BEAM:
-                pieces = _beam(toolpath, pieces, stock.bottom_mm)
-            by_cutter.setdefault(Cutter(form_of(tool, through_mm)), []).append(pieces)
+                pieces = through(pieces[cuts[pieces.row]], stock.bottom_mm)
+            by_cutter.setdefault(Cutter(form_of(tool, through_mm)), []).append(pieces.known())
     return [(cutter, clipped_below(_joined(parts), top_mm - SAME_LEVEL_MM)) for cutter, parts in by_cutter.items()]
-
-
-def _beam(toolpath: Toolpath, pieces: Segments, bottom_mm: float) -> Segments:
-    """Return the pieces on which a beam is on, laid at the stock's bottom, where the narrow end of its kerf is."""
-    table = toolpath.table()
-    on = np.array([state.spindle_turns for state in toolpath.states])[table.state] & (table.kind != RAPID)
-    pieces = pieces[on[pieces.row]]
-    begin, end = pieces.begin.copy(), pieces.end.copy()
-    begin[:, 2] = end[:, 2] = bottom_mm
-    return Segments(begin, end, pieces.row)
 
 
 def _joined(parts: list[Segments]) -> Segments:

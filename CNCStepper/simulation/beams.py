@@ -1,0 +1,61 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Jets and wires: they cut through the whole sheet wherever they are held, and only while they are on."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+import shapely
+
+from CNCStepper.simulation.cutter import BEAM, Tools, tool_numbered
+from CNCStepper.simulation.finding import Finding
+from CNCStepper.simulation.region import flat_edges
+from CNCStepper.simulation.segments import Segments, segments
+from CNCStepper.simulation.stock import Stock
+from CNCStepper.simulation.subject import Subject
+from CNCStepper.toolpath import RAPID, Toolpath
+
+FLATTEN_MM = 0.01
+
+
+def beam_rows(toolpath: Toolpath, tools: Tools | None) -> tuple[np.ndarray, np.ndarray]:
+    """Return which rows have a beam for their tool, and on which of them it is on, bool[n] each."""
+    shapes = [getattr(tool_numbered(tools, state.tool), "shape", "") for state in toolpath.states]
+    is_beam = np.array([shape in BEAM for shape in shapes], bool)
+    on = is_beam & np.array([state.spindle_turns for state in toolpath.states], bool)
+    state = toolpath.table().state
+    return is_beam[state], on[state]
+
+
+def beam_cuts(toolpath: Toolpath, tools: Tools | None) -> np.ndarray:
+    """Return on which rows a beam cuts, bool[n]: it is on, and the row is no rapid."""
+    return beam_rows(toolpath, tools)[1] & (toolpath.table().kind != RAPID)
+
+
+def through(pieces: Segments, bottom_mm: float) -> Segments:
+    """Return the segments laid at the stock's bottom, where the narrow end of a beam's kerf is."""
+    begin, end = pieces.begin.copy(), pieces.end.copy()
+    begin[:, 2] = end[:, 2] = bottom_mm
+    return Segments(begin, end, pieces.row)
+
+
+def beams(subject: Subject, stock: Stock, tools: Tools) -> Iterator[Finding]:
+    """Yield the rapid that crosses the stock with the beam on, and a program whose beam is never on.
+
+    A laser's controller switches its beam off on rapids by itself.
+    """
+    is_beam, on = beam_rows(subject.toolpath, tools)
+    path = through(segments(subject.toolpath, FLATTEN_MM), stock.bottom_mm).known()
+    over = np.zeros(len(subject.table), bool)
+    over[path.row[shapely.intersects(shapely.linestrings(flat_edges(path)), stock.outline)]] = True
+    burning = np.flatnonzero(on & ~subject.is_feed & over)
+    if len(burning) and not subject.machine.spindle.laser:
+        text = "a rapid crosses the stock with the beam on"
+        advice = "switch it off with M5 before it"
+        yield subject.finding(int(burning[0]), "error", "rapid-in-stock", text, advice=advice, count=len(burning))
+    feeds = np.flatnonzero(is_beam & subject.is_feed & over)
+    if len(feeds) and not on[feeds].any():
+        text = "the beam is never on where it is to cut"
+        advice = "switch it on with M3 and S before it"
+        yield subject.finding(int(feeds[0]), "error", "spindle-off", text, advice=advice, count=len(feeds))
