@@ -14,12 +14,14 @@ import time
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 from CNCStepper.control import connect
 from CNCStepper.control.acts import fresh_status
 from CNCStepper.control.certificate import sendable
 from CNCStepper.control.command import VALUES, Command, Inbox
 from CNCStepper.control.grbl import Grbl, Received
+from CNCStepper.control.grbl_report import Vector
 from CNCStepper.control.idle import Idle, is_fatal
 from CNCStepper.control.moment import tell_words
 from CNCStepper.control.outcome import REFUSED, Outcome, SenderStatus
@@ -29,6 +31,7 @@ from CNCStepper.control.send_job import SendJob
 from CNCStepper.control.timing import Timing
 from CNCStepper.control.transport import Link, open_link
 from CNCStepper.errors import CNCStepperError, JobError
+from CNCStepper.state import WORK_SYSTEMS
 
 
 class Desk:
@@ -68,6 +71,8 @@ class Desk:
         self._run: JobRun | None = None
         self._connected = False
         self._learned = False
+        self._zero_is_old = False
+        self._zero: dict[str, Any] = {}  # work system and offsets, as `SenderStatus` has them
         self._ending = False
         self._phase = "connecting"  # last told
 
@@ -86,8 +91,8 @@ class Desk:
         if idle is None or not self._connected:
             return SenderStatus()
         if run is None or (status := run.status()).phase == "connecting":
-            return idle.status()
-        return replace(status, position_known=idle.position_known)
+            return replace(idle.status(), **self._zero)
+        return replace(status, position_known=idle.position_known, homed=idle.homed, **self._zero)
 
     def run(self) -> None:
         """Connect and serve until told to end, or left alone; raises LinkError when the link breaks."""
@@ -116,6 +121,8 @@ class Desk:
         idle.turn()
         if not self._learned:
             self._learn(driver, idle)
+        elif self._zero_is_old and idle.may_be_asked:
+            self._read_zero(driver)
         for command in self._inbox.take():
             self._obey(command, idle)
         self._tell_phase(idle.phase)
@@ -123,8 +130,28 @@ class Desk:
     def _learn(self, driver: Grbl, idle: Idle) -> None:
         """Read what the controller is as soon as it stands; one that moves is not asked."""
         if idle.may_be_asked:
-            connect.learn(driver, self._timing)
+            found = connect.learn(driver, self._timing)
+            self._take_zero(found.offsets, found.modes)
             self._learned = True
+
+    def _read_zero(self, driver: Grbl) -> None:
+        """Ask where the work zero is now; where that is refused it is not known."""
+        try:
+            self._take_zero(connect.read_offsets(driver, self._timing), connect.read_modes(driver, self._timing))
+        except CNCStepperError as error:
+            if is_fatal(error):
+                raise
+            self._zero, self._zero_is_old = {}, False
+
+    def _take_zero(self, offsets: dict[str, Vector], modes: str) -> None:
+        """Keep where the work zero is; what sets it anew makes this old."""
+        assert self._driver
+        driver = self._driver
+        self._zero = {
+            "work_system": next((word for word in modes.split() if word in WORK_SYSTEMS), ""),
+            "work_offsets_mm": {name: mm for name, offset in offsets.items() if (mm := driver.mm(offset)) is not None},
+        }
+        self._zero_is_old = False
 
     def _obey(self, command: Command, idle: Idle) -> None:
         try:
@@ -132,6 +159,7 @@ class Desk:
                 self._run_job(idle, **command.values)
             elif command.name != "end":
                 idle.do(command)
+                self._zero_is_old = self._zero_is_old or command.name == "set_zero"
         except CNCStepperError as error:
             if is_fatal(error):
                 raise
@@ -143,6 +171,8 @@ class Desk:
             self._run.count(received)
         if self._idle:
             self._idle.hear(received)
+        if connect.greeted(received):
+            self._zero_is_old = True  # a reset takes G92 and the tool's length away
         if self._ending and not self._connected:
             raise Stopped
 
@@ -155,7 +185,7 @@ class Desk:
 
     def _run_job(self, idle: Idle, file: str, zero_confirmed: bool, allow_differences: bool) -> None:
         """Let the job of a file run; however it ends, its outcome is told."""
-        known = idle.position_known
+        known, homed = idle.position_known, idle.homed
         self._tell("job", file)
         try:
             job = self._read(Path(file), zero_confirmed, allow_differences)
@@ -169,7 +199,8 @@ class Desk:
             outcome = self._run.run(self._ready)
         finally:
             self._run, self._phase = None, ""
-        idle.position_known = known
+            self._zero_is_old = True  # a program may set it
+        idle.position_known, idle.homed = known, homed
         if not outcome.position_known and outcome.kind != REFUSED:
             idle.lose_position()
         self._ended(outcome)
@@ -189,7 +220,9 @@ class Desk:
         self._run.driver = self._driver
         self._idle.check_no_jog()
         check_state(fresh_status(self._driver, self._timing))
-        return connect.learn(self._driver, self._timing)
+        found = connect.learn(self._driver, self._timing)
+        self._take_zero(found.offsets, found.modes)
+        return found
 
     # --- the end -------------------------------------------------------------------------------
 

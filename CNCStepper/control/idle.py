@@ -34,11 +34,13 @@ CRITICAL = "Reset to continue"
 class Idle:
     """One machine between jobs; everything here happens on the desk's thread, `status` apart.
 
-    position_known: None while nothing speaks for or against it.
+    position_known: None while nothing speaks for or against it. homed: whether machine positions count from the
+    zero that the machine has found itself.
     """
 
     def __init__(self, driver: Grbl, timing: Timing, tell: Tell, refuse: Refuse):
         self.position_known: bool | None = None
+        self.homed = False
         self._driver = driver
         self._timing = timing
         self._tell = tell
@@ -86,7 +88,7 @@ class Idle:
         phase = self.phase
         state = self._driver.status.state if self._driver.status else ""
         message = (self._alarm or LOCKED[state]) if phase == "alarm" and state in LOCKED else ""
-        return replace(moment(self._driver, phase, message), position_known=self.position_known)
+        return replace(moment(self._driver, phase, message), position_known=self.position_known, homed=self.homed)
 
     def turn(self) -> None:
         """Send what is due, ask, and listen once."""
@@ -126,7 +128,7 @@ class Idle:
 
     def lose_position(self) -> None:
         """From now on the machine's position is unknown until it is homed or all its zeros are set."""
-        self.position_known = False
+        self.position_known = self.homed = False
         self._zeroed.clear()
 
     def stop(self) -> None:
@@ -185,9 +187,10 @@ class Idle:
 
     def _unlock(self) -> None:
         self.check_at_rest()
-        known, asleep = self.position_known, self.status().machine_state == "Sleep"
+        asleep = self.status().machine_state == "Sleep"
+        known, homed = self.position_known, self.homed and not asleep  # asleep its motors let go
         acts.unlock(self._driver, self._timing, self._wants_reset or asleep)
-        self.position_known = known  # a reset at rest does not cost it
+        self.position_known, self.homed = known, homed  # a reset at rest does not cost it
 
     def _home(self) -> None:
         self.check_at_rest()
@@ -209,7 +212,7 @@ class Idle:
             words = f"the machine does not home: {code.meaning} (error:{answer.error})"
             self._refuse(Command("home"), MachineRefusal(f"grbl-error-{answer.error}", words, advice=code.advice))
         else:
-            self.position_known = True
+            self.position_known = self.homed = True
             self._tell("message", "the machine is homed")
 
     def _take_alarm(self, alarm: Alarm) -> None:

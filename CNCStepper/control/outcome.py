@@ -23,7 +23,9 @@ class SenderStatus:
     file_line: the last line of the file that was acknowledged. Positions are None until reported.
     overrides: feed, rapid, spindle in percent. pins: the inputs that are on, as "XYZ" for limit switches, P for the
     probe, D for the door. homing: whether the machine can home itself. position_known: whether machine positions
-    can be trusted. None stands for: not reported yet.
+    can be trusted. homed: whether they count from the machine's own zero, which it has found since it was met.
+    work_system, work_offsets_mm: the work system in force and what `$#` last said by name ("G54", "G92", "TLO").
+    None stands for: not reported yet.
     """
 
     phase: str = "connecting"
@@ -43,6 +45,9 @@ class SenderStatus:
     pins: str = ""
     homing: bool | None = None
     position_known: bool | None = None
+    homed: bool = False
+    work_system: str = ""
+    work_offsets_mm: dict[str, Vector] | None = None
 
     def to_json(self) -> dict[str, Any]:
         """Return it as plain values."""
@@ -52,7 +57,9 @@ class SenderStatus:
     def from_json(cls, content: dict[str, Any]) -> SenderStatus:
         """Return the status of `to_json`, after its way through JSON."""
         vectors = {key: tuple(content[key]) if content[key] else None for key in ("mpos_mm", "wpos_mm", "overrides")}
-        return cls(**(content | vectors))
+        offsets = content["work_offsets_mm"]
+        named = {name: tuple(offset) for name, offset in offsets.items()} if offsets else None
+        return cls(**(content | vectors | {"work_offsets_mm": named}))
 
 
 @dataclass(frozen=True)
