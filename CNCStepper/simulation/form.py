@@ -19,7 +19,9 @@ from CNCStepper.kernels import njit
 from CNCStepper.machine.tool import Tool
 
 DRILL_POINT_DEG = 118.0  # the standard point
-BISECTIONS = 45
+NEWTON = 60  # steps at most; three are usual
+WIDER = 1.01  # what is `CLOSE` only is taken that much larger where nothing may be left out
+CLOSE = 1e-2  # a step of that share is the last: the next would be its square, and the height is at its minimum
 
 
 class Form(NamedTuple):
@@ -69,16 +71,23 @@ def height_at(distance, form):
 
 @njit
 def reach(rise, form):
-    """Return the largest `lead` that any point beside a move of slope `rise` has."""
+    """Return two lengths: a cell that has a `lead` l on a move of slope `rise`, l mm behind the tip or ahead of it,
+
+    lies there at most the first away, or within the second of the tip.
+    """
     radius, tip, corner, slope = form
     steep = abs(rise)
     if steep == 0.0:
-        return 0.0
+        return 0.0, 0.0
     if corner > 0.0:
-        return tip + corner * steep / math.sqrt(1.0 + steep * steep)
+        plain = tip + corner * steep / math.sqrt(1.0 + steep * steep)
+        if tip == 0.0:
+            return plain, 0.0
+        beside = WIDER * _corner_lead(plain, steep, tip, corner)
+        return beside, math.sqrt(plain * plain + beside * beside)
     if slope > steep:
-        return max(tip, radius * steep / slope)
-    return radius
+        return radius * steep / slope, tip
+    return 0.0, radius
 
 
 @njit
@@ -107,16 +116,34 @@ def lead(beside, rise, form):
 def _corner_lead(beside, steep, tip, corner):
     """Return where the round corner touches its envelope: at the angle of cosine c from the move's direction
 
-    it does so at the radius tip + corner * steep / sqrt(steep² + c²), as far beside as that times sqrt(1 - c²).
+    it does so at the radius out = tip + corner * steep / sqrt(steep² + c²), as far beside as out * sqrt(1 - c²).
+    The square of c is looked for by Newton's method between bounds: out lies between its value at c = 1 and tip +
+    corner, and is at least `beside`.
     """
     if tip == 0.0:
         return steep * math.sqrt(max(corner * corner - beside * beside, 0.0)) / math.sqrt(1.0 + steep * steep)
-    low, high = 0.0, 1.0
-    for _ in range(BISECTIONS):
-        cosine = 0.5 * (low + high)
-        out = tip + corner * steep / math.sqrt(steep * steep + cosine * cosine)
-        if out * math.sqrt(1.0 - cosine * cosine) > beside:
-            low = cosine
+    if beside >= tip + corner:
+        return 0.0
+    least = tip + corner * steep / math.sqrt(1.0 + steep * steep)
+    low, high = max(1.0 - (beside / least) * (beside / least), 0.0), 1.0
+    square = low
+    if beside > least:
+        share = corner / (beside - tip)
+        high = min(steep * steep * (share * share - 1.0), 1.0)
+        square = high * (beside - tip) / corner
+    for _ in range(NEWTON):
+        root, rest = math.sqrt(steep * steep + square), math.sqrt(1.0 - square)
+        out = tip + corner * steep / root
+        over = out * rest - beside
+        if over > 0.0:
+            low = square
         else:
-            high = cosine
-    return (tip + corner * steep / math.sqrt(steep * steep + low * low)) * low
+            high = square
+        slope = -0.5 * (corner * steep * rest / (root * root * root) + out / max(rest, 1e-9))
+        step = over / slope
+        square -= step
+        if not low <= square <= high:
+            square = 0.5 * (low + high)
+        elif abs(step) <= CLOSE * square:
+            break
+    return (tip + corner * steep / math.sqrt(steep * steep + square)) * math.sqrt(square)

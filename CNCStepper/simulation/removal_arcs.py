@@ -12,7 +12,8 @@ import math
 
 from CNCStepper.kernels import njit
 from CNCStepper.simulation.form import height_at
-from CNCStepper.simulation.removal_lines import columns_between, lower, share_of
+from CNCStepper.simulation.removal_lines import lower, share_of
+from CNCStepper.simulation.removal_rows import columns_between
 
 TURN = 2.0 * math.pi
 SCANS = 12  # places at which a pass is looked at before the best of them is refined
@@ -58,7 +59,7 @@ def bounds(begin, end, arc):
 def cut_arc(tile, grid, begin, end, arc, form):
     """Cut along one arc or helix; its row of `arcs` is `arc`."""
     x0, y0, dx, dy = grid
-    heights, means, _, bottom = tile
+    heights, means, tops, bottom = tile
     rows, columns = heights.shape
     path = falling(begin, end, arc)
     wide = form[0] + 0.5 * (dx + dy)
@@ -71,17 +72,20 @@ def cut_arc(tile, grid, begin, end, arc, form):
     for row in range(first_row, last_row + 1):
         y = y0 + row * dy - path[1]
         for column in range(first, last + 1):
-            if heights[row, column] <= low and means[row, column] <= mean_low:
+            height, mean = float(heights[row, column]), float(means[row, column])
+            if height <= low and mean <= mean_low:
                 continue
             x = x0 + column * dx - path[0]
             out = math.sqrt(x * x + y * y)
             if inside <= out <= outside:
-                _cut_from_arc(tile, row, column, (x, y, out), (dx, dy), path, form)
+                cell = height, mean, float(tops[row, column]), bottom
+                heights[row, column], means[row, column] = _below_arc(cell, (x, y, out), (dx, dy), path, form)
 
 
 @njit
-def _cut_from_arc(tile, row, column, cell, cell_size, path, form):
-    x, y, out = cell
+def _below_arc(cell, place, cell_size, path, form):
+    """Return a cell's two heights after an arc; place: from the arc's centre, and its distance."""
+    x, y, out = place
     _, _, angle, sense, size, r0, r1, z0, fall = path
     radius = form[0]
     turn = ((math.atan2(y, x) - angle) * sense) % TURN
@@ -100,13 +104,12 @@ def _cut_from_arc(tile, row, column, cell, cell_size, path, form):
     width = across / length if length > 0.0 else cell_size[0] + cell_size[1]
     share = share_of(distance, radius, width)
     if share <= 0.0:
-        return
+        return cell[0], cell[1]
     if distance > radius:
-        lower(tile, row, column, z0 - fall * near + height_at(radius, form), False, share)
-    elif fall == 0.0:
-        lower(tile, row, column, z0 + height_at(distance, form), True, share)
-    else:
-        lower(tile, row, column, z0 + _lowest(out, turn, size, r, fall, form), True, share)
+        return lower(cell, z0 - fall * near + height_at(radius, form), False, share)
+    if fall == 0.0:
+        return lower(cell, z0 + height_at(distance, form), True, share)
+    return lower(cell, z0 + _lowest(out, turn, size, r, fall, form), True, share)
 
 
 @njit

@@ -9,7 +9,8 @@ import numpy as np
 
 from CNCStepper.kernels import njit
 from CNCStepper.simulation.removal_arcs import bounds, cut_arc
-from CNCStepper.simulation.removal_lines import columns_between, cut_line
+from CNCStepper.simulation.removal_lines import cut_line
+from CNCStepper.simulation.removal_rows import columns_between
 
 TILE = 128  # cells along a tile's side: its two arrays of float32 fit a core's cache
 

@@ -140,6 +140,22 @@ def test_joined_moves_cut_what_they_cut_apart(shape: str, climb: float) -> None:
         assert together.removed_volume_mm3 == pytest.approx(volume, rel=1e-3)
 
 
+@pytest.mark.parametrize("shape", TOOLS)
+def test_gentle_ramps_leave_to_their_neighbours_only_what_these_cut(shape: str) -> None:
+    for seed, (turn, wave, high) in enumerate([(0.05, 0.3, 0.2), (0.3, 1, 0.05), (1.0, 0.2, 2), (0.1, 0.1, 3)]):
+        print("seed", seed)
+        along = np.cumsum(np.random.default_rng(seed).uniform(0.03, 0.4, 120))
+        points = [6 * np.cos(along * turn), 8 * np.sin(along * turn * 1.1 + 0.3), -5 + high * np.sin(along * wave)]
+        chain = Moves.lines(
+            *(np.column_stack(points)[part] for part in (slice(-1), slice(1, None))), form_of(tool(shape))
+        )
+        together, part = cut(chain, 0.17), Part(Grid.of(STOCK, 0.17))
+        for k in range(len(chain)):
+            part = part.after(chain.part_of(k, 1.0))
+        assert np.abs(together.heights_mm - part.heights_mm()).max() < 1e-6
+        assert together.removed_volume_mm3 == pytest.approx(part.removed_volume_mm3, rel=2e-5)
+
+
 def test_arcs_of_other_planes_and_spirals_are_cut_along_chords() -> None:
     program = begun().rapid(-4, 0, 5).feed(-4, 0, -1).arc(ARC_CCW, (4, 0, -1), (0, 0, -1), plane=ZX)
     program.feed(0, -3, -1).arc(ARC_CW, (0, 3, -1), (0, 0, -1), plane=YZ).rapid(2, 0, 5).feed(2, 0, -2)
