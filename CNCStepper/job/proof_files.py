@@ -3,6 +3,7 @@
 
     job.json  machine.json  program.nc        what is asked; the machine is that of machine.json
     result.json  moves.npz  lines.npz  part.npz  tools.npz  send.json    what is answered; or error.json, why not
+    tiles.bin  part.stl                       what `timeline_worker` answers afterwards
 
 send.json is the program's certificate. Reading an answer takes numpy only, so that a window does it at once.
 """
@@ -31,6 +32,7 @@ PROGRAM, JOB, MACHINE = "program.nc", "job.json", "machine.json"
 RESULT, MOVES, LINES = "result.json", "moves.npz", "lines.npz"
 PART, TOOLS = "part.npz", "tools.npz"
 SEND, ERROR = "send.json", "error.json"
+TILES, MESH = "tiles.bin", "part.stl"
 LINE_COLUMNS = ("rapid_points", "rapid_counts", "feed_points", "feed_counts")
 MOST_POINTS = 60_000  # of the rapids, and of the feeds, that a 3D view is given to draw
 
@@ -40,7 +42,7 @@ class Part:
     """The stock after the program, in work coordinates; z = 0 is the stock's top.
 
     heights_mm: float64[rows, columns], rows along y. x_mm, y_mm: the centres of the cells. low_mm, high_mm: the
-    corners of the stock. corners, normals: its faces, as `surface.Faces`.
+    corners of the stock. corners, rgba: its faces, as `drawn_faces.DrawnFaces`.
     """
 
     heights_mm: np.ndarray
@@ -49,7 +51,7 @@ class Part:
     low_mm: np.ndarray
     high_mm: np.ndarray
     corners: np.ndarray
-    normals: np.ndarray
+    rgba: np.ndarray
 
 
 @dataclass(frozen=True)
@@ -98,6 +100,7 @@ def read_question(folder: Path) -> tuple[str, Job, Machine]:
 
 def write_answer(folder: Path, proof: Proof, job: Job, send_json: str) -> None:
     """Write the answer; the result, which says that all is there, comes last."""
+    from CNCStepper.simulation.drawn_faces import drawn, height_range_mm
     from CNCStepper.simulation.paths import lines_in_space
     from CNCStepper.simulation.surface import faces_of
     from CNCStepper.simulation.tool_outline import outlines_mm
@@ -108,7 +111,7 @@ def write_answer(folder: Path, proof: Proof, job: Job, send_json: str) -> None:
     columns = (rapids.points, rapids.counts, feeds.points, feeds.counts)
     named: dict[str, Any] = dict(zip(LINE_COLUMNS, columns, strict=True))
     np.savez(folder / LINES, **named)
-    stock, faces = proof.part.stock, faces_of(proof.part)
+    stock, faces = proof.part.stock, drawn(faces_of(proof.part), height_range_mm(proof.part))
     np.savez(
         folder / PART,
         heights_mm=proof.part.heights_mm,
@@ -117,7 +120,7 @@ def write_answer(folder: Path, proof: Proof, job: Job, send_json: str) -> None:
         low_mm=np.array(stock.low_mm),
         high_mm=np.array(stock.high_mm),
         corners=faces.corners,
-        normals=faces.normals,
+        rgba=faces.rgba,
     )
     outlines = {str(tool.number): outlines_mm(tool, stock.size_mm[2]) for tool in job.tool}
     named = {f"{number}-{place}": both[place] for number, both in outlines.items() for place in (0, 1)}

@@ -11,13 +11,20 @@ as if none followed it; a check-point lacks that end, so that going on from it i
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 from itertools import pairwise
 
 import numpy as np
 
+from CNCStepper.errors import JobError
+from CNCStepper.machine.profile import Machine
+from CNCStepper.motion.limits import Limits
+from CNCStepper.motion.plan import begun
+from CNCStepper.motion.pulses import Pulse, Pulses
 from CNCStepper.simulation.cutter import Tools
 from CNCStepper.simulation.heightmap import HeightMap
 from CNCStepper.simulation.removal_moves import Moves, moves_of
+from CNCStepper.simulation.stepping import end_after, end_before, ends_of_lines_s
 from CNCStepper.simulation.stock import Stock
 from CNCStepper.simulation.tiles import Part
 from CNCStepper.toolpath import Toolpath
@@ -41,9 +48,19 @@ class Timeline:
     """A program's part by time; `at` answers in any order of times.
 
     ends_s: end of every row, float64[n], as the planner gives it. Within a row the tool is taken to move evenly.
+    machine: the one that planned them, where steps by pulse are wanted.
     """
 
-    def __init__(self, toolpath: Toolpath, ends_s: np.ndarray, tools: Tools, stock: Stock, cell_mm: float = 0.0):
+    def __init__(
+        self,
+        toolpath: Toolpath,
+        ends_s: np.ndarray,
+        tools: Tools,
+        stock: Stock,
+        cell_mm: float = 0.0,
+        machine: Machine | Limits | None = None,
+    ):
+        self._toolpath, self._machine = toolpath, machine
         self.ends_s = np.asarray(ends_s, float)
         self.lines = toolpath.table().line
         self.moves = moves_of(toolpath, tools, stock)
@@ -83,18 +100,34 @@ class Timeline:
 
     def next_row(self, time_s: float, by_line: bool = False) -> float:
         """Return the time at which the move in hand, or with `by_line` the line in hand, is done; steps forwards."""
-        later = np.flatnonzero(self._ends_of_steps(by_line) > time_s)
-        return float(self._ends_of_steps(by_line)[later[0]]) if len(later) else self.duration_s
+        return end_after(self._ends_of_steps(by_line), time_s)
 
     def row_before(self, time_s: float, by_line: bool = False) -> float:
         """Return the time at which the move, or line, in hand began; steps backwards."""
-        earlier = np.flatnonzero(self._ends_of_steps(by_line) < time_s)
-        return float(self._ends_of_steps(by_line)[earlier[-1]]) if len(earlier) else 0.0
+        return end_before(self._ends_of_steps(by_line), time_s)
+
+    def next_pulse(self, time_s: float) -> Pulse | None:
+        """Return the first pulse of the motors later than a time, None behind the last; steps forwards.
+
+        Raises JobError where the machine is not known.
+        """
+        return self._pulses.after(time_s)
+
+    def pulse_before(self, time_s: float) -> Pulse | None:
+        """Return the last pulse of the motors earlier than a time, None before the first; steps backwards.
+
+        Raises JobError where the machine is not known.
+        """
+        return self._pulses.before(time_s)
 
     def _ends_of_steps(self, by_line: bool) -> np.ndarray:
-        if not by_line or not len(self.lines):
-            return self.ends_s
-        return self.ends_s[np.r_[self.lines[1:] != self.lines[:-1], True]]
+        return ends_of_lines_s(self.ends_s, self.lines) if by_line else self.ends_s
+
+    @cached_property
+    def _pulses(self) -> Pulses:
+        if self._machine is None:
+            raise JobError("pulse-machine", "pulses are those of a machine", advice="give the timeline its machine")
+        return Pulses(begun(self._toolpath), self._machine)
 
     def _progress(self, row: int, share: float) -> tuple[int, float]:
         """Return how many moves are done whole, and the share that is done of the next."""

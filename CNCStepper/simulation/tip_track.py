@@ -16,6 +16,7 @@ import numpy as np
 
 from CNCStepper.simulation.arcs import Arcs, arcs_of
 from CNCStepper.simulation.segments import tips_mm
+from CNCStepper.simulation.stepping import end_after, end_before, ends_of_lines_s
 from CNCStepper.toolpath import Chunk, Toolpath
 
 
@@ -89,11 +90,13 @@ class TipTrack:
         """Return the last row of a line of the file, or of the nearest line before it that moves; else the first."""
         return max(int(np.searchsorted(self._rising_lines, line, side="right")) - 1, 0)
 
-    def step(self, row: int, lines: int) -> int:
-        """Return the last row of the line that moves `lines` lines after (or, negative, before) that of a row."""
-        lasts = self._last_rows
-        place = int(np.searchsorted(lasts, row, side="left")) + lines
-        return int(lasts[min(max(place, 0), len(lasts) - 1)])
+    def next_s(self, time_s: float, by_line: bool) -> float:
+        """Return when the line in hand, or else the move, is done; steps forwards."""
+        return end_after(self._line_ends_s if by_line else self.ends_s, time_s)
+
+    def before_s(self, time_s: float, by_line: bool) -> float:
+        """Return when the line in hand, or else the move, began; steps backwards."""
+        return end_before(self._line_ends_s if by_line else self.ends_s, time_s)
 
     @cached_property
     def _arcs(self) -> list[Arcs]:
@@ -105,8 +108,8 @@ class TipTrack:
         return np.maximum.accumulate(self.line)
 
     @cached_property
-    def _last_rows(self) -> np.ndarray:
-        return np.append(np.flatnonzero(self.line[1:] != self.line[:-1]), len(self) - 1)
+    def _line_ends_s(self) -> np.ndarray:
+        return ends_of_lines_s(self.ends_s, self.line)
 
 
 def _begins_s(toolpath: Toolpath, ends_s: np.ndarray) -> np.ndarray:

@@ -7,7 +7,7 @@
     run.start()
 
 What is proven is the program text that stands in the document; a job whose text is missing or out of date is refused.
-A program that was proven last is not proven again.
+A program that was proven last, from the same start state, is not proven again.
 """
 
 from __future__ import annotations
@@ -21,10 +21,11 @@ from typing import TYPE_CHECKING, Any
 
 from PySide import QtCore
 
-from CNCStepper.control.python_finder import PROOF, command, environment, seek_python
+from CNCStepper.control.python_finder import PROOF, command, seek_python
 from CNCStepper.errors import CNCStepperError
 from CNCStepper.workbench import api, packages
 from CNCStepper.workbench.words import later, tr
+from CNCStepper.workbench.worker import kill, start_worker
 
 if TYPE_CHECKING:
     import numpy as np
@@ -33,10 +34,10 @@ if TYPE_CHECKING:
     from CNCStepper.simulation.finding import Finding
     from CNCStepper.simulation.lines import Lines
     from CNCStepper.simulation.tip_track import TipTrack
+    from CNCStepper.state import Start
 
 WORKER = "CNCStepper.job.proof_worker"
 LOOK_EVERY_MS = 20
-KILLED_WITHIN_MS = 2000
 STAGES = {
     "start": later("Looking for a Python…"),
     "make": later("Reading the job…"),
@@ -56,7 +57,8 @@ class ProofResult:
     program_lines: the text. findings: in the order of the lines. refused: whether it must not be sent.
     send_file: the certificate. moves: the tip in work coordinates in time. rapids, feeds: as lines.
     part: what is left of the stock. tools: the outlines of cutter and shank by number. report: as `cncstepper run`
-    writes it. work_origin_mm: where the work zero lies in the document.
+    writes it. work_origin_mm: where the work zero lies in the document. begins: the start state that it holds for, None
+    where that is not known.
     """
 
     program_lines: list[str]
@@ -72,6 +74,7 @@ class ProofResult:
     work_origin_mm: tuple[float, float, float]
     tools: dict[int, tuple[np.ndarray, np.ndarray]]
     folder: tempfile.TemporaryDirectory
+    begins: Start | None = None
 
     @property
     def end_mm(self) -> np.ndarray:
@@ -80,7 +83,10 @@ class ProofResult:
 
 
 class ProofRun(QtCore.QObject):
-    """One proof of a job's program; `start` it once, `cancel` it at any time."""
+    """One proof of a job's program; `start` it once, `cancel` it at any time.
+
+    begins: the start state of the machine that it is proven for, None where that is not known.
+    """
 
     finished = QtCore.Signal(object)
     failed = QtCore.Signal(object)
@@ -88,9 +94,10 @@ class ProofRun(QtCore.QObject):
 
     _last: tuple[str, ProofResult] | None = None  # fingerprint of the question, and its answer
 
-    def __init__(self, job_object: Any, parent: Any = None):
+    def __init__(self, job_object: Any, parent: Any = None, begins: Start | None = None):
         super().__init__(parent)
         self._job = job_object
+        self._begins = begins
         self._folder: tempfile.TemporaryDirectory | None = None
         self._key = ""
         self._told: tuple[Any, Any] | None = None  # a signal and its value that the next look sends
@@ -121,16 +128,13 @@ class ProofRun(QtCore.QObject):
         self._timer.stop()
         process, self._process = self._process, None
         if process is not None:
-            process.finished.disconnect(self._ended)
-            process.errorOccurred.disconnect(self._not_started)
-            process.kill()
-            process.waitForFinished(KILLED_WITHIN_MS)
-            process.deleteLater()
+            kill(process)
         self._drop_folder()
 
     def _ask(self) -> None:
         packages.require()
         from CNCStepper.job.proof_files import write_question
+        from CNCStepper.job.start_file import write_start
         from CNCStepper.workbench.making import job_of, machine_of
 
         self._program = api.program_text(self._job)
@@ -138,6 +142,7 @@ class ProofRun(QtCore.QObject):
         path = Path(self._folder.name)
         model = job_of(self._job)
         write_question(path, self._program, model, machine_of(self._job))
+        write_start(path, self._begins)
         self._origin_mm = tuple(self._job.WorkOrigin)
         self._key = _fingerprint(path, self._job.Label, self._origin_mm)
         if ProofRun._last and ProofRun._last[0] == self._key:
@@ -169,16 +174,8 @@ class ProofRun(QtCore.QObject):
 
     def _spawn(self, python: str) -> None:
         assert self._folder is not None
-        variables = QtCore.QProcessEnvironment()
-        for name, value in environment().items():
-            variables.insert(name, value)
-        self._process = process = QtCore.QProcess(self)
-        process.setProcessEnvironment(variables)
-        process.readyReadStandardOutput.connect(self._hear)
-        process.finished.connect(self._ended)
-        process.errorOccurred.connect(self._not_started)
-        program, *words = command(python, WORKER, self._folder.name, self._job.Label)
-        process.start(program, words)
+        words = command(python, WORKER, self._folder.name, self._job.Label)
+        self._process = start_worker(self, words, self._hear, self._ended, self._not_started)
 
     def _hear(self) -> None:
         if self._process is None:
@@ -237,6 +234,7 @@ class ProofRun(QtCore.QObject):
             work_origin_mm=self._origin_mm,
             tools=answer.tools,
             folder=folder,
+            begins=self._begins,
         )
 
     def _fail(self, error: CNCStepperError) -> None:

@@ -3,8 +3,11 @@
 
 from __future__ import annotations
 
+import os
+import signal
 import time
 from collections.abc import Iterator
+from pathlib import Path
 from typing import Any
 
 import FreeCAD
@@ -13,10 +16,12 @@ import numpy as np
 import pytest
 from hand import Hand
 
+from CNCStepper.simulation.drawn_faces import LAP_MM
 from CNCStepper.workbench import api, program_file
 from CNCStepper.workbench.findings import sentence
 from CNCStepper.workbench.proof import ProofRun
 from CNCStepper.workbench.simulation import open_simulation
+from CNCStepper.workbench.simulation.scene import AT_MOMENT
 from CNCStepper.workbench.simulation.task import SimulationTask
 
 PROVEN_S = 180  # where nothing is compiled yet and the processors are busy
@@ -94,6 +99,48 @@ def tip(task: SimulationTask) -> np.ndarray:
     return work + np.array(task._job.WorkOrigin)
 
 
+def ready(hand: Hand, task: SimulationTask) -> None:
+    """Wait until the scene shows the moment at which the player stands."""
+    hand.wait(lambda: not task._material.waiting, PROVEN_S)
+
+
+def go_to(hand: Hand, task: SimulationTask, share: float) -> None:
+    """Drag the slider to a share of the program's time and wait for the picture."""
+    slider = hand.find("CNCStepper_Simulation_time")
+    hand.main(lambda: slider.setValue(round(share * slider.maximum())))
+    ready(hand, task)
+
+
+def drawn_tiles(task: SimulationTask) -> dict[int, np.ndarray]:
+    """The corners of the faces of every tile that the 3D view holds, float32[n, 4, 3]."""
+    tiles = {}
+    for number, tile in task._scene._tiles.items():
+        pieces = [tile.getChild(k).vertexProperty.getValue().vertex for k in range(tile.getNumChildren())]
+        points = [point.getValue() for piece in pieces for point in piece.getValues(0)]
+        tiles[number] = np.array(points, np.float32).reshape(-1, 4, 3)
+    return tiles
+
+
+def volume_mm3(tiles: dict[int, np.ndarray]) -> float:
+    """The volume within faces, which are drawn a trifle larger than they are."""
+    corners = np.concatenate(list(tiles.values())).astype(float)
+    corners -= LAP_MM * np.sign(corners - corners.mean(axis=1, keepdims=True))
+    area = np.cross(corners[:, 2] - corners[:, 0], corners[:, 3] - corners[:, 1]) / 2
+    return float((corners.mean(axis=1) * area).sum() / 3)
+
+
+def shows_a_moment(task: SimulationTask) -> bool:
+    return bool(task._scene._part.whichChild.getValue() == AT_MOMENT)
+
+
+def process_of(task: SimulationTask) -> int:
+    return int(task._material.moments._process.processId())
+
+
+def runs(pid: int) -> bool:
+    return Path(f"/proc/{pid}").exists()
+
+
 @pytest.mark.window("plain", "scaled")
 def test_it_plays_steps_and_follows_the_program(hand: Hand, job: Any) -> None:
     task = opened(hand, job)
@@ -109,9 +156,89 @@ def test_it_plays_steps_and_follows_the_program(hand: Hand, job: Any) -> None:
     assert task._player.time_s > stood_s and not task._player.playing
     hand.click("CNCStepper_Simulation_back")
     assert task._player.line < line
+    ready(hand, task)
     marked = hand.main(lambda: task.form.program.currentIndex().row() + 1)
     assert marked == task._player.line
     hand.shot("simulation-stepped")
+
+
+def test_material_vanishes_while_it_plays_and_comes_back_the_same(hand: Hand, job: Any) -> None:
+    task = opened(hand, job)
+    assert task._player.at_end and not hand.main(shows_a_moment, task)
+    ready(hand, task)
+    shares = (0.0, 0.1, 0.3, 0.5, 0.7, 0.9)
+    there = []
+    for share in shares:
+        go_to(hand, task, share)
+        there.append(hand.main(drawn_tiles, task))
+    assert hand.main(shows_a_moment, task)
+    volumes = [volume_mm3(tiles) for tiles in there]
+    print(volumes)
+    assert volumes[0] == pytest.approx(100 * 70 * 20, rel=1e-4) and (np.diff(volumes) < -100).all()
+    for share, before in zip(shares[-2::-1], there[-2::-1], strict=True):
+        go_to(hand, task, share)
+        if share == 0.5:
+            hand.shot("simulation-half-cut")
+        now = hand.main(drawn_tiles, task)
+        assert {k: faces.tobytes() for k, faces in now.items()} == {k: faces.tobytes() for k, faces in before.items()}
+    pictures: list[int] = []
+    hand.main(task._material.shown.connect, lambda: pictures.append(1))
+    hand.click("CNCStepper_Simulation_play")
+    hand.wait(lambda: len(pictures) > 20, 60)
+    hand.click("CNCStepper_Simulation_play")
+    ready(hand, task)
+    assert volume_mm3(hand.main(drawn_tiles, task)) < volumes[0] - 10
+    hand.click("CNCStepper_Simulation_end")
+    assert task._player.at_end and not hand.main(shows_a_moment, task)
+
+
+def test_one_step_is_a_line_a_move_or_a_pulse(hand: Hand, job: Any) -> None:
+    task = opened(hand, job)
+    go_to(hand, task, 0.2)
+    player, moves = task._player, task._result.moves
+    steps = hand.find("CNCStepper_Simulation_step_by")
+    begun_s = player.time_s
+    hand.main(steps.setCurrentIndex, 1)
+    hand.click("CNCStepper_Simulation_forward")
+    assert player.time_s == moves.ends_s[np.searchsorted(moves.ends_s, begun_s)]
+    hand.main(steps.setCurrentIndex, 2)
+    stood = [player.time_s]
+    for _ in range(3):
+        hand.click("CNCStepper_Simulation_forward")
+        hand.wait(lambda: player.time_s > stood[-1], 20)
+        ready(hand, task)
+        stood.append(player.time_s)
+    assert 0 < np.diff(stood[1:]).max() < 0.1 and len(player.steps) == 3
+    assert str(player.steps[0]) in hand.text("CNCStepper_Simulation_motors")
+    hand.shot("simulation-pulse")
+    hand.click("CNCStepper_Simulation_back")
+    hand.wait(lambda: player.time_s < stood[-1], 20)
+    assert player.time_s == stood[-2]
+
+
+def test_the_part_is_kept_as_a_mesh(hand: Hand, job: Any) -> None:
+    task = opened(hand, job)
+    go_to(hand, task, 0.4)
+    left_mm3 = volume_mm3(hand.main(drawn_tiles, task))
+    document = job.Document
+    undos = hand.main(lambda: document.UndoCount)
+    hand.click("CNCStepper_Simulation_keep")
+    hand.wait(lambda: document.getObject("CutPart") is not None, 60)
+    hand.settle()
+    part = document.CutPart
+    assert hand.main(lambda: part.Mesh.Volume) == pytest.approx(left_mm3, rel=2e-3)
+    assert hand.main(lambda: part.Mesh.isSolid())
+    assert part.Placement.Base == job.WorkOrigin and job.Label in part.Label
+    assert hand.main(lambda: part.Mesh.BoundBox.ZMax) == pytest.approx(0, abs=1e-3)
+    assert not hand.main(lambda: part.ViewObject.Visibility)
+    hand.button("Close")
+    hand.wait(lambda: not FreeCADGui.Control.activeDialog(), 5)
+    assert hand.main(lambda: part.ViewObject.Visibility)
+    hand.main(lambda: setattr(document.Plate.ViewObject, "Visibility", False))
+    hand.shot("simulation-mesh")
+    assert hand.main(lambda: document.UndoCount) == undos + 1
+    hand.main(document.undo)
+    assert document.getObject("CutPart") is None
 
 
 def test_a_click_on_a_line_moves_the_tool_there(hand: Hand, job: Any) -> None:
@@ -172,6 +299,28 @@ def test_closing_it_ends_the_process(hand: Hand, job: Any) -> None:
     hand.wait(lambda: not FreeCADGui.Control.activeDialog() and again._run is None, 5)
 
 
+def test_the_process_behind_the_material_goes_with_the_panel_and_is_started_again(hand: Hand, job: Any) -> None:
+    task = opened(hand, job)
+    go_to(hand, task, 0.5)
+    first = process_of(task)
+    os.kill(first, signal.SIGKILL)
+    hand.wait(lambda: task._material.moments._process is None, 20)
+    assert "ended" in hand.text("CNCStepper_Simulation_message") and not hand.main(shows_a_moment, task)
+    hand.shot("simulation-lost")
+    go_to(hand, task, 0.6)
+    second = process_of(task)
+    assert hand.main(shows_a_moment, task) and second != first
+    hand.button("Close")
+    hand.wait(lambda: not FreeCADGui.Control.activeDialog(), 5)
+    hand.wait(lambda: not runs(second), 5)
+    again = opened(hand, job)  # the proof is the one before
+    go_to(hand, again, 0.5)
+    third = process_of(again)
+    assert hand.main(shows_a_moment, again)
+    hand.main(FreeCAD.closeDocument, job.Document.Name)
+    hand.wait(lambda: not runs(third), 5)
+
+
 def test_an_edit_meanwhile_is_said_and_simulated_again(hand: Hand, job: Any) -> None:
     task = opened(hand, job)
 
@@ -209,6 +358,8 @@ def test_no_call_takes_long_while_a_long_program_is_proven_and_played(hand: Hand
         hand.click("CNCStepper_Simulation_play")
         time.sleep(3)
         hand.click("CNCStepper_Simulation_play")
+        for share in (0.9, 0.1, 0.5):
+            go_to(hand, task, share)
     print(watch)
     hand.shot("simulation-100000-lines")
     assert len(task._result.program_lines) > 100_000

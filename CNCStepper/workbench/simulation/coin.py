@@ -20,19 +20,40 @@ def separator(*children: Any) -> Any:
     return group
 
 
-def quads(corners: np.ndarray, rgba: np.ndarray | None = None) -> Any:
-    """Return faces of four corners, float32[n, 4, 3], with a packed colour for every corner, uint32[n, 4]."""
+def quads(corners: np.ndarray) -> Any:
+    """Return faces of four corners, float32[n, 4, 3]."""
+    from pivy import coin
+
+    faces = coin.SoFaceSet()
+    faces.vertexProperty = _corners(corners)
+    faces.numVertices.setValues(0, len(corners), [4] * len(corners))
+    return faces
+
+
+def coloured_quads(corners: np.ndarray, rgba: np.ndarray) -> Any:
+    """Return faces of four corners, float32[n, 4, 3], with a packed colour for every corner, uint32[n, 4].
+
+    Their corners are named by index because Coin draws a SoFaceSet of up to four such faces in wrong colours.
+    """
+    from pivy import coin
+
+    content = _corners(corners)
+    content.orderedRGBA.setValues(0, rgba.size, np.ascontiguousarray(rgba.ravel()))
+    content.materialBinding = coin.SoVertexProperty.PER_VERTEX
+    index = np.full((len(corners), 5), -1, np.int32)
+    index[:, :4] = np.arange(4 * len(corners)).reshape(-1, 4)
+    faces = coin.SoIndexedFaceSet()
+    faces.vertexProperty = content
+    faces.coordIndex.setValues(0, index.size, index.ravel())
+    return faces
+
+
+def _corners(corners: np.ndarray) -> Any:
     from pivy import coin
 
     content = coin.SoVertexProperty()
     content.vertex.setValues(0, 4 * len(corners), np.ascontiguousarray(corners.reshape(-1, 3)))
-    if rgba is not None:
-        content.orderedRGBA.setValues(0, rgba.size, rgba.ravel().tolist())
-        content.materialBinding = coin.SoVertexProperty.PER_VERTEX
-    faces = coin.SoFaceSet()
-    faces.vertexProperty = content
-    faces.numVertices.setValues(0, len(corners), [4] * len(corners))
-    return faces
+    return content
 
 
 def lines(points: np.ndarray, counts: np.ndarray) -> Any:

@@ -8,8 +8,8 @@ from typing import Any
 from PySide import QtCore, QtGui
 
 from CNCStepper.workbench.icons import icon as icon_named
-from CNCStepper.workbench.simulation.figures import clock_text
-from CNCStepper.workbench.simulation.player import Player
+from CNCStepper.workbench.simulation.figures import clock_text, steps_text
+from CNCStepper.workbench.simulation.player import LINE, MOVE, PULSE, Player
 from CNCStepper.workbench.words import later, tr
 
 FINEST = 10_000  # steps of the slider over time
@@ -18,11 +18,12 @@ SPEED_STEPS = 100  # of the speed's slider, from 1 to FASTEST, each the same fac
 ICON = "CNCStepper_Player_"
 BUTTONS = (
     ("start", "ToStart", later("To the begin")),
-    ("back", "StepBack", later("One line of the program back")),
+    ("back", "StepBack", later("One step back")),
     ("play", "Play", later("Play or pause")),
-    ("forward", "StepForward", later("One line of the program on")),
+    ("forward", "StepForward", later("One step on")),
     ("end", "ToEnd", later("To the end")),
 )
+STEPS = ((LINE, later("Line")), (MOVE, later("Move")), (PULSE, later("Pulse")))
 
 
 class Controls(QtGui.QWidget):
@@ -32,10 +33,13 @@ class Controls(QtGui.QWidget):
         super().__init__(parent)
         self._player = player
         self._buttons = {name: self._button(name, icon, text) for name, icon, text in BUTTONS}
+        self._steps = self._step_choice()
         self._place = _slider("CNCStepper_Simulation_time", FINEST, tr("Time in the program"))
         self._place.valueChanged.connect(self._seek)
         self._clock = QtGui.QLabel()
         self._clock.setObjectName("CNCStepper_Simulation_clock")
+        self._motors = QtGui.QLabel()
+        self._motors.setObjectName("CNCStepper_Simulation_motors")
         self._speed = _slider("CNCStepper_Simulation_speed", SPEED_STEPS, tr("How many times faster than the machine"))
         self._speed.valueChanged.connect(self._set_speed)
         self._speed_text = QtGui.QLabel()
@@ -53,9 +57,11 @@ class Controls(QtGui.QWidget):
         row = QtGui.QHBoxLayout()
         for button in self._buttons.values():
             row.addWidget(button)
+        row.addWidget(self._steps)
         row.addStretch(1)
         layout.addLayout(row)
         layout.addWidget(self._clock)
+        layout.addWidget(self._motors)
         row = QtGui.QHBoxLayout()
         row.addWidget(QtGui.QLabel(tr("Speed")))
         row.addWidget(self._speed, 1)
@@ -68,9 +74,9 @@ class Controls(QtGui.QWidget):
         player.playing_changed.connect(self._show_playing)
         actions = {
             "start": lambda: player.seek(0.0),
-            "back": lambda: player.step(-1),
+            "back": lambda: player.step(-1, self._steps.currentData()),
             "play": lambda: player.pause() if player.playing else player.play(),
-            "forward": lambda: player.step(1),
+            "forward": lambda: player.step(1, self._steps.currentData()),
             "end": lambda: player.seek(player.moves.duration_s),
         }
         for name, action in actions.items():
@@ -85,6 +91,15 @@ class Controls(QtGui.QWidget):
         button.setAccessibleName(tr(text))
         return button
 
+    def _step_choice(self) -> Any:
+        box = QtGui.QComboBox()
+        box.setObjectName("CNCStepper_Simulation_step_by")
+        box.setToolTip(tr("What is one step: a line of the program, a move, or a pulse of the motors"))
+        box.setAccessibleName(tr("One step is"))
+        for name, text in STEPS:
+            box.addItem(tr(text), name)
+        return box
+
     def _follow(self) -> None:
         """Show where the player stands."""
         player = self._player
@@ -93,6 +108,8 @@ class Controls(QtGui.QWidget):
         self._place.setValue(round(FINEST * player.time_s / duration_s) if duration_s else 0)
         self._place.blockSignals(False)
         self._clock.setText(f"{clock_text(player.time_s)} / {clock_text(duration_s)}")
+        self._motors.setVisible(bool(player.steps))
+        self._motors.setText(steps_text(player.steps))
 
     def _show_playing(self, playing: bool) -> None:
         self._buttons["play"].setIcon(icon_named(ICON + ("Pause" if playing else "Play")))

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 from CNCStepper.workbench.words import tr
@@ -29,6 +30,12 @@ def clock_text(time_s: float) -> str:
     whole = round(time_s)
     hours, minutes, seconds = whole // 3600, whole // 60 % 60, whole % 60
     return f"{hours}:{minutes:02d}:{seconds:02d}" if hours else f"{minutes}:{seconds:02d}"
+
+
+def steps_text(steps: Sequence[int]) -> str:
+    """Return where the motors stand, in steps."""
+    places = (f"{name} {count}" for name, count in zip("XYZ", steps, strict=False))
+    return tr("Motor steps: {0}").format("  ".join(places))
 
 
 def totals(report: dict[str, Any]) -> list[tuple[str, str, str]]:

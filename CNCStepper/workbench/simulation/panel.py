@@ -21,9 +21,10 @@ if TYPE_CHECKING:
 
 
 class SimulationPanel(QtGui.QWidget):
-    """The widget of the task; `again` asks for a new proof, `path_shown` whether lines are to be seen."""
+    """The widget of the task; `again` asks for a new proof, `keep` for a mesh, `path_shown` whether to show lines."""
 
     again = QtCore.Signal()
+    keep = QtCore.Signal()
     path_shown = QtCore.Signal(bool)
 
     def __init__(self, label: str, parent: Any = None):
@@ -73,7 +74,11 @@ class SimulationPanel(QtGui.QWidget):
         layout.setContentsMargins(0, 0, 0, 0)
         layout.addWidget(Controls(player))
         layout.addWidget(Legend(*height_range_mm))
-        layout.addWidget(self._path_box())
+        row = QtGui.QHBoxLayout()
+        row.addWidget(self._path_box())
+        row.addStretch(1)
+        row.addWidget(self._keep_button())
+        layout.addLayout(row)
         layout.addLayout(_totals(result))
         self.findings.show(result.findings)
         self.program.show_program(result.program_lines)
@@ -83,6 +88,17 @@ class SimulationPanel(QtGui.QWidget):
         split.addWidget(_titled(_findings_title(result), self.findings))
         layout.addWidget(split, 1)
         self._layout.addWidget(self._content, 1)
+
+    def set_keeping(self, busy: bool) -> None:
+        """Show whether a mesh is being made."""
+        self._keep.setEnabled(not busy)
+
+    def _keep_button(self) -> Any:
+        self._keep = QtGui.QPushButton(tr("Keep as mesh"))
+        self._keep.setObjectName("CNCStepper_Simulation_keep")
+        self._keep.setToolTip(tr("Add the part, as it stands now, to the document as a mesh"))
+        self._keep.clicked.connect(self.keep)
+        return self._keep
 
     def _path_box(self) -> Any:
         box = QtGui.QCheckBox(tr("Show the tool's path"))

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 from PySide import QtCore
@@ -14,15 +15,18 @@ if TYPE_CHECKING:
 
 TICK_MS = 33
 MS_PER_S = 1000.0
+LINE, MOVE, PULSE = "line", "move", "pulse"  # what is stepped by
 
 
 class Player(QtCore.QObject):
-    """Where the simulation stands: `time_s`, and `row`, the move under way.
+    """Where the simulation stands: `time_s`, and `row`, the move under way; at a pulse also the motors' `steps`.
 
-    moved: sent whenever that changes. playing_changed: sent with whether it plays.
+    moved: sent whenever that changes. playing_changed: sent with whether it plays. pulse_wanted: sent with 1 or -1
+    to have it stepped to the next pulse or the one before, which the planner alone knows.
     """
 
     moved = QtCore.Signal()
+    pulse_wanted = QtCore.Signal(int)
     playing_changed = QtCore.Signal(bool)
 
     def __init__(self, moves: TipTrack, parent: Any = None):
@@ -31,6 +35,7 @@ class Player(QtCore.QObject):
         self.speed = 1.0
         self.time_s = 0.0
         self.row = 0
+        self.steps: tuple[int, ...] = ()
         self._passed = QtCore.QElapsedTimer()
         self._timer = QtCore.QTimer(self)
         self._timer.setTimerType(QtCore.Qt.TimerType.PreciseTimer)
@@ -55,7 +60,7 @@ class Player(QtCore.QObject):
         """Let time pass, from the begin when the end is reached."""
         if not len(self.moves) or self.playing:
             return
-        if self.time_s >= self.moves.duration_s:
+        if self.at_end:
             self.seek(0.0)
         self._passed.start()
         self._timer.start()
@@ -67,8 +72,14 @@ class Player(QtCore.QObject):
             self._timer.stop()
             self.playing_changed.emit(False)
 
-    def seek(self, time_s: float) -> None:
-        """Jump to a moment."""
+    @property
+    def at_end(self) -> bool:
+        """Whether the program is done."""
+        return self.time_s >= self.moves.duration_s
+
+    def seek(self, time_s: float, steps: Sequence[int] = ()) -> None:
+        """Jump to a moment; steps: where the motors stand then, if it is that of a pulse."""
+        self.steps = tuple(steps)
         if len(self.moves):
             self.time_s = min(max(time_s, 0.0), self.moves.duration_s)
             self.row = self.moves.row_at(self.time_s)
@@ -76,6 +87,7 @@ class Player(QtCore.QObject):
 
     def go_to_row(self, row: int) -> None:
         """Jump to where a move ends."""
+        self.steps = ()
         if len(self.moves):
             self.row = row
             self.time_s = float(self.moves.ends_s[row])
@@ -86,13 +98,16 @@ class Player(QtCore.QObject):
         if len(self.moves):
             self.go_to_row(self.moves.row_of_line(line))
 
-    def step(self, lines: int) -> None:
-        """Jump to where the next line (1) or the one before (-1) takes the tool."""
+    def step(self, sense: int, by: str) -> None:
+        """Jump to the next (1) end of a "line" or a "move", or to the one before (-1); a "pulse" is asked for."""
         self.pause()
-        if len(self.moves):
-            self.go_to_row(self.moves.step(self.row, lines))
+        if by == PULSE:
+            self.pulse_wanted.emit(sense)
+            return
+        step = self.moves.next_s if sense > 0 else self.moves.before_s
+        self.seek(step(self.time_s, by == LINE))
 
     def _tick(self) -> None:
         self.seek(self.time_s + self._passed.restart() / MS_PER_S * self.speed)
-        if self.time_s >= self.moves.duration_s:
+        if self.at_end:
             self.pause()

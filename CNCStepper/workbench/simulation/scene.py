@@ -2,8 +2,10 @@
 """What a simulation adds to FreeCAD's 3D view: the stock's outline, the cut part, the path, the tool, a marker.
 
 view's scene graph
-  root (not pickable) ── place (the job's work zero) ── stock ── part: one node a tile ── rapids ── feeds
+  root (not pickable) ── place (the job's work zero) ── stock ── part ── rapids ── feeds
                                                     └── tool: switch, translation, shapes ── marker
+  part: switch ── the finished part
+              └── the part at a moment: one node a tile, so that few are exchanged when time goes on
 """
 
 from __future__ import annotations
@@ -13,14 +15,15 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from CNCStepper.simulation.depth_colours import deepest_shown_mm, shaded
+from CNCStepper.simulation.depth_colours import deepest_shown_mm
 from CNCStepper.simulation.revolve import revolved
 from CNCStepper.workbench.simulation import coin as nodes
 
 if TYPE_CHECKING:
     from CNCStepper.workbench.proof import ProofResult
+    from CNCStepper.workbench.simulation.moments import Tiles
 
-TILE_FACES = 2500  # so many are handed to the 3D view at once, which takes a few ms
+FACES_AT_ONCE = 2500  # so many are handed to the 3D view at once, which takes a few ms
 FEED_RGB = (0.13, 0.15, 0.18)
 RAPID_RGB = (0.84, 0.09, 0.44)
 STOCK_RGB = (0.45, 0.36, 0.22)
@@ -28,7 +31,7 @@ CUTTER_RGB = (0.78, 0.80, 0.83)
 SHANK_RGB = (0.42, 0.45, 0.50)
 MARKER_RGB = (0.90, 0.20, 0.05)
 MARKER_SHARE = 0.12  # of the stock's longest side: the height of the marker
-LAP_MM = 0.01
+FINISHED, AT_MOMENT = 0, 1  # children of the part's switch
 CORNERS = np.array([[x, y, z] for z in (0, 1) for x, y in ((0, 0), (1, 0), (1, 1), (0, 1), (0, 0))])
 OUTLINE = np.concatenate([CORNERS, *(CORNERS[[k, k + 5]] for k in range(1, 4))])
 OUTLINE_COUNTS = np.array([10, 2, 2, 2])
@@ -51,6 +54,11 @@ class Scene:
         self._root.addChild(unpickable)
         self._root.addChild(place)
         self._tool_number: int | None = None
+        self._tiles: dict[int, Any] = {}
+        self._part = coin.SoSwitch()
+        self._part.whichChild = FINISHED
+        for _ in (FINISHED, AT_MOMENT):
+            self._part.addChild(_solid_faces())
         self._path = coin.SoSwitch()
         self._path.whichChild = coin.SO_SWITCH_ALL
         self._graph.addChild(self._root)
@@ -66,8 +74,9 @@ class Scene:
         """Add the nodes, a few ms at a time: run it on from a timer until it ends."""
         self._root.addChild(self._stock())
         yield
-        for part in self._part():
-            self._root.addChild(part)
+        self._root.addChild(self._part)
+        for piece in _pieces(self._result.part.corners, self._result.part.rgba):
+            self._part.getChild(FINISHED).addChild(piece)
             yield
         self._root.addChild(self._path)
         for lines, rgb in ((self._result.rapids, RAPID_RGB), (self._result.feeds, FEED_RGB)):
@@ -80,6 +89,30 @@ class Scene:
         """Take everything out of the 3D view."""
         if self._graph.findChild(self._root) >= 0:
             self._graph.removeChild(self._root)
+
+    def change_tiles(self, tiles: Tiles) -> Iterator[None]:
+        """Exchange tiles of the part at a moment: made a few ms at a time, and then all at once."""
+        made = {}
+        for number, faces in tiles.items():
+            made[number] = nodes.separator()
+            for piece in _pieces(*faces):
+                made[number].addChild(piece)
+                yield
+        group = self._part.getChild(AT_MOMENT)
+        for number, tile in made.items():
+            if number in self._tiles:
+                group.replaceChild(self._tiles[number], tile)
+            else:
+                group.addChild(tile)
+        self._tiles.update(made)
+
+    def show_tiles(self) -> None:
+        """Show the part at a moment."""
+        self._part.whichChild = AT_MOMENT
+
+    def show_finished(self) -> None:
+        """Show the finished part."""
+        self._part.whichChild = FINISHED
 
     def show_path(self, shown: bool) -> None:
         """Show the lines of rapids and feeds, or not."""
@@ -111,19 +144,6 @@ class Scene:
         points = (part.low_mm + OUTLINE * (part.high_mm - part.low_mm)).astype(np.float32)
         return nodes.separator(nodes.plain(STOCK_RGB), nodes.lines(points, OUTLINE_COUNTS))
 
-    def _part(self) -> Iterator[Any]:
-        """Yield the faces of the part, pushed back a little so that lines on them are seen."""
-        from pivy import coin
-
-        part, (deepest_mm, top_mm) = self._result.part, self.height_range_mm
-        for first in range(0, len(part.corners), TILE_FACES):
-            corners = part.corners[first : first + TILE_FACES]
-            rgb = shaded(corners, part.normals[first : first + TILE_FACES], deepest_mm, top_mm).astype(np.uint32)
-            rgba = rgb[..., 0] << 24 | rgb[..., 1] << 16 | rgb[..., 2] << 8 | 0xFF
-            yield nodes.separator(
-                nodes.unlit(), nodes.solid(), coin.SoPolygonOffset(), nodes.quads(_lapped(corners), rgba)
-            )
-
     def _add_tool(self) -> None:
         from pivy import coin
 
@@ -150,10 +170,18 @@ class Scene:
         self._root.addChild(self._marker)
 
 
-def _lapped(corners: np.ndarray) -> np.ndarray:
-    """Return the faces a trifle larger: where a long one meets several short ones no light shines through."""
-    outward = np.sign(corners - corners.mean(axis=1, keepdims=True))
-    return (corners + LAP_MM * outward).astype(np.float32)
+def _solid_faces() -> Any:
+    """Return a group for faces of a part, pushed back a little so that lines on them are seen."""
+    from pivy import coin
+
+    return nodes.separator(nodes.unlit(), nodes.solid(), coin.SoPolygonOffset())
+
+
+def _pieces(corners: np.ndarray, rgba: np.ndarray) -> Iterator[Any]:
+    """Yield nodes of so many faces as are handed to the 3D view at once."""
+    for first in range(0, len(corners), FACES_AT_ONCE):
+        piece = slice(first, first + FACES_AT_ONCE)
+        yield nodes.coloured_quads(corners[piece], rgba[piece])
 
 
 def _tool_shape(cutter: np.ndarray, shank: np.ndarray) -> Any:

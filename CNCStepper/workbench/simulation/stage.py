@@ -31,9 +31,15 @@ class Stage:
         self._document, self._document_name = job.Document, job.Document.Name
         self._view = view
         self._camera = view.getCamera()
-        self._hidden = [obj for obj in job.Document.Objects if _in_the_way(obj)]
-        for obj in self._hidden:
-            obj.ViewObject.Visibility = False
+        self._hidden: list[Any] = []
+        for obj in job.Document.Objects:
+            if _in_the_way(obj):
+                self.hide(obj)
+
+    def hide(self, obj: Any) -> None:
+        """Hide an object until `restore`."""
+        obj.ViewObject.Visibility = False
+        self._hidden.append(obj)
 
     def look(self) -> None:
         """Look at everything from above at a slant, at once: a camera that still moves later would undo `restore`."""

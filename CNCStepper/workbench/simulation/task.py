@@ -8,9 +8,11 @@ from typing import TYPE_CHECKING, Any
 
 from PySide import QtCore, QtGui
 
-from CNCStepper.workbench import tell
+from CNCStepper.workbench import dock, tell
 from CNCStepper.workbench.proof import ProofResult, ProofRun
 from CNCStepper.workbench.sentences import translated
+from CNCStepper.workbench.simulation.kept_mesh import keep_mesh
+from CNCStepper.workbench.simulation.material import Material
 from CNCStepper.workbench.simulation.panel import SimulationPanel
 from CNCStepper.workbench.simulation.player import Player
 from CNCStepper.workbench.simulation.stage import Stage, view_of
@@ -30,6 +32,7 @@ class SimulationTask:
         self.form = SimulationPanel(job.Label)
         self.form.again.connect(tell.guarded(self.begin))
         self.form.path_shown.connect(tell.guarded(self._show_path))
+        self.form.keep.connect(tell.guarded(self._want_mesh))
         self.form.destroyed.connect(self._leave)  # however FreeCAD closes the panel
         self._job = job
         self._watch = JobWatch(job, self._changed, self._deleted)
@@ -37,6 +40,7 @@ class SimulationTask:
         self._result: ProofResult | None = None
         self._player: Player | None = None
         self._scene: Scene | None = None
+        self._material: Material | None = None
         self._stage: Stage | None = None
         self._loading: Iterator[None] = iter(())
         self._loader = QtCore.QTimer()
@@ -76,7 +80,7 @@ class SimulationTask:
         """Prove the program as it now stands in the document."""
         self._leave_result()
         self.form.clear()
-        self._run = ProofRun(self._job)
+        self._run = ProofRun(self._job, begins=dock.start_here())
         self._run.progress.connect(self._tell_stage)
         self._run.finished.connect(tell.guarded(self._show))
         self._run.failed.connect(tell.guarded(self._refuse))
@@ -100,6 +104,10 @@ class SimulationTask:
             self._run.cancel()
             self._run.deleteLater()
             self._run = None
+        if self._material is not None:
+            self._material.end()
+            self._material.deleteLater()
+            self._material = None
         if self._player is not None:
             self._player.pause()
             self._player.deleteLater()
@@ -117,7 +125,7 @@ class SimulationTask:
 
     def _refuse(self, error: CNCStepperError) -> None:
         """Say why there is nothing to show, and offer to try again."""
-        self.form.say("\n".join(part for part in (tell.sentence(error), translated(error.advice)) if part), again=True)
+        self.form.say(_words(error), again=True)
 
     def _show(self, result: ProofResult) -> None:
         self._result = result
@@ -130,7 +138,7 @@ class SimulationTask:
         self._loader.start()
 
     def _show_bit_by_bit(self, result: ProofResult, player: Player, view: Any) -> Iterator[None]:
-        """Bring in scene and panel, a few ms at a time: run it on from a timer until it ends."""
+        """Bring in scene and panel, a few ms at a time, and stand at the end: run it on from a timer until it ends."""
         from CNCStepper.workbench.simulation.scene import Scene
 
         self._stage = Stage(self._job, view)
@@ -141,16 +149,17 @@ class SimulationTask:
         self.form.findings.chosen.connect(tell.guarded(self._go_to_finding))
         yield
         yield from scene.load()
+        self._stage.look()
+        self._material = Material(player, scene, result)
+        self._material.moments.failed.connect(tell.guarded(self._tell_material))
+        self._material.moments.mesh.connect(tell.guarded(self._keep_mesh))
+        player.moved.connect(tell.guarded(self._follow))
+        player.seek(player.moves.duration_s)
 
     def _load_on(self) -> None:
-        """Bring a bit more in; when all is there, the tool appears and follows the player."""
-        if next(self._loading, self) is None:
-            return
-        self._loader.stop()
-        if self._player is not None and self._stage is not None:
-            self._stage.look()
-            self._player.moved.connect(tell.guarded(self._follow))
-            self._player.seek(0.0)
+        """Bring a bit more in."""
+        if next(self._loading, self) is not None:
+            self._loader.stop()
 
     def _follow(self) -> None:
         """Put the tool and the marked line where the player stands."""
@@ -159,6 +168,24 @@ class SimulationTask:
             return
         scene.show_tool(int(result.moves.tool[player.row]), player.tip_mm())
         self.form.program.follow(player.line)
+
+    def _tell_material(self, error: CNCStepperError) -> None:
+        """Say why the material does not follow; the tool does."""
+        self.form.set_keeping(False)
+        self.form.say(_words(error))
+
+    def _want_mesh(self) -> None:
+        if self._material is not None and self._player is not None:
+            self.form.set_keeping(True)
+            self._material.moments.want_mesh(self._player.time_s)
+
+    def _keep_mesh(self, time_s: float, stl: str) -> None:
+        """Add the part of a moment to the document; it is seen when the simulation is closed."""
+        if self._material is None or self._stage is None:
+            return
+        self.form.set_keeping(False)
+        self._material.moments.go_on()
+        self._stage.hide(keep_mesh(self._job, stl, time_s))
 
     def _show_path(self, shown: bool) -> None:
         if self._scene is not None:
@@ -194,8 +221,8 @@ class SimulationTask:
         QtCore.QTimer.singleShot(0, tell.guarded(self.reject))
 
 
-def _advice(error: CNCStepperError) -> str:
-    return translated(error.advice) if error.advice else ""
+def _words(error: CNCStepperError) -> str:
+    return "\n".join(part for part in (tell.sentence(error), translated(error.advice)) if part)
 
 
 def _no_view() -> CNCStepperError:

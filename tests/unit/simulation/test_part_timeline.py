@@ -7,6 +7,9 @@ import numpy as np
 import pytest
 from programs import BALL, FLAT, begun, square_pocket
 
+from CNCStepper.errors import JobError
+from CNCStepper.machine.profile import load_machine
+from CNCStepper.motion import plan
 from CNCStepper.simulation import timeline as module
 from CNCStepper.simulation.heightmap import HeightMap, height_map
 from CNCStepper.simulation.stock import Stock
@@ -97,6 +100,19 @@ def test_steps_by_move_and_by_line() -> None:
     assert timeline.row_before(ends_s[4], by_line=True) == ends_s[2]
     assert (timeline.row_before(0.0), timeline.next_row(1e9)) == (0.0, ends_s[4])
     assert timeline.moment(ends_s[4]).line == 4 and timeline.moment(0.0).row == -1
+
+
+def test_steps_by_pulse_need_a_machine_and_are_its_planners() -> None:
+    toolpath, blind = made(begun().feed(0, 0, -1).feed(0.5, 0, -1))
+    with pytest.raises(JobError, match="machine"):
+        blind.next_pulse(0.0)
+    machine = load_machine("table-a")
+    known = plan.begun(toolpath)
+    timeline = Timeline(toolpath, plan.times_s(known, machine), FLAT, STOCK, CELL_MM, machine)
+    wanted = [float(time_s) for pulses_s, _ in plan.step_events(known, machine) for time_s in pulses_s]
+    middle_s = (wanted[-3] + wanted[-2]) / 2
+    assert timeline.next_pulse(middle_s).time_s == wanted[-2] and timeline.pulse_before(middle_s).time_s == wanted[-3]
+    assert timeline.next_pulse(timeline.duration_s) is None and timeline.pulse_before(0.0) is None
 
 
 def test_where_memory_is_short_check_points_are_given_up(monkeypatch, near_check_points) -> None:

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -57,8 +58,16 @@ def test_the_tool_stands_while_it_dwells(track: TipTrack) -> None:
 
 def test_lines_lead_to_rows_and_back(track: TipTrack) -> None:
     assert [track.row_of_line(line) for line in (1, 2, 3, 4, 5, 6, 9, 99)] == [0, 0, 1, 1, 1, 2, 5, 5]
-    assert track.step(1, 1) == 2 and track.step(1, -1) == 0
-    assert track.step(0, -1) == 0 and track.step(5, 1) == 5
+
+
+def test_it_steps_by_line_and_by_move(track: TipTrack) -> None:
+    ends_s = track.ends_s.tolist()
+    within_s = (ends_s[2] + ends_s[3]) / 2
+    assert (track.before_s(within_s, True), track.next_s(within_s, True)) == (ends_s[2], ends_s[3])
+    assert (track.before_s(ends_s[0], True), track.next_s(ends_s[5], True)) == (0.0, ends_s[5])
+    twice = replace(track, line=np.array([2, 3, 6, 7, 7, 9]))
+    assert twice.next_s(ends_s[2], True) == ends_s[4] and twice.before_s(ends_s[4], True) == ends_s[2]
+    assert twice.next_s(ends_s[2], False) == ends_s[3] and twice.before_s(ends_s[4], False) == ends_s[3]
 
 
 def test_an_unknown_position_is_never_guessed() -> None:

@@ -1,0 +1,165 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Asks a process of its own (`job/timeline_worker.py`) how a proven part stands at any moment, and never waits for it.
+
+player ──► want(time) ──► one question at a time, the newest ──► tiles: faces that changed ──► scene
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator
+from concurrent.futures import Future
+from typing import TYPE_CHECKING, Any
+
+from PySide import QtCore
+
+from CNCStepper.control.outcome import error_from_json
+from CNCStepper.control.python_finder import PROOF, command, seek_python
+from CNCStepper.errors import CNCStepperError
+from CNCStepper.workbench import tell
+from CNCStepper.workbench.worker import kill, start_worker
+
+if TYPE_CHECKING:
+    import numpy as np
+
+    from CNCStepper.workbench.proof import ProofResult
+
+WORKER = "CNCStepper.job.timeline_worker"
+LOOK_EVERY_MS = 20
+
+Tiles = dict[int, tuple["np.ndarray", "np.ndarray"]]  # corners and colours of the faces of tiles, by number
+
+
+class Moments(QtCore.QObject):
+    """The part of a proven program by time. An answer is taken back with `go_on`, and only then the next one is asked.
+
+    tiles: sent with the Tiles that changed since they were sent last, the first time all. pulse: with the time and
+    the motors' steps, both None where none follows. mesh: with the time and the path of an STL file. failed: with an
+    error; the next question starts the process again, unless it has not answered a single one.
+    """
+
+    tiles = QtCore.Signal(object)
+    pulse = QtCore.Signal(object, object)
+    mesh = QtCore.Signal(float, str)
+    failed = QtCore.Signal(object)
+
+    def __init__(self, result: ProofResult, parent: Any = None):
+        super().__init__(parent)
+        self._result = result  # keeps its folder
+        self._wanted: list[dict[str, Any]] = []
+        self._asked = self._answered = self._given_up = False
+        self._process: Any = None
+        self._python: Future[str] | None = None
+        self._timer = QtCore.QTimer(self)
+        self._timer.setInterval(LOOK_EVERY_MS)
+        self._timer.timeout.connect(tell.guarded(self._look))
+        QtCore.QCoreApplication.instance().aboutToQuit.connect(self.end)
+
+    @property
+    def waiting(self) -> bool:
+        """Whether an answer is still to come."""
+        return self._asked or bool(self._wanted)
+
+    def want(self, time_s: float) -> None:
+        """Ask for the part at a moment; a moment that waits to be asked for is forgotten."""
+        self._wanted = [question for question in self._wanted if "at" not in question]
+        self._want({"at": time_s})
+
+    def want_pulse(self, time_s: float, sense: int) -> None:
+        """Ask for the first pulse after a moment (1) or the last before it (-1)."""
+        self._want({"pulse": time_s, "sense": sense})
+
+    def want_mesh(self, time_s: float) -> None:
+        """Ask for the part at a moment as a mesh."""
+        self._want({"mesh": time_s})
+
+    def go_on(self) -> None:
+        """Ask the next question: what was told has been used."""
+        self._asked = False
+        self._ask()
+
+    def end(self) -> None:
+        """End the process; nothing is told any more."""
+        self._timer.stop()
+        self._wanted.clear()
+        self._asked, self._python = False, None
+        process, self._process = self._process, None
+        if process is not None:
+            kill(process)
+
+    def _want(self, question: dict[str, Any]) -> None:
+        if self._given_up:
+            return
+        self._wanted.append(question)
+        if self._process is None and self._python is None:
+            self._python = seek_python(PROOF)
+            self._timer.start()
+        self._ask()
+
+    def _look(self) -> None:
+        """Start the process as soon as its Python is found."""
+        if self._python is None or not self._python.done():
+            return
+        self._timer.stop()
+        python, self._python = self._python, None
+        try:
+            program = python.result()
+        except CNCStepperError as error:
+            self._fail(error)
+            return
+        hear, lost = tell.guarded(self._hear), tell.guarded(self._lost)
+        self._answered = False
+        self._process = start_worker(self, command(program, WORKER, self._result.folder.name), hear, lost, lost)
+        self._ask()
+
+    def _ask(self) -> None:
+        if self._process is not None and self._wanted and not self._asked:
+            self._asked = True
+            self._process.write(json.dumps(self._wanted.pop(0)).encode("ascii") + b"\n")
+
+    def _hear(self) -> None:
+        """Take the answer as soon as its line is whole."""
+        if self._process is None or not self._process.canReadLine():
+            return
+        answer = json.loads(bytes(self._process.readLine()))
+        if "error" in answer:
+            self._fail(error_from_json(answer["error"]))
+            return
+        self._answered = True
+        if "tiles" in answer:
+            self.tiles.emit(dict(self._read(answer["tiles"])))
+        elif "mesh" in answer:
+            self.mesh.emit(answer["at"], str(self._result.send_file.with_name(answer["mesh"])))
+        else:
+            self.pulse.emit(answer["pulse"], answer["steps"])
+
+    def _read(self, counts: list[list[int]]) -> Iterator[tuple[int, tuple[np.ndarray, np.ndarray]]]:
+        """Yield the faces of tiles, so many each; nothing is computed."""
+        import numpy as np
+
+        from CNCStepper.job.proof_files import TILES
+
+        data = self._result.send_file.with_name(TILES).read_bytes()
+        total = sum(count for _, count in counts)
+        corners = np.frombuffer(data, np.float32, 12 * total).reshape(total, 4, 3)
+        rgba = np.frombuffer(data, np.uint32, 4 * total, corners.nbytes).reshape(total, 4)
+        first = 0
+        for number, count in counts:
+            yield number, (corners[first : first + count], rgba[first : first + count])
+            first += count
+
+    def _lost(self, *_: Any) -> None:
+        """Tell that the process ended by itself."""
+        if self._process is not None:
+            self._fail(
+                CNCStepperError(
+                    "timeline-lost",
+                    "the process that knows the part at every moment has ended",
+                    advice="move the slider to start it again",
+                )
+            )
+
+    def _fail(self, error: CNCStepperError) -> None:
+        self.end()
+        self._given_up = not self._answered
+        self.failed.emit(error)
