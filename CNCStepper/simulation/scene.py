@@ -25,7 +25,7 @@ class Scene:
 
     until: how far the path is drawn, None before the first move. outlines: of cutter and shank, as
     `tool_outline.outlines_mm`, None where there is no tool to draw. limits_mm: low and high corner of the travel,
-    float64[2, 3], None where the work zero is not known.
+    float64[2, 3], None where the work zero is not known. tallest_mm: how high the longest cutter is that the program uses.
     """
 
     toolpath: Toolpath
@@ -33,6 +33,7 @@ class Scene:
     until: Until | None
     outlines: tuple[np.ndarray, np.ndarray] | None = None
     limits_mm: np.ndarray | None = None
+    tallest_mm: float = 0.0
 
     def path(self, seen: tuple[int, ...]) -> DrawnPath:
         """Return the path so far, for a view that shows these axes."""
@@ -72,14 +73,16 @@ def scene_at(
 
     machine: its travel is the work surface, where the work zero is known.
     """
+    used = [tool_numbered(tools, state.tool) for state in toolpath.states]
+    tallest_mm = max((outlines_mm(tool, part.stock.size_mm[2])[0][-1, 1] for tool in used if tool), default=0.0)
     row, share = (len(toolpath) - 1, 1.0) if moment is None else (moment.row, moment.share)
     limits_mm = _limits_mm(toolpath, machine) if machine and toolpath.start.zero_known else None
     if row < 0:
-        return Scene(toolpath, part, None, None, limits_mm)
+        return Scene(toolpath, part, None, None, limits_mm, tallest_mm)
     tip_mm = TipTrack.of(toolpath, ends_s).tip_mm(row, share)
     tool = tool_numbered(tools, toolpath.states[int(toolpath.table().state[row])].tool)
     outlines = outlines_mm(tool, part.stock.size_mm[2]) if tool else None
-    return Scene(toolpath, part, Until(row, share, tip_mm), outlines, limits_mm)
+    return Scene(toolpath, part, Until(row, share, tip_mm), outlines, limits_mm, tallest_mm)
 
 
 def _limits_mm(toolpath: Toolpath, machine: Machine) -> np.ndarray:

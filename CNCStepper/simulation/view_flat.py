@@ -70,7 +70,17 @@ def draw_depth_map(axes: Axes, scene: Scene, heights: Normalize) -> tuple[AxesIm
     """Draw the depth map with the tool on it; return the image, for its scale, and the names of what there is."""
     image = draw_depths(axes, scene.part, heights)
     _names(axes, FROM_ABOVE)
-    return image, _tool_from_above(axes, scene) + _marks(axes, scene, FROM_ABOVE)
+    names = _tool_from_above(axes, scene) + _marks(axes, scene, FROM_ABOVE)
+    return image, names if _limits_cross(scene) else [name for name in names if name != "limits"]
+
+
+def _limits_cross(scene: Scene) -> bool:
+    """Return whether a limit of travel lies within what the depth map shows."""
+    if scene.limits_mm is None:
+        return False
+    stock = scene.part.stock
+    low, high = bounds(np.array([stock.low_mm, stock.high_mm]), FROM_ABOVE)
+    return bool((scene.limits_mm[0, :2] > low).any() or (scene.limits_mm[1, :2] < high).any())
 
 
 def _deepest(part: HeightMap, heights: np.ndarray) -> np.ndarray:

@@ -68,7 +68,8 @@ def _bounds(view: str, scene: Scene) -> np.ndarray:
     if view == "isometric":
         return view_isometric.bounds(scene.box_mm, view_isometric.frame_of(scene.part, scene.limits_mm))
     stock = scene.part.stock
-    box = np.array([stock.low_mm, stock.high_mm]) if view == "depth" else scene.box_mm
+    box = np.array([stock.low_mm, stock.high_mm]) if view == "depth" else scene.box_mm.copy()
+    box[1, 2] += scene.tallest_mm  # seen from the side a cutter is shown whole, wherever it stands
     if scene.limits_mm is not None and view != "depth":
         box = np.array([np.minimum(box[0], scene.limits_mm[0]), np.maximum(box[1], scene.limits_mm[1])])
     return view_flat.bounds(box, view_flat.FROM_SIDE if view == "zy" else FROM_ABOVE)

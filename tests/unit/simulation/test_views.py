@@ -172,3 +172,26 @@ def test_without_an_encoder_there_is_a_sentence(tmp_path: Path, monkeypatch: pyt
     monkeypatch.setitem(views.MOVIES, ".mp4", Missing)
     with pytest.raises(JobError, match=r"end it in \.gif"):
         save_animation(tmp_path / "p.mp4", "xy", iter([(scene_of(), [])]), "p")
+
+
+def test_seen_from_the_side_the_cutter_is_shown_whole(tmp_path: Path) -> None:
+    """On its way out, 5 mm over the stock, it is as high in the picture as its three diameters."""
+    for time_s in (None, 11.3):
+        with_tool, without = scene_of(time_s, BALL), scene_of(time_s, BALL)
+        object.__setattr__(without, "outlines", None)
+        both = [drawn(tmp_path, "zy", scene)[:-70].astype(int) for scene in (with_tool, without)]
+        assert scene_of(time_s, BALL).tallest_mm == 24.0
+        rows = np.flatnonzero((np.abs(both[0] - both[1]).max(axis=2) > 30).any(axis=1))
+        stock = np.flatnonzero((np.abs(both[1] - (224, 207, 166)).max(axis=2) < 8).any(axis=0))
+        assert (rows[-1] - rows[0] + 1) / ((stock[-1] - stock[0] + 1) / 50.0) >= 24.0
+
+
+def test_the_depth_map_names_the_limits_only_where_one_is_seen(tmp_path: Path) -> None:
+    machine = load_machine("table-a")
+    for zero_x_mm, seen in ((-200.0, False), (-29.0, True)):
+        scene = scene_of(machine=machine)
+        scene.limits_mm[:, 0] = (-400 - zero_x_mm, -zero_x_mm)
+        figure = views._figure("depth", scene)
+        views._draw(figure, "depth", scene, "p", [])
+        texts = [text.get_text() for one in figure.legends for text in one.get_texts()]
+        assert ("limits of travel" in texts) is seen
