@@ -871,6 +871,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Add the part, as it stands now, to the document as a mesh</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Add tool</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1407,7 +1411,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Keep as mesh</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Keep cutting and close</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Keep the cut part as mesh</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1503,6 +1515,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Motor steps: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Move</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Move a point</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1571,11 +1591,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>One line of the program back</source>
+            <source>One step back</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>One line of the program on</source>
+            <source>One step is</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>One step on</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1668,6 +1692,10 @@
         </message>
         <message>
             <source>Programs ({0})</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Pulse</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2083,6 +2111,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The program is being checked with this work zero.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The program is checked again, with the work zero that the machine has now.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The program waits. Resume goes on.</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2240,6 +2276,10 @@
         </message>
         <message>
             <source>What is cut, in this order</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>What is one step: a line of the program, a move, or a pulse of the motors</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2511,6 +2551,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{0}, cut until {1}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{0}, line {1}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2659,6 +2703,10 @@
         </message>
         <message>
             <source>a number is missing or cannot be read</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a rapid crosses the stock with the beam on</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3278,6 +3326,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>move the slider to start it again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>move the work zero {0} the {1} axis or make the program smaller</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3335,6 +3387,10 @@
         </message>
         <message>
             <source>nothing answers at {0}: {1}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>nothing is known that could be asked so</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3430,6 +3486,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>send another one</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>set $0 to 3 or more</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3518,6 +3578,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>switch it off with M5 before it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>switch it on with M3 and S before it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>take out {0}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3539,6 +3607,10 @@
         </message>
         <message>
             <source>the arc's radius does not fit its end point</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the beam is never on where it is to cut</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3730,6 +3802,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the job was deleted</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the jog came too late to be safe</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3858,6 +3934,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the process that knows the part at every moment has ended</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the process that proves cannot be started</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3899,6 +3979,10 @@
         </message>
         <message>
             <source>the program was proven with another stock</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the program was proven with other clamps, or another distance from the sheet's edge</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3991,6 +4075,10 @@
         </message>
         <message>
             <source>the stored settings could not be read and were reset</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the timeline failed by a fault of its own: {0}: {1}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

@@ -871,6 +871,10 @@
             <translation>Adicionar seleção</translation>
         </message>
         <message>
+            <source>Add the part, as it stands now, to the document as a mesh</source>
+            <translation>Acrescentar ao documento, como malha, a peça tal como está agora</translation>
+        </message>
+        <message>
             <source>Add tool</source>
             <translation>Adicionar</translation>
         </message>
@@ -1407,8 +1411,16 @@
             <translation>O movimento manual só funciona com a máquina pronta.</translation>
         </message>
         <message>
+            <source>Keep as mesh</source>
+            <translation>Guardar como malha</translation>
+        </message>
+        <message>
             <source>Keep cutting and close</source>
             <translation>Continuar usinando e fechar</translation>
+        </message>
+        <message>
+            <source>Keep the cut part as mesh</source>
+            <translation>Guardar a peça cortada como malha</translation>
         </message>
         <message>
             <source>Last stepdown</source>
@@ -1503,6 +1515,14 @@
             <translation>Método</translation>
         </message>
         <message>
+            <source>Motor steps: {0}</source>
+            <translation>Passos dos motores: {0}</translation>
+        </message>
+        <message>
+            <source>Move</source>
+            <translation>Movimento</translation>
+        </message>
+        <message>
             <source>Move a point</source>
             <translation>Mover um ponto</translation>
         </message>
@@ -1571,12 +1591,16 @@
             <translation>Do programa gerado</translation>
         </message>
         <message>
-            <source>One line of the program back</source>
-            <translation>Uma linha do programa para trás</translation>
+            <source>One step back</source>
+            <translation>Um passo atrás</translation>
         </message>
         <message>
-            <source>One line of the program on</source>
-            <translation>Uma linha do programa para a frente</translation>
+            <source>One step is</source>
+            <translation>Um passo é</translation>
+        </message>
+        <message>
+            <source>One step on</source>
+            <translation>Um passo adiante</translation>
         </message>
         <message>
             <source>Open or make a document first</source>
@@ -1669,6 +1693,10 @@
         <message>
             <source>Programs ({0})</source>
             <translation>Programas ({0})</translation>
+        </message>
+        <message>
+            <source>Pulse</source>
+            <translation>Pulso</translation>
         </message>
         <message>
             <source>Put the stock around what is selected, or around the drawings of the operations</source>
@@ -2083,6 +2111,14 @@
             <translation>O programa mudou desde então: o que se vê é o anterior.</translation>
         </message>
         <message>
+            <source>The program is being checked with this work zero.</source>
+            <translation>O programa está sendo verificado com este zero-peça.</translation>
+        </message>
+        <message>
+            <source>The program is checked again, with the work zero that the machine has now.</source>
+            <translation>O programa é verificado de novo, com o zero-peça que a máquina tem agora.</translation>
+        </message>
+        <message>
             <source>The program waits. Resume goes on.</source>
             <translation>O programa espera. Retomar continua.</translation>
         </message>
@@ -2241,6 +2277,10 @@
         <message>
             <source>What is cut, in this order</source>
             <translation>O que é usinado, nesta ordem</translation>
+        </message>
+        <message>
+            <source>What is one step: a line of the program, a move, or a pulse of the motors</source>
+            <translation>O que é um passo: uma linha do programa, um movimento ou um pulso dos motores</translation>
         </message>
         <message>
             <source>What is switched on while cutting</source>
@@ -2511,6 +2551,10 @@
             <translation>{0} ×</translation>
         </message>
         <message>
+            <source>{0}, cut until {1}</source>
+            <translation>{0}, cortada até {1}</translation>
+        </message>
+        <message>
             <source>{0}, line {1}</source>
             <translation>{0}, linha {1}</translation>
         </message>
@@ -2660,6 +2704,10 @@
         <message>
             <source>a number is missing or cannot be read</source>
             <translation>um número falta ou não pode ser lido</translation>
+        </message>
+        <message>
+            <source>a rapid crosses the stock with the beam on</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>a rapid goes sideways while the height is not known</source>
@@ -3278,6 +3326,10 @@
             <translation>mova a forma ou o zero-peça, ou use um bloco maior</translation>
         </message>
         <message>
+            <source>move the slider to start it again</source>
+            <translation>mova o controle deslizante para iniciá-lo de novo</translation>
+        </message>
+        <message>
             <source>move the work zero {0} the {1} axis or make the program smaller</source>
             <translation>mova o zero-peça ({0}) no eixo {1} ou diminua o programa</translation>
         </message>
@@ -3336,6 +3388,10 @@
         <message>
             <source>nothing answers at {0}: {1}</source>
             <translation>nada responde em {0}: {1}</translation>
+        </message>
+        <message>
+            <source>nothing is known that could be asked so</source>
+            <translation>não se conhece nada que se possa perguntar assim</translation>
         </message>
         <message>
             <source>nothing moves</source>
@@ -3430,6 +3486,10 @@
             <translation>veja se está completo</translation>
         </message>
         <message>
+            <source>send another one</source>
+            <translation>envie outro</translation>
+        </message>
+        <message>
             <source>set $0 to 3 or more</source>
             <translation>ponha $0 em 3 ou mais</translation>
         </message>
@@ -3518,6 +3578,14 @@
             <translation>parado antes de enviar a primeira linha</translation>
         </message>
         <message>
+            <source>switch it off with M5 before it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>switch it on with M3 and S before it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>take out {0}</source>
             <translation>retire {0}</translation>
         </message>
@@ -3540,6 +3608,10 @@
         <message>
             <source>the arc's radius does not fit its end point</source>
             <translation>o raio do arco não combina com o ponto final</translation>
+        </message>
+        <message>
+            <source>the beam is never on where it is to cut</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>the certificate cannot be read</source>
@@ -3730,6 +3802,10 @@
             <translation>o trabalho não tem operações</translation>
         </message>
         <message>
+            <source>the job was deleted</source>
+            <translation>o trabalho foi apagado</translation>
+        </message>
+        <message>
             <source>the jog came too late to be safe</source>
             <translation>o movimento manual chegou tarde demais para ser seguro</translation>
         </message>
@@ -3858,6 +3934,10 @@
             <translation>o apalpador não estava no estado inicial</translation>
         </message>
         <message>
+            <source>the process that knows the part at every moment has ended</source>
+            <translation>o processo que conhece a peça em cada momento terminou</translation>
+        </message>
+        <message>
             <source>the process that proves cannot be started</source>
             <translation>o processo de verificação não pode ser iniciado</translation>
         </message>
@@ -3900,6 +3980,10 @@
         <message>
             <source>the program was proven with another stock</source>
             <translation>o programa foi verificado com outro bloco</translation>
+        </message>
+        <message>
+            <source>the program was proven with other clamps, or another distance from the sheet's edge</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>the program was proven with other tools</source>
@@ -3992,6 +4076,10 @@
         <message>
             <source>the stored settings could not be read and were reset</source>
             <translation>as configurações guardadas não puderam ser lidas e foram redefinidas</translation>
+        </message>
+        <message>
+            <source>the timeline failed by a fault of its own: {0}: {1}</source>
+            <translation>a linha do tempo falhou por um defeito próprio: {0}: {1}</translation>
         </message>
         <message>
             <source>the tolerance is negative</source>
