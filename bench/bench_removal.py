@@ -121,7 +121,7 @@ def main() -> None:
         ("ball, hilly", ball, hilly(spiral(1_000_000, 300))),
     ):
         wall_s, cpu_s, part = ours(million, 300, tool)
-        held = sum(tile.heights.nbytes + tile.means.nbytes for tile in part.tiles.values()) / 1e6
+        held = sum(tile.nbytes for tile in part.tiles.values()) / 1e6
         print(f"removal: 1 000 000 moves, 300 × 300 mm, {name}: {wall_s:.2f} s, processor {cpu_s:.2f} s, {held:.0f} MB")
     for path in sorted((Path(__file__).parents[1] / "examples" / "jobs").glob("*.toml")):
         count, prepared_s, median, worst = slider_ms(path)

@@ -13,7 +13,6 @@ import os
 from collections.abc import Mapping
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
-from typing import NamedTuple
 
 import numpy as np
 
@@ -27,11 +26,30 @@ THREADS = min(os.cpu_count() or 1, 8) if COMPILED else 1
 FEW = 2000  # moves that are not worth a second thread
 
 
-class Tile(NamedTuple):
-    """Heights at the cells' centres and means over the cells, float32[rows, columns], mm."""
+class Tile:
+    """Heights at the cells' centres and means over the cells, float32[rows, columns], mm.
 
-    heights: np.ndarray
-    means: np.ndarray
+    Most cells' mean is their height, or the stock's bottom where that is lower; only the others are kept.
+    """
+
+    __slots__ = ("_bottom", "_places", "_values", "heights")
+
+    def __init__(self, heights: np.ndarray, means: np.ndarray, bottom_mm: float):
+        self.heights, self._bottom = heights, np.float32(bottom_mm)
+        other = np.flatnonzero(means != np.maximum(heights, self._bottom))
+        self._places, self._values = other.astype(np.uint16), means.ravel()[other]
+
+    @property
+    def means(self) -> np.ndarray:
+        """The means, an array of its own at each call."""
+        means = np.maximum(self.heights, self._bottom)
+        means.ravel()[self._places] = self._values
+        return means
+
+    @property
+    def nbytes(self) -> int:
+        """Memory of the arrays."""
+        return self.heights.nbytes + self._places.nbytes + self._values.nbytes
 
 
 @dataclass(frozen=True)
@@ -104,26 +122,31 @@ class Part:
         x_mm, y_mm = self.grid.tile_centres_mm(number)
         tops = self.grid.stock.tops_mm(x_mm, y_mm).astype(np.float32)
         old = tiles.get(number)
-        new = Tile(tops.copy(), tops.copy()) if old is None else Tile(old.heights.copy(), old.means.copy())
-        tile = (new.heights, new.means, tops, self.grid.stock.bottom_mm)
+        heights, means = (tops.copy(), tops.copy()) if old is None else (old.heights.copy(), old.means)
         frame = (float(x_mm[0]), float(y_mm[0]), *self.grid.cell_mm)
         columns = (moves.begin, moves.end, moves.arc, moves.arcs, moves.form, moves.forms, moves.joined)
-        cut_tile(tile, frame, *columns, which)
-        return number, new
+        bottom_mm = self.grid.stock.bottom_mm
+        cut_tile((heights, means, tops, bottom_mm), frame, *columns, which)
+        return number, Tile(heights, means, bottom_mm)
+
+    def changed_since(self, other: Part) -> set[int]:
+        """Return the numbers of the tiles in which this part may differ from another moment of it; tiles are shared."""
+        numbers = self.tiles.keys() | other.tiles.keys()
+        return {number for number in numbers if self.tiles.get(number) is not other.tiles.get(number)}
 
     def heights_mm(self) -> np.ndarray:
         """Return the heights at all centres, float64[rows, columns], rows along y."""
-        return self._whole(0)
+        return self._whole("heights")
 
     def means_mm(self) -> np.ndarray:
         """Return the mean heights of all cells, float64[rows, columns]; through a cut they are the bottom."""
-        return self._whole(1)
+        return self._whole("means")
 
-    def _whole(self, which: int) -> np.ndarray:
+    def _whole(self, which: str) -> np.ndarray:
         grid = self.grid
         whole = grid.stock.tops_mm(grid.centres_mm(0), grid.centres_mm(1))
         for number, tile in self.tiles.items():
-            whole[grid.window(number)] = tile[which]
+            whole[grid.window(number)] = getattr(tile, which)
         return whole
 
     @property

@@ -6,13 +6,13 @@
 
 A moment is cut from the last check-point before it. The last move done, or the share of it that is done, is cut
 as if none followed it; a check-point lacks that end, so that going on from it is the same as never stopping.
+All check-points together hold at most 512 MB: where they would need more, they stand further apart.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
-from itertools import pairwise
 
 import numpy as np
 
@@ -29,7 +29,7 @@ from CNCStepper.simulation.stock import Stock
 from CNCStepper.simulation.tiles import Part
 from CNCStepper.toolpath import Toolpath
 
-WORK_CELLS = 1e6  # cells that the moves between two check-points sweep: some 5 ms
+WORK_CELLS = 1e6  # cells that the moves between two check-points sweep: some 5 ms, where memory allows it
 ARC_WORK = 8  # a cell beside an arc costs as much as that many beside a line
 MOST_BYTES = 512_000_000  # of all check-points; where they need more every second one is given up
 
@@ -158,19 +158,17 @@ def _check_points(moves: Moves, uncut: Part) -> tuple[np.ndarray, list[Part]]:
     """Return after how many moves the check-points lie, from 0 on, and their parts."""
     work = np.cumsum(_swept_cells(moves, uncut.grid.cell_mm))
     total = float(work[-1]) if len(work) else 0.0
-    stops = np.unique(np.r_[0, np.searchsorted(work, np.arange(WORK_CELLS, total, WORK_CELLS))])
+    stops = np.unique(np.r_[0, np.searchsorted(work, np.arange(WORK_CELLS, total, WORK_CELLS))]).tolist()
     kept, parts = [0], [uncut]
-    stride, held, part = 1, 0, uncut
-    for number, (first, last) in enumerate(pairwise(stops.tolist()), start=1):
-        part = part.after(moves, first, last)
-        if number % stride:
-            continue
-        held += _bytes_held([part]) - _bytes_shared(parts[-1], part)
-        kept.append(last)
-        parts.append(part)
+    stride, held, number = 1, 0, 1
+    while number < len(stops):
+        parts.append(parts[-1].after(moves, kept[-1], stops[number]))
+        kept.append(stops[number])
+        held += sum(parts[-1].tiles[changed].nbytes for changed in parts[-1].changed_since(parts[-2]))
         if held > MOST_BYTES:
             kept, parts, stride = kept[::2], parts[::2], stride * 2
             held = _bytes_held(parts)
+        number = stops.index(kept[-1]) + stride
     return np.array(kept), parts
 
 
@@ -186,10 +184,4 @@ def _swept_cells(moves: Moves, cell_mm: tuple[float, float]) -> np.ndarray:
 
 
 def _bytes_held(parts: list[Part]) -> int:
-    arrays = {id(array): array.nbytes for part in parts for tile in part.tiles.values() for array in tile}
-    return sum(arrays.values())
-
-
-def _bytes_shared(one: Part, other: Part) -> int:
-    shared = [tile for number, tile in other.tiles.items() if one.tiles.get(number) is tile]
-    return sum(tile.heights.nbytes + tile.means.nbytes for tile in shared)
+    return sum({id(tile): tile.nbytes for part in parts for tile in part.tiles.values()}.values())

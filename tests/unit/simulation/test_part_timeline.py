@@ -13,6 +13,7 @@ from CNCStepper.motion import plan
 from CNCStepper.simulation import timeline as module
 from CNCStepper.simulation.heightmap import HeightMap, height_map
 from CNCStepper.simulation.stock import Stock
+from CNCStepper.simulation.tiles import Tile
 from CNCStepper.simulation.timeline import Timeline
 from CNCStepper.toolpath import ARC_CCW, ZX
 
@@ -121,3 +122,25 @@ def test_where_memory_is_short_check_points_are_given_up(monkeypatch, near_check
     few = Timeline(toolpath, many.ends_s, FLAT, STOCK, CELL_MM)
     assert few.bytes_held <= many.bytes_held // 3 and 1 < len(few.parts) < len(many.parts)
     assert data(few.at(many.duration_s * 0.7)) == data(many.at(many.duration_s * 0.7))
+
+
+def test_tiles_tell_what_differs_between_two_moments(near_check_points) -> None:
+    toolpath, coarse = made(square_pocket())
+    timeline = Timeline(toolpath, coarse.ends_s, FLAT, STOCK, CELL_MM / 5)
+    one, other = (timeline.at(timeline.duration_s * share) for share in (0.5, 0.55))
+    changed = other.part.changed_since(one.part)
+    assert changed == one.part.changed_since(other.part) and changed < other.part.tiles.keys()
+    differs = one.heights_mm != other.heights_mm
+    seen = {number for number in other.part.tiles if differs[other.part.grid.window(number)].any()}
+    assert seen and seen <= changed
+
+
+def test_a_tile_keeps_only_the_means_that_are_not_its_heights() -> None:
+    rng = np.random.default_rng(2)
+    heights = rng.uniform(-9, 0, (30, 40)).astype(np.float32)
+    means = np.maximum(heights, np.float32(-6))
+    rim = rng.random(means.shape) < 0.1
+    means[rim] += np.float32(0.25)
+    tile = Tile(heights, means, -6.0)
+    assert (tile.means == means).all() and tile.means.dtype == np.float32
+    assert tile.nbytes == heights.nbytes + 6 * rim.sum()
