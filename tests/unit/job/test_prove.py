@@ -23,6 +23,11 @@ def pocket() -> tuple[Job, Machine, Made]:
     return job, machine, make_program(job, machine)
 
 
+@pytest.fixture(scope="module")
+def clean(pocket: tuple[Job, Machine, Made]) -> Proof:
+    return proven(pocket, pocket[2].program)
+
+
 def proven(pocket: tuple[Job, Machine, Made], text: str) -> Proof:
     job, machine, _ = pocket
     return prove_job(job, machine, text, "pocket.nc", Start.with_work_zero((-200, -200, -40)))
@@ -32,14 +37,13 @@ def lines_of(pocket: tuple[Job, Machine, Made]) -> list[str]:
     return pocket[2].program.splitlines()
 
 
-def test_the_pocket_is_clean_and_within_its_tolerance(pocket: tuple[Job, Machine, Made]) -> None:
-    proof = proven(pocket, pocket[2].program)
-    assert not proof.findings
-    assert proof.report["gouge_mm"] <= 0.01
-    assert proof.report["left_over_mm"] <= 0.01
-    assert not proof.report["islands"]
+def test_the_pocket_is_clean_and_within_its_tolerance(clean: Proof) -> None:
+    assert not clean.findings
+    assert clean.report["gouge_mm"] <= 0.01
+    assert clean.report["left_over_mm"] <= 0.01
+    assert not clean.report["islands"]
     volume_mm3 = math.pi * 40 * 25 * 10
-    assert abs(proof.report["removed_volume_mm3"] / volume_mm3 - 1) < 0.002
+    assert abs(clean.report["removed_volume_mm3"] / volume_mm3 - 1) < 0.002
 
 
 def test_the_engraving_is_clean() -> None:
@@ -49,11 +53,11 @@ def test_the_engraving_is_clean() -> None:
     assert len(proof.toolpath) > 202
 
 
-def test_rows_name_the_files_lines_and_its_operations(pocket: tuple[Job, Machine, Made]) -> None:
-    proof, lines = proven(pocket, pocket[2].program), lines_of(pocket)
+def test_rows_name_the_files_lines_and_its_operations(pocket: tuple[Job, Machine, Made], clean: Proof) -> None:
+    lines = lines_of(pocket)
     last_arc = max(number for number, line in enumerate(lines, 1) if line.startswith("G3"))
-    assert last_arc in proof.toolpath.table().line
-    assert [span.name for span in proof.toolpath.spans if span.kind == "operation"] == ["elliptical pocket"]
+    assert last_arc in clean.toolpath.table().line
+    assert [span.name for span in clean.toolpath.spans if span.kind == "operation"] == ["elliptical pocket"]
 
 
 def test_a_missing_finishing_pass_is_caught(pocket: tuple[Job, Machine, Made]) -> None:
@@ -76,6 +80,7 @@ def test_a_shifted_arc_centre_is_caught(pocket: tuple[Job, Machine, Made]) -> No
     assert 0.03 < proof.report["gouge_mm"] < 0.07
 
 
+@pytest.mark.slow
 def test_a_work_zero_off_the_table_is_caught(pocket: tuple[Job, Machine, Made]) -> None:
     job, machine, made = pocket
     proof = prove_job(job, machine, made.program, start=Start.with_work_zero((-36.99, -200, -40)))
@@ -109,6 +114,7 @@ def test_a_shape_beside_the_stock_is_told(pocket: tuple[Job, Machine, Made]) -> 
     assert "beside-stock" in [finding.code for finding in proof.findings]
 
 
+@pytest.mark.slow
 def test_the_published_method_tells_how_far_its_wall_is_off(pocket: tuple[Job, Machine, Made]) -> None:
     job, machine, _ = pocket
     change = {"method": "dda", "resolution_mm": 0.2}
@@ -118,6 +124,7 @@ def test_the_published_method_tells_how_far_its_wall_is_off(pocket: tuple[Job, M
     assert not proof.refused
 
 
+@pytest.mark.slow
 def test_a_pocket_through_the_stock_leaves_nothing(pocket: tuple[Job, Machine, Made]) -> None:
     job, machine, _ = pocket
     through = job.model_copy(update={"operation": (job.operation[0].model_copy(update={"depth_mm": 20.5}),)})

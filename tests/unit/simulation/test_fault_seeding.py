@@ -8,14 +8,14 @@ import random
 from collections import Counter
 
 import pytest
-from seeded_programs import FAULTS, MACHINE, STOCK, Fault, Program, clean_program, faults_of
+from seeded_programs import FAULTS, MACHINE, Fault, Program, clean_program, faults_of
 
 from CNCStepper.gcode.prepare import prepare
 from CNCStepper.gcode.read_back import read_back
 from CNCStepper.simulation.check import check
 from CNCStepper.simulation.finding import Finding
 
-QUICK, MANY, BATCHES = 4, 60, 4  # programs, those of each batch, batches
+QUICK, MANY, BATCHES = 2, 60, 4  # programs, those of each batch, batches
 FAULTS_A_PROGRAM = 2
 MOST_MISSED = 0.01  # of the faults of each run
 SEED = int(os.environ.get("FAULT_SEED", "0")) or (1 if os.environ.get("CI") else random.SystemRandom().randrange(10**9))
@@ -24,7 +24,7 @@ SEED = int(os.environ.get("FAULT_SEED", "0")) or (1 if os.environ.get("CI") else
 def findings_of(program: Program) -> list[Finding]:
     wire = prepare(program.text, "grbl", "p.nc")
     path = read_back(wire, program.text, program.start, "grbl", "p.nc")
-    return check(path, MACHINE, file="p.nc", stock=STOCK, tools=program.tools, removals=program.removals)
+    return check(path, MACHINE, file="p.nc", stock=program.stock, tools=program.tools, removals=program.removals)
 
 
 def is_found(fault: Fault) -> bool:

@@ -46,6 +46,7 @@ def test_a_floor_two_hundredths_off_is_found():
     assert high == [("left-over", pytest.approx(0.02, abs=0.0015))]
 
 
+@pytest.mark.slow
 def test_another_tool_than_the_programs_is_found():
     ((code, thick),) = findings("elliptical-pocket.toml", diameter_mm=6.1)
     assert (code, thick) == ("gouge", pytest.approx(0.05, abs=0.01))
@@ -65,6 +66,7 @@ def test_a_drawing_larger_than_the_stock_cuts_air_beside_it():
     assert check(toolpath, machine, stock=small, tools=job.tools, removals=program.removals) == []
 
 
+@pytest.mark.slow
 def test_a_missing_finishing_pass_is_found():
     """The last pass of the deepest level follows the last straight link of the program."""
 

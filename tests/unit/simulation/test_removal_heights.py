@@ -30,6 +30,7 @@ STOCK = Stock((30, 30, 20))
 CELL_MM = 0.7
 R = 3.0
 STEPS = 6000
+TOGETHER = 64  # steps that are looked at in one go
 GROWN = 1e-4  # a walk's cutter is wider by that, for what lies on the rim between two steps
 
 
@@ -52,9 +53,12 @@ def profile(shape: str, out: np.ndarray) -> np.ndarray:
 def walked(points: np.ndarray, shape: str, x: np.ndarray, y: np.ndarray, grown: float) -> np.ndarray:
     """Return the lowest heights that the cutter has at any of the points; `grown` widens its rim."""
     lowest = np.zeros_like(x)
-    for px, py, pz in points:
-        out = np.hypot(x - px, y - py)
-        lowest = np.where(out <= R + grown, np.minimum(lowest, pz + profile(shape, np.minimum(out, R))), lowest)
+    for some in np.array_split(points[:, :, None], len(points) // TOGETHER):
+        middle, around = some[len(some) // 2], np.hypot(*np.ptp(some[:, :2, 0], axis=0))
+        near = np.hypot(x - middle[0], y - middle[1]) <= R + grown + around
+        out = np.hypot(x[near] - some[:, 0], y[near] - some[:, 1])
+        height = np.where(out <= R + grown, some[:, 2] + profile(shape, np.minimum(out, R)), 0.0)
+        lowest[near] = np.minimum(lowest[near], height.min(axis=0))
     return lowest
 
 

@@ -7,6 +7,8 @@ import os
 import subprocess
 import sys
 
+import pytest
+
 SMALL = """
 import hashlib
 import numpy as np
@@ -35,6 +37,7 @@ for shape, keys in tools:
 """
 
 
+@pytest.mark.slow
 def test_compiled_checked_and_plain_python_agree() -> None:
     compiled, checked, plain = (
         said_by_small({**os.environ, **added}) for added in ({}, {"NUMBA_BOUNDSCHECK": "1"}, {"NUMBA_DISABLE_JIT": "1"})

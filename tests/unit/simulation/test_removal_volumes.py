@@ -73,7 +73,7 @@ def test_a_line(tool: Tool, turn: float) -> None:
 
 
 @each_tool
-@pytest.mark.parametrize("fall", [0.5, 4.0])
+@pytest.mark.parametrize("fall", [pytest.param(0.5, marks=pytest.mark.slow), 4.0])
 def test_a_ramp(tool: Tool, fall: float) -> None:
     """In each plane along the ramp the cutter is convex, so that what it sweeps there is a convex hull."""
     x, y = 12 * math.cos(TURN_OFF), 12 * math.sin(TURN_OFF)
@@ -114,16 +114,15 @@ def test_a_helix(tool: Tool, radius: float, pitch: float) -> None:
     out = np.linspace(max(radius - R, 0), radius + R, 601)
     since = np.linspace(0, 2 * np.pi, 361)  # how far before the helix' end it passed the place last
     v = np.linspace(-np.pi, np.pi, 1441)
+    fall = pitch / (2 * np.pi)
     distance = np.sqrt((out[:, None] - radius) ** 2 + 4 * out[:, None] * radius * np.sin(v / 2) ** 2)
     height = np.where(distance <= R + 1e-9, heights(tool, np.minimum(distance, R)), 1e3)
-    fall = pitch / (2 * np.pi)
-    depth = np.zeros((len(out), len(since)))
-    for column, past in enumerate(since):
-        passes = [
-            np.where(v <= past + 2 * np.pi * n, height - fall * (v - past - 2 * np.pi * n), 1e3) for n in (-1, 0, 1)
-        ]
-        lowest = np.min([one.min(axis=1) for one in passes], axis=0)  # over the helix' end
-        depth[:, column] = np.maximum(-(top - turns * pitch + lowest), 0)
+    lowest_yet = np.minimum.accumulate(height - fall * v, axis=1)  # on the way up to each v
+    passes = []
+    for past in (since - 2 * np.pi, since, since + 2 * np.pi):
+        reached = np.searchsorted(v, past, side="right") - 1
+        passes.append(np.where(reached < 0, 1e3, lowest_yet[:, reached] + fall * past))
+    depth = np.maximum(-(top - turns * pitch + np.min(passes, axis=0)), 0)
     want = integral(out * np.array([integral(row, since) for row in depth]), out)
     assert_volume(program, tool, want)
 

@@ -30,6 +30,7 @@ TOOLS = {
     "tapered jet": Tool(number=1, shape="jet", diameter_mm=2, taper_deg=1),
 }
 GROOVE = shapely.box(-3, -30, 3, 30)
+slow = pytest.mark.slow
 every_tool = pytest.mark.parametrize("name", TOOLS)
 solid_tool = pytest.mark.parametrize("name", [name for name in TOOLS if "jet" not in name])
 
@@ -136,8 +137,8 @@ def test_a_form_that_is_not_given_is_said_to_be_judged_as_a_flat(shape):
 
 
 @solid_tool
-@pytest.mark.parametrize("turn_deg", [0, 25, 70])
-@pytest.mark.parametrize(("off", "z"), [(0.5, -3.0), (0.2, -2.0), (-0.3, -2.5)])
+@pytest.mark.parametrize("turn_deg", [pytest.param(0, marks=slow), 25, pytest.param(70, marks=slow)])
+@pytest.mark.parametrize(("off", "z"), [(0.5, -3.0), pytest.param(0.2, -2.0, marks=slow), (-0.3, -2.5)])
 def test_a_corner_of_the_part_is_entered_by_the_deepest_point_of_the_whole_face(name, turn_deg, off, z):
     """Beside a convex corner the deepest point is not on the disc that a straight wall would meet first."""
     tool = TOOLS[name]

@@ -70,15 +70,17 @@ def test_views_are_as_stored(view: str, tmp_path: Path, stored_picture: Callable
 
 @pytest.mark.parametrize("view", VIEWS)
 @pytest.mark.parametrize(
-    "other", [{"time_s": 10.9}, {"tool": BALL.model_copy(update={"diameter_mm": 7.0})}], ids=["earlier", "thinner"]
+    "other",
+    [{"time_s": 10.9}, pytest.param({"tool": BALL.model_copy(update={"diameter_mm": 7.0})}, marks=pytest.mark.slow)],
+    ids=["earlier", "thinner"],
 )
 def test_the_comparison_fails_for_another_picture(
     view: str, other: dict, tmp_path: Path, differs: Callable[[str, np.ndarray], bool]
 ) -> None:
     assert differs(f"view-{view}", drawn(tmp_path, view, scene_of(**({"time_s": 11.3, "tool": BALL} | other))))
-    assert not differs(f"view-{view}", drawn(tmp_path, view, scene_of(11.3, BALL)))
 
 
+@pytest.mark.slow
 def test_nothing_is_cut_off_and_the_same_scene_is_the_same_picture(tmp_path: Path) -> None:
     for view in VIEWS:
         one = drawn(tmp_path, view, scene_of())
