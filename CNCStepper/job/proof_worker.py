@@ -45,9 +45,11 @@ def answer(folder: Path, name: str) -> None:
     from CNCStepper.job.certify import certificate_of
     from CNCStepper.job.proof_files import read_question, write_answer
     from CNCStepper.job.prove import prove_job
+    from CNCStepper.job.start_file import read_start
 
     program, job, machine = read_question(folder)
-    proof = prove_job(job, machine, program, name, tell=lambda stage: print(stage, flush=True))
+    start = read_start(folder)
+    proof = prove_job(job, machine, program, name, start, tell=lambda stage: print(stage, flush=True))
     write_answer(folder, proof, job, certificate_of(proof).to_json())
 
 

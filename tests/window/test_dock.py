@@ -265,6 +265,64 @@ def test_an_alarm_is_unlocked_and_homed_at_an_address_that_is_typed(hand: Hand, 
     assert hand.text(f"{D}StateSentence") == "The machine stands and waits."
 
 
+def homed(hand: Hand, address: str) -> None:
+    hand.fill(f"{D}Port", address)
+    hand.click(f"{D}Connect")
+    says(hand, "Alarm", 30)
+    hand.click(f"{D}Home")
+    says(hand, "Homing")
+    says(hand, "Idle", 60)
+
+
+def zero_at(hand: Hand, dock: Any, x_mm: float, y_mm: float, z_mm: float) -> None:
+    """Jog by so much, and set the zero of all axes there."""
+    there = [at + by for at, by in zip(hand.main(lambda: dock.link.status.mpos_mm), (x_mm, y_mm, z_mm), strict=True)]
+    hand.main(lambda: dock.link.command("jog", x_mm, y_mm, z_mm, 5000.0))
+    hand.wait(lambda: dock.link.status.mpos_mm == pytest.approx(there, abs=0.02), 60, "the end of the jog")
+    says(hand, "Idle", 60)
+    before = hand.main(lambda: dock.link.start)
+    hand.click(f"{D}ZeroAll")
+    hand.wait(lambda: dock.link.start not in (None, before), 10, "the new zero")
+
+
+def test_a_job_is_proven_for_the_zero_that_the_machine_has(hand: Hand, dock: Any, locked_machine: str) -> None:
+    pocket(hand)
+    homed(hand, locked_machine)
+    hand.command("CNCStepper_Send")
+    hand.wait(lambda: hand.exists(f"{D}Flow") and "Refused" in hand.text(f"{D}FlowTitle"), 60, "the proof")
+    rows = hand.find("CNCStepper_Findings_list")
+    found = hand.main(lambda: [rows.item(row).text() for row in range(rows.count())])
+    assert any("leaves the travel of X by 17 mm" in row for row in found), found
+    hand.shot("dock-travel")
+    hand.click(f"{D}Cancel")
+    zero_at(hand, dock, -200.0, -200.0, -40.0)
+    hand.command("CNCStepper_Send")
+    hand.wait(lambda: hand.exists(f"{D}Start") and "Work zero" in hand.text(f"{D}FlowTitle"), 60, "the proof")
+    proven = hand.main(lambda: dock.sending._result.begins)
+    assert proven == hand.main(lambda: dock.link.start)
+    assert proven.work_offsets_mm["G54"] == pytest.approx((-201, -201, -41), abs=0.02)  # homing pulls off by 1 mm
+    zero_at(hand, dock, 10.0, 10.0, 0.0)
+    hand.wait(lambda: dock.sending._result.begins == dock.link.start, 60, "the proof from the new zero")
+    assert hand.main(lambda: (dock.sending._result.begins != proven, dock.sending.flow.step)) == (True, "zero")
+    hand.wait(lambda: start_button().isEnabled())
+    zero_at(hand, dock, 180.0, 0.0, 0.0)
+    hand.wait(lambda: dock.sending.flow.again and not start_button().isEnabled(), 5, "the check with the new zero")
+    hand.shot("dock-zero-again")
+    hand.wait(lambda: "Refused" in hand.text(f"{D}FlowTitle"), 60, "the refusal of a zero too near to the edge")
+    hand.click(f"{D}Cancel")
+    zero_at(hand, dock, -100.0, 0.0, 0.0)
+    hand.command("CNCStepper_Send")
+    hand.wait(lambda: hand.exists(f"{D}Start") and "Work zero" in hand.text(f"{D}FlowTitle"), 60, "the proof")
+    hand.click(f"{D}Start")
+    says(hand, "Running")
+    hand.click(f"{D}Stop")
+    hand.wait(lambda: "Stopped" in hand.text(f"{D}FlowTitle"), 20)
+
+
+def start_button() -> Any:
+    return FreeCADGui.getMainWindow().findChild(QtGui.QPushButton, f"{D}Start")
+
+
 def test_the_window_asks_before_it_closes_over_a_job(hand: Hand, dock: Any) -> None:
     pocket(hand)
     connected(hand, "1× speed")

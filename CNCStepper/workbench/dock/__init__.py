@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import sys
 from typing import Any
 
 
@@ -16,6 +17,12 @@ def show() -> Any:
 def send(job: Any) -> None:
     """Open the dock and begin to send a job object: check, connect, ask for the work zero, stream. Returns at once."""
     show().widget().sending.send(job)
+
+
+def start_here() -> Any:
+    """Return the start state of the machine that this window is connected to, None where it is not known."""
+    opened = sys.modules.get(f"{__name__}.window")  # no dock was ever opened before this is loaded
+    return opened.start_here() if opened else None
 
 
 def greet() -> None:

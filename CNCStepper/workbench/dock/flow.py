@@ -5,7 +5,8 @@
         |                                        ^                 |
         `--> refused, failed                     `--- differs <----'   (send anyway starts it again)
 
-Every step says what is asked, and which answer leads on.
+Every step says what is asked, and which answer leads on. At the zero the program is checked again whenever the
+machine's zero is no longer the one that it was checked with; that leads to where the first check leads.
 """
 
 from __future__ import annotations
@@ -72,6 +73,9 @@ AWAITED = {  # which happening moves which step to which
     ("warned", "onward"): "connect",
     ("connect", "idle"): "zero",
     ("zero", "lost"): "connect",
+    ("zero", "warnings"): "warned",
+    ("zero", "errors"): "refused",
+    ("zero", "failure"): "failed",
     ("zero", "onward"): "starting",
     ("starting", "cutting"): "cutting",
     ("starting", "differences"): "differs",
@@ -80,6 +84,7 @@ AWAITED = {  # which happening moves which step to which
     ("starting", "lost"): "failed",
     ("differs", "onward"): "starting",
     ("differs", "lost"): "connect",
+    ("differs", "moved"): "zero",
     ("cutting", "outcome"): "ended",
     ("cutting", "lost"): "failed",
 }
@@ -90,7 +95,8 @@ class Flow:
     """Where the sending of one job stands; `step` is "" when nothing is being sent.
 
     detail: what is said beside the step's own text, as people's words. anyway: somebody decided to send though the
-    controller's settings differ. outcome: the kind of the outcome, at "ended".
+    controller's settings differ. outcome: the kind of the outcome, at "ended". again: the program is being checked once
+    more, with another zero.
     """
 
     step: str = ""
@@ -98,10 +104,12 @@ class Flow:
     detail: str = ""
     anyway: bool = False
     outcome: str = ""
+    again: bool = False
 
     def begin(self, label: str) -> None:
         """Begin to send the job with this label; what was sent before is forgotten."""
-        self.step, self.label, self.detail, self.anyway, self.outcome = "checking", label, "", False, ""
+        self.step, self.label, self.detail, self.outcome = "checking", label, "", ""
+        self.anyway = self.again = False
 
     def happen(self, what: str, detail: str = "") -> bool:
         """Let something happen; return whether it moved the flow. What a step does not wait for changes nothing."""
@@ -109,7 +117,7 @@ class Flow:
         if step is None:
             return False
         self.anyway = self.anyway or (self.step == "differs" and what == "onward")
-        self.step, self.detail = step, detail
+        self.step, self.detail, self.again = step, detail, False
         return True
 
     def end(self, kind: str, text: str) -> None:
@@ -119,7 +127,7 @@ class Flow:
 
     def leave(self) -> None:
         """Give up, or close what has ended."""
-        self.step = ""
+        self.step, self.again = "", False
 
     @property
     def active(self) -> bool:
@@ -143,6 +151,8 @@ class Flow:
 
 def why_not_onward(flow: Flow, phase: str) -> str:
     """Return why the question of this step cannot be answered with yes now, "" when it can."""
+    if flow.again:
+        return later("The program is being checked with this work zero.")
     if flow.step in ("zero", "differs") and phase != "idle":
         return later("The machine must be idle: wait, or home or unlock it first.")
     if flow.step == "connect" and phase in ("starting", "connecting"):

@@ -10,7 +10,9 @@ from pathlib import Path
 from typing import Any
 
 from CNCStepper.control.desk_client import DeskClient
+from CNCStepper.control.work_zero import start_of
 from CNCStepper.errors import CNCStepperError
+from CNCStepper.state import Start
 from CNCStepper.workbench.dock.ports import VIRTUAL
 from CNCStepper.workbench.dock.state import Moment, sentences
 from CNCStepper.workbench.dock.virtual_machine import VirtualMachine
@@ -90,6 +92,11 @@ class Link:
     def status(self) -> Any:
         """The last status of the controller, None when there is none."""
         return self.client.status if self.client and self.client.phase == "connected" else None
+
+    @property
+    def start(self) -> Start | None:
+        """The start state of a program on this machine, None where its place on the table is not known."""
+        return start_of(self.status)
 
     @property
     def moment(self) -> Moment:

@@ -1,12 +1,17 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Sends one job: the steps of `flow` with the proof, the findings and the controller's process behind them."""
+"""Sends one job: the steps of `flow` with the proof, the findings and the controller's process behind them.
+
+What is sent is proven for the work zero that the machine has when it starts: while a person is asked for the zero, a
+proof for another one is made again.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from typing import Any
 
-from CNCStepper.errors import CNCStepperError
+from CNCStepper.errors import CNCStepperError, JobError
+from CNCStepper.state import Start
 from CNCStepper.workbench import tell
 from CNCStepper.workbench.dock.flow import Flow
 from CNCStepper.workbench.dock.link import Link, told
@@ -36,8 +41,11 @@ class Sending:
         self.program_lines: Sequence[str] = ()
         self._parent, self._link = parent, link
         self._show_findings, self._connect, self._changed = show_findings, connect, changed
+        self._job: Any = None
         self._run: Any = None
         self._result: Any = None
+        self._asked: Start | None = None  # what the last proof was asked to begin from
+        self._seen: set[tuple[str, int, str]] = set()  # the findings with which a person has decided to go on
 
     def send(self, job: Any) -> None:
         """Begin with a job object; one that is being cut already is refused with a message."""
@@ -45,11 +53,9 @@ class Sending:
             tell.note(tr("A job is being cut already: wait for its end, or stop it."))
             return
         self._give_up_run()
+        self._job, self._seen = job, set()
         self.flow.begin(job.Label)
-        try:
-            self._check(job)
-        except CNCStepperError as error:
-            self._failed(error)
+        self._check()
         self._changed()
 
     def forget(self) -> None:
@@ -58,8 +64,11 @@ class Sending:
 
     def onward(self) -> None:
         """Answer the question of the present step with yes."""
-        step = self.flow.step
-        if step == "connect":
+        if self._result is not None:
+            self._keep_up()
+        if self.flow.again:
+            return
+        if self.flow.step == "connect":
             self._connect()
         elif self.flow.happen("onward") and self.flow.step == "starting":
             self._start()
@@ -90,19 +99,46 @@ class Sending:
 
     # --- inside ----------------------------------------------------------------------------------
 
-    def _check(self, job: Any) -> None:
+    def _check(self) -> None:
+        """Prove the job's program from the machine's present zero, where that is known."""
         from CNCStepper.workbench import api
         from CNCStepper.workbench.proof import ProofRun
 
-        api.require_valid(job)
-        self._run = ProofRun(job, self._parent)
+        self._asked = self._link.start
+        try:
+            api.require_valid(self._job)
+        except CNCStepperError as error:
+            self._failed(error)
+            return
+        except ReferenceError:  # as FreeCAD says it
+            self._failed(JobError("job-deleted", "the job was deleted", advice="send another one"))
+            return
+        self._run = ProofRun(self._job, self._parent, self._asked)
         self._run.finished.connect(tell.guarded(self._proved))
         self._run.failed.connect(tell.guarded(self._failed))
         self._run.progress.connect(tell.guarded(self._progress))
         self._run.start()
 
+    def _keep_up(self) -> None:
+        """Check once more where the machine's zero is not the one that the program was checked with."""
+        if self.flow.step == "connect":
+            self._give_up_run()
+        if self.flow.step == "differs" and self._result.begins != self._link.start:
+            self.flow.happen("moved")
+        proven_for = self._result.begins if self._run is None else self._asked
+        if self.flow.step != "zero" or proven_for == self._link.start:
+            return
+        self._give_up_run()
+        self.flow.again = self._result.begins != self._link.start
+        self.flow.detail = ""
+        if self.flow.again:
+            self.flow.detail = tr("The program is checked again, with the work zero that the machine has now.")
+            self._check()
+        self._changed()
+
     def _progress(self, text: str) -> None:
-        self.flow.detail = text
+        if not self.flow.again:
+            self.flow.detail = text
         self._changed()
 
     def _proved(self, result: Any) -> None:
@@ -111,7 +147,11 @@ class Sending:
         self.program_lines = result.program_lines
         worth_seeing = [finding for finding in result.findings if finding.severity != "info"]
         self._show_findings(worth_seeing)
-        self.flow.happen("errors" if result.refused else "warnings" if worth_seeing else "clean")
+        marks = {(finding.code, finding.place.line, finding.text) for finding in worth_seeing}
+        what = "errors" if result.refused else "warnings" if marks - self._seen else "clean"
+        self._seen |= marks
+        if not self.flow.happen(what):  # checked again, and nothing new: what was asked before is still asked
+            self.flow.again, self.flow.detail = False, ""
         self._advance()
         self._changed()
 
@@ -121,9 +161,11 @@ class Sending:
         self._changed()
 
     def _advance(self) -> None:
-        """Ask for the work zero as soon as a controller is there."""
+        """Ask for the work zero as soon as a controller is there, for a program that was checked with it."""
         if self._link.moment.connected:
             self.flow.happen("idle")
+        if self._result is not None:
+            self._keep_up()
 
     def _start(self) -> None:
         result = self._result

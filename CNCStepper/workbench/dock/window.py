@@ -9,6 +9,7 @@ import FreeCADGui
 from PySide import QtCore, QtGui
 
 from CNCStepper.control.desk_client import running_desks
+from CNCStepper.state import Start
 from CNCStepper.workbench import packages, tell
 from CNCStepper.workbench.dock.closing import ClosingGuard
 from CNCStepper.workbench.dock.link import Link
@@ -54,6 +55,12 @@ def open_unless_connected() -> None:
     found = FreeCADGui.getMainWindow().findChild(QtGui.QDockWidget, NAME)
     if not (found and (found.widget().link.moment.connected or found.widget().link.moment.busy)):
         open_dock()
+
+
+def start_here() -> Start | None:
+    """Return the start state of the machine that this window's dock is connected to, None where it is not known."""
+    found = FreeCADGui.getMainWindow().findChild(QtGui.QDockWidget, NAME)
+    return found.widget().link.start if found else None
 
 
 def attach_running(shown: Panel) -> None:

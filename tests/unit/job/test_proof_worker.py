@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import subprocess
 import sys
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -16,9 +17,13 @@ from CNCStepper.job.make import make_program
 from CNCStepper.job.model import load_job
 from CNCStepper.job.proof_files import read_answer, write_question
 from CNCStepper.job.prove import STAGES, prove_job
+from CNCStepper.job.start_file import read_start, write_start
+from CNCStepper.simulation.tip_track import TipTrack
+from CNCStepper.state import Start
 
 JOBS = Path(__file__).parents[3] / "examples" / "jobs"
 LIMIT_S = 120
+START = Start.with_work_zero((-200.0, -180.0, -60.0))
 
 
 @pytest.fixture
@@ -83,3 +88,41 @@ def test_it_ends_and_takes_its_folder_away_when_nobody_waits(folder: Path) -> No
 def test_no_answer_is_said(folder: Path) -> None:
     with pytest.raises(CNCStepperError, match="without an answer"):
         read_answer(folder)
+
+
+def test_a_known_start_is_proven_from_and_stands_in_the_certificate(folder: Path) -> None:
+    program = asked(folder)
+    write_start(folder, START)
+    assert read_start(folder) == START
+    assert ended(started(folder))[0] == 0
+    answer = read_answer(folder)
+    job, machine = load_job(JOBS / "elliptical-pocket.toml")
+    at_home = prove_job(job, machine, program, "pocket.nc")
+    assert "place-unknown" in {finding.code for finding in at_home.findings}
+    assert "place-unknown" not in {finding.code for finding in answer.findings} and not answer.refused
+    sent = sendable(answer.send_file.read_text("utf-8"))
+    assert sent.work_system == "G54" and tuple(sent.work_offsets_mm["G54"]) == (-200, -180, -60)
+    assert answer.part.heights_mm == pytest.approx(at_home.part.heights_mm, abs=1e-9)  # all in work coordinates
+    assert answer.part.low_mm.tolist() == list(job.stock.stock().low_mm)
+    assert answer.moves.end[-1][:2] == pytest.approx(TipTrack.of(at_home.toolpath, at_home.times_s).end[-1][:2])
+    deepest, widest = answer.feeds.points.min(axis=0), answer.feeds.points.max(axis=0)
+    assert deepest[2] == pytest.approx(-10) and (abs(widest[:2]) < 50).all() and (abs(deepest[:2]) < 50).all()
+
+
+def test_a_start_too_near_to_the_table_s_edge_is_refused(folder: Path) -> None:
+    asked(folder)
+    write_start(folder, replace(START, work_offsets_mm={"G54": (-10.0, -180.0, -60.0)}))
+    assert ended(started(folder))[0] == 0
+    answer = read_answer(folder)
+    assert answer.refused
+    (finding,) = [finding for finding in answer.findings if finding.severity == "error"]
+    assert finding.code == "travel" and "travel of X" in finding.text
+
+
+def test_a_start_comes_back_as_it_was(tmp_path: Path) -> None:
+    assert read_start(tmp_path) is None
+    write_start(tmp_path, None)
+    assert read_start(tmp_path) is None
+    start = replace(START, position_mm=(1.0, 2.0, 3.0), tool=2, tool_lengths_mm={2: 5.5}, parameters={100: 1.0})
+    write_start(tmp_path, start)
+    assert read_start(tmp_path) == start and read_start(tmp_path).sha256() == start.sha256()

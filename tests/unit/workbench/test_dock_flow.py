@@ -81,3 +81,26 @@ def test_every_step_can_be_reached_and_left() -> None:
     assert {*AWAITED.values(), "checking"} == set(STEPS)
     assert {step for step, _ in AWAITED} | ENDS == set(STEPS)
     assert all(0 <= step.number <= LAST_NUMBER for step in STEPS.values())
+
+
+def test_at_the_zero_the_program_may_be_checked_again() -> None:
+    flow = flow_at("clean", "idle")
+    flow.again = True
+    assert "checked with this work zero" in why_not_onward(flow, "idle")
+    assert not flow.happen("clean")  # the question stands
+    assert flow.happen("errors") and flow.step == "refused" and not flow.again
+    assert flow_at("clean", "idle", "warnings").step == "warned"
+    assert flow_at("clean", "idle", "failure").step == "failed"
+
+
+def test_a_zero_that_moves_is_asked_for_again_whatever_was_decided_before() -> None:
+    flow = flow_at("clean", "idle", "onward", "differences")
+    assert flow.happen("moved") and flow.step == "zero" and not flow.anyway
+
+
+def test_who_gives_up_or_loses_the_machine_waits_for_no_check() -> None:
+    for end in (lambda flow: flow.leave(), lambda flow: flow.happen("lost"), lambda flow: flow.begin("Other")):
+        flow = flow_at("clean", "idle")
+        flow.again = True
+        end(flow)
+        assert not flow.again
