@@ -4,7 +4,7 @@
 b-----c      Each cell with material is four triangles about its middle, which has the cell's mean height;
 |\\   /|      a corner has the mean of the cells around it that hold material. So every cell counts with
 |  m  |      its own volume. Where cells end, at the stock's side and round a hole, stands a wall.
-|/   \\|
+|/   \\|      Cells that lie in one level plane make larger squares (`mesh_blocks`).
 a-----d
 """
 
@@ -16,6 +16,7 @@ from pathlib import Path
 import numpy as np
 
 from CNCStepper.simulation.heightmap import HeightMap
+from CNCStepper.simulation.mesh_blocks import Squares, corners_used, fans, squares_of
 
 GONE_MM = 1e-6  # material that is thinner is none
 CORNERS = ((0, 0), (0, 1), (1, 1), (1, 0))  # row and column, counter-clockwise from above
@@ -52,18 +53,32 @@ def mesh_of(part: HeightMap) -> Mesh:
     """Return the part as a mesh; a cell that a wall crosses has the mean height of its two sides."""
     heights = _thickness_mm(part)
     solid = _joined(heights)
-    rows, columns = solid.shape
     corner_mm = _corners(heights, solid)
-    grid = np.arange((rows + 1) * (columns + 1)).reshape(rows + 1, columns + 1)
-    floor, middle = grid + grid.size, np.full((rows, columns), -1)
-    middle[solid] = 2 * grid.size + np.arange(int(solid.sum()))
-    quads = np.stack([grid[r : r + rows, c : c + columns] for r, c in CORNERS], axis=2)[solid]
-    under = quads + grid.size
-    tops = [np.column_stack([quads[:, k], quads[:, (k + 1) % 4], middle[solid]]) for k in range(4)]
-    floors = [under[:, [0, 2, 1]], under[:, [0, 3, 2]]]
-    triangles = np.vstack(tops + floors + _walls(solid, grid, floor))
-    points = _points(part, corner_mm, heights[solid], solid)
-    return _compact(points, triangles)
+    grid = np.arange(corner_mm.size).reshape(corner_mm.shape)
+    level = np.logical_and.reduce([_at_corner(corner_mm, r, c) == heights for r, c in CORNERS])
+    above, below = squares_of(solid, level), squares_of(solid, solid)
+    edge = _edge(solid)
+    triangles, middles = _walls(solid, grid, grid + grid.size), 2 * grid.size
+    for squares, numbers, sense in ((above, grid, 1), (below, grid + grid.size, -1)):
+        used = edge.copy()
+        corners_used(squares, used)
+        for some in squares:
+            named = np.arange(middles, middles + len(some.row))
+            triangles.append(fans(some, used, numbers, named)[:, ::sense])
+            middles += len(named)
+    return _compact(_points(part, corner_mm, heights, above, below), np.vstack(triangles))
+
+
+def _at_corner(corners: np.ndarray, row: int, column: int) -> np.ndarray:
+    """Return for every cell what stands at one of its corners."""
+    return corners[row : corners.shape[0] - 1 + row, column : corners.shape[1] - 1 + column]
+
+
+def _edge(solid: np.ndarray) -> np.ndarray:
+    """Return which corners lie where cells with material end."""
+    around = np.pad(solid, 1).astype(np.int8)
+    count = around[:-1, :-1] + around[:-1, 1:] + around[1:, :-1] + around[1:, 1:]
+    return (count > 0) & (count < 4)
 
 
 def _thickness_mm(part: HeightMap) -> np.ndarray:
@@ -109,17 +124,26 @@ def _walls(solid: np.ndarray, grid: np.ndarray, floor: np.ndarray) -> list[np.nd
     return walls
 
 
-def _points(part: HeightMap, corner_mm: np.ndarray, middles_mm: np.ndarray, solid: np.ndarray) -> np.ndarray:
+def _points(
+    part: HeightMap, corner_mm: np.ndarray, heights: np.ndarray, above: list[Squares], below: list[Squares]
+) -> np.ndarray:
+    """Return the corners of the top and the bottom, and the middles of the squares there."""
     low, size, bottom_mm = part.stock.low_mm, part.stock.size_mm, part.stock.bottom_mm
-    rows, columns = solid.shape
-    x, y = np.meshgrid(
-        low[0] + np.arange(columns + 1) * size[0] / columns, low[1] + np.arange(rows + 1) * size[1] / rows
-    )
-    row, column = np.nonzero(solid)
-    tops = np.column_stack([x.ravel(), y.ravel(), bottom_mm + corner_mm.ravel()])
-    floors = np.column_stack([x.ravel(), y.ravel(), np.full(x.size, bottom_mm)])
-    middles = np.column_stack([part.x_mm[column], part.y_mm[row], bottom_mm + middles_mm])
-    return np.vstack([tops, floors, middles])
+    rows, columns = heights.shape
+    cell_mm = (size[0] / columns, size[1] / rows)
+    x, y = np.meshgrid(low[0] + np.arange(columns + 1) * cell_mm[0], low[1] + np.arange(rows + 1) * cell_mm[1])
+    points = [
+        np.column_stack([x.ravel(), y.ravel(), bottom_mm + corner_mm.ravel()]),
+        np.column_stack([x.ravel(), y.ravel(), np.full(x.size, bottom_mm)]),
+    ]
+    for squares, factor in ((above, 1.0), (below, 0.0)):
+        for row, column, side in squares:
+            z = bottom_mm + factor * heights[row, column]
+            half = side / 2
+            points.append(
+                np.column_stack([low[0] + (column + half) * cell_mm[0], low[1] + (row + half) * cell_mm[1], z])
+            )
+    return np.vstack(points)
 
 
 def _compact(points: np.ndarray, triangles: np.ndarray) -> Mesh:

@@ -39,6 +39,16 @@ def test_it_is_closed_and_has_the_volume_of_the_part(tool: Tool, stock: Stock, d
         assert whole == pytest.approx(stock.outline.area * 6, rel=1e-3)
 
 
+def test_what_is_flat_takes_few_triangles() -> None:
+    program = begun().rapid(-5, -4, 5).feed(-5, -4, -2).feed(5, -4, -2).feed(5, 4, -2).feed(-20, 4, -2)
+    part = height_map(program.toolpath(), FLAT, STOCK, 0.05)
+    mesh = mesh_of(part)
+    assert_closed(mesh)
+    assert mesh.volume_mm3 == pytest.approx(30 * 22 * 6 - part.removed_volume_mm3, rel=1e-9)
+    assert len(mesh.triangles) < part.heights_mm.size / 5
+    assert len(mesh_of(HeightMap(STOCK, 0.05)).triangles) < 5 * 2 * (600 + 440)
+
+
 def test_the_file_says_the_same(tmp_path) -> None:
     mesh = mesh_of(height_map(begun().feed(0, 0, -2).toolpath(), FLAT, STOCK, 0.5))
     path = tmp_path / "peça cortada.stl"
