@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import click
 
@@ -12,8 +12,10 @@ from CNCStepper.errors import CNCStepperError
 from CNCStepper.gcode.dialects import dialect_names
 from CNCStepper.machine.profile import Machine, load_machine
 from CNCStepper.machine.tool import tool_from_text
-from CNCStepper.simulation.stock import Stock
 from CNCStepper.state import Start
+
+if TYPE_CHECKING:
+    from CNCStepper.simulation.stock import Stock
 
 
 class NumbersType(click.ParamType):
@@ -122,6 +124,8 @@ def stock_options(required: bool) -> Any:
 
 def stock_of(size_mm: tuple[float, float, float] | None, origin: str) -> Stock | None:
     """Return the stock that the options name, or None."""
+    from CNCStepper.simulation.stock import Stock
+
     return Stock(size_mm, origin) if size_mm else None
 
 

@@ -1,21 +1,45 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""`send` to `virtual grbl`, each a process of its own, as two terminals of a newcomer."""
+"""`send` to `virtual grbl`, as two terminals of a newcomer.
+
+The controller and the sender are processes of their own always, the command line itself where a terminal matters.
+"""
 
 from __future__ import annotations
 
+import io
+import signal
 import subprocess
 import sys
 from collections.abc import Iterator
+from contextlib import redirect_stderr, redirect_stdout
 from pathlib import Path
 
 import numpy as np
 import pytest
 
+from CNCStepper.cli.main import main
+
+CONFIRMED = ("--machine", "table-a", "--zero-confirmed")
 PROGRAM = "G21 G90\nG0 Z5\nG0 X10 Y0\nG1 Z-1 F300\n(MSG, look)\nM0\nG3 X10 Y0 I-10 J0 F2000\nG0 Z5\nM2\n"
 
 
 def command(*arguments: str | Path) -> list[str]:
     return [sys.executable, "-m", "CNCStepper.cli", *map(str, arguments)]
+
+
+def called(*arguments: str | Path, answer: str = "") -> subprocess.CompletedProcess[str]:
+    """Run the command line in this process, which costs no second start of Python."""
+    out, err = (io.TextIOWrapper(io.BytesIO(), "utf-8") for _ in range(2))
+    on_sigterm = signal.getsignal(signal.SIGTERM)
+    with pytest.MonkeyPatch.context() as here, redirect_stdout(out), redirect_stderr(err):
+        here.setattr(sys, "argv", ["cncstepper", *map(str, arguments)])
+        here.setattr(sys, "stdin", io.StringIO(answer))
+        with pytest.raises(SystemExit) as end:
+            main()
+    signal.signal(signal.SIGTERM, on_sigterm)
+    for stream in (out, err):
+        stream.seek(0)
+    return subprocess.CompletedProcess(arguments, int(end.value.code or 0), out.read(), err.read())
 
 
 @pytest.fixture
@@ -61,7 +85,7 @@ def test_a_program_is_cut_to_its_end(program: Path, table: tuple[str, Path]) -> 
 
 
 def test_a_stop_at_the_pause_is_exit_1(program: Path, table: tuple[str, Path]) -> None:
-    sent = send(program, table[0], "--zero-confirmed", answer="s\n")
+    sent = called("send", program, "--port", table[0], *CONFIRMED, answer="s\n")
     assert sent.returncode == 1
     assert "stop" in sent.stdout.lower()
 
@@ -84,7 +108,7 @@ def test_a_machine_in_alarm_is_refused(program: Path, tmp_path: Path) -> None:
     )
     assert process.stdout
     port = "socket://" + process.stdout.readline().strip().rpartition(" ")[2].removeprefix("socket://")
-    sent = send(program, port, "--zero-confirmed")
+    sent = called("send", program, "--port", port, *CONFIRMED)
     process.terminate()
     process.wait(10)
     assert sent.returncode == 1
@@ -94,13 +118,14 @@ def test_a_machine_in_alarm_is_refused(program: Path, tmp_path: Path) -> None:
 def test_a_program_that_does_not_fit_the_machine_is_not_sent(tmp_path: Path) -> None:
     path = tmp_path / "large.nc"
     path.write_text("G21 G90\nG0 Z5\nG0 X0 Y0\nG1 X500 F500\nM2\n", encoding="ascii")
-    sent = send(path, "socket://127.0.0.1:9", "--zero-confirmed")
+    sent = called("send", path, "--port", "socket://127.0.0.1:9", *CONFIRMED)
     assert sent.returncode == 1
     assert "large.nc:4" in sent.stdout
 
 
+@pytest.mark.slow
 def test_only_enter_alone_goes_on(program: Path, table: tuple[str, Path]) -> None:
-    sent = send(program, table[0], "--zero-confirmed", answer="x\nwhat\nstop\n")
+    sent = called("send", program, "--port", table[0], *CONFIRMED, answer="x\nwhat\nstop\n")
     assert sent.returncode == 1
     assert sent.stderr.count("is neither") == 2
 
@@ -112,18 +137,18 @@ ZERO = ("--work-zero", "-200,-200,-40")
 def certificate(program: Path, tmp_path: Path) -> Path:
     path = tmp_path / "certificado 1.json"
     stock = ("--stock", "40,40,5", "--tool", "flat:6")
-    line = command("check", program, "--machine", "table-a", *stock, *ZERO, "--certificate", path)
-    assert subprocess.run(line, capture_output=True, timeout=60).returncode == 1  # its spindle stands still
+    check = ("check", program, "--machine", "table-a", *stock, *ZERO, "--certificate", path)
+    assert called(*check).returncode == 1  # its spindle stands still
     program.write_text(PROGRAM.replace("G0 Z5\n", "M3 S10000\nG4 P3\nG0 Z5\n", 1), encoding="utf-8")
-    told = subprocess.run(line, capture_output=True, encoding="utf-8", timeout=60)
+    told = called(*check)
     assert told.returncode == 0, told.stdout
     assert "pierces 1" in told.stdout and "cm³ removed" in told.stdout
     return path
 
 
 def certified(program: Path, port: str, path: Path, *more: str | Path) -> subprocess.CompletedProcess[str]:
-    line = command("send", program, "--port", port, "--certificate", path, "--zero-confirmed", "--resume-pauses", *more)
-    return subprocess.run(line, capture_output=True, encoding="utf-8", timeout=60)
+    given = ("--port", port, "--certificate", path, "--zero-confirmed", "--resume-pauses")
+    return called("send", program, *given, *more)
 
 
 def set_zero(port: str, zero: str) -> None:
@@ -167,6 +192,7 @@ def test_other_bytes_machines_starts_and_tools_are_refused(program: Path, certif
     assert "[certificate-changed]" in certified(program, nowhere, certificate).stderr
 
 
+@pytest.mark.slow
 def test_other_bytes_are_sent_when_told(program: Path, certificate: Path, table: tuple[str, Path]) -> None:
     program.write_text(program.read_text("utf-8").replace("X10", "X9").replace("I-10", "I-9"), encoding="utf-8")
     sent = certified(program, table[0], certificate, "--despite-certificate")
@@ -174,12 +200,13 @@ def test_other_bytes_are_sent_when_told(program: Path, certificate: Path, table:
     assert "its text differs" in sent.stderr and "10 of 10" in sent.stdout
 
 
+@pytest.mark.slow
 def test_a_certificate_with_errors_is_refused_unless_told(
     program: Path, tmp_path: Path, table: tuple[str, Path]
 ) -> None:
     path = tmp_path / "c.json"
     far = ("--work-zero", "-5,-200,-40")
-    subprocess.run(command("check", program, "--machine", "table-a", *far, "--certificate", path), capture_output=True)
+    called("check", program, "--machine", "table-a", *far, "--certificate", path)
     sent = certified(program, table[0], path)
     assert sent.returncode == 1 and "[certificate-errors]" in sent.stderr and f"{program}:3:" in sent.stderr
     sent = certified(program, table[0], path, "--despite-certificate", "--allow-differences")
@@ -196,7 +223,7 @@ def job(tmp_path: Path) -> Path:
     text = (folder / "elliptical-pocket.toml").read_text("utf-8").replace("../machines/table-a.toml", "table-a")
     job = tmp_path / "job.toml"
     job.write_text(text, encoding="utf-8")
-    assert subprocess.run(command("run", job, "--out", tmp_path), capture_output=True).returncode == 0
+    assert called("run", job, "--out", tmp_path).returncode == 0
     return job
 
 
@@ -214,6 +241,7 @@ def test_a_job_without_a_certificate_is_checked_against_all_that_it_says(job: Pa
         assert "/dev/no-such-port" in sent("--unchecked").stderr
 
 
+@pytest.mark.slow
 def test_a_job_whose_tools_were_changed_since_is_refused(job: Path, tmp_path: Path) -> None:
     text = job.read_text("utf-8")
     program, path = tmp_path / "program.nc", tmp_path / "certificate.json"

@@ -187,19 +187,19 @@ def removed_cm3(result: Result) -> float:
 
 def test_simulate_shows_the_part_at_a_moment_as_the_picture_and_the_mesh(square: Path, tmp_path: Path) -> None:
     volumes = []
-    for more in ((), ("--line", "8"), ("--at", "0"), ("--line", "7")):
+    for more in ((), ("--at", "0"), ("--line", "7"), ("--line", "8")):
         stl = tmp_path / "part.stl"
-        result = run("simulate", square, *PLATE, "--out", tmp_path / "part.png", "--stl", stl, *more)
+        result = run("simulate", square, *PLATE, "--view", "zy", "--out", tmp_path / "part.png", "--stl", stl, *more)
         assert result.exit_code == 0, result.output
         facets = np.frombuffer(stl.read_bytes()[84:], STL_FACET)["points"].astype(float)
         volumes.append(float(np.einsum("ij,ij->", facets[:, 0], np.cross(facets[:, 1], facets[:, 2])) / 6))
         assert removed_cm3(result) == pytest.approx((8000 - volumes[-1]) / 1000, abs=0.06)
-    whole, one_side, nothing, plunge = volumes
+    assert ", line 8" in result.output
+    whole, nothing, plunge, one_side = volumes
     quarter_mm2 = np.pi * 9 / 4  # of the tool, whose centre runs along the stock's edge; the cut is 1 mm deep
     assert nothing == pytest.approx(8000, rel=1e-6) and nothing - plunge == pytest.approx(quarter_mm2, rel=0.02)
     assert nothing - one_side == pytest.approx(20 * 3 + quarter_mm2, rel=0.02)
     assert whole < one_side
-    assert ", line 8" in run("simulate", square, *PLATE, "--out", tmp_path / "p.png", "--line", "8").output
 
 
 def test_simulate_is_exit_1_when_a_check_refuses_the_program_and_draws_it(square: Path, tmp_path: Path) -> None:
@@ -234,6 +234,7 @@ def test_a_program_changed_by_hand_is_checked_against_its_job(tmp_path: Path) ->
     assert drawn.exit_code == 1 and "[left-over]" in drawn.output and ", line 60" in drawn.output
 
 
+@pytest.mark.slow
 def test_a_job_file_brings_its_clamps_and_edge_into_the_check(tmp_path: Path) -> None:
     text = POCKET.read_text("utf-8").replace("../machines/", f"{(ROOT / 'examples' / 'machines').as_posix()}/")
     careful, clamped = tmp_path / "careful.toml", tmp_path / "clamped.toml"
