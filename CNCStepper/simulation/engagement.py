@@ -29,9 +29,12 @@ PLACES_A_RADIUS = 4
 ANGLE_STEP_DEG = 5.0
 WIDEST_DEG = 80.0  # to each side; beyond it the cells cannot tell the side from the front
 MATERIAL_MM = 0.01  # higher above the tool's profile is material
-RINGS = (0.3, 0.6, 0.9)  # of the radius, at which the material inside a tool or holder is looked for
+RINGS = ((0.3, 3), (0.6, 2), (0.9, 1))  # of the radius, where material inside a tool or holder is looked for; and step
 INSIDE = 0.75  # cells from the rim, inwards, where the angle is measured: a rim that only touches meets nothing
+AROUND = np.array([(np.cos(turn), np.sin(turn)) for turn in np.arange(72) * np.pi / 36])
 BESIDE = 1.5  # cells from the rim, inwards for what is cut and outwards for the wall beside
+TURNS_DEG = np.arange(-WIDEST_DEG, WIDEST_DEG + ANGLE_STEP_DEG / 2, ANGLE_STEP_DEG)
+AHEAD_OF = np.array([(np.cos(turn), np.sin(turn)) for turn in np.radians(TURNS_DEG)])
 
 
 @dataclass(frozen=True)
@@ -137,68 +140,77 @@ def _cut_before(pieces: Segments, length: np.ndarray, which: np.ndarray, ahead: 
 
 
 @njit
-def _height(heights, corner, cell, x, y):
+def _height(heights, corner, per_mm, x, y):
     """Return the material's height at a point; beside the map there is none."""
-    column = int(np.floor((x - corner[0]) / cell))
-    row = int(np.floor((y - corner[1]) / cell))
-    if row < 0 or column < 0 or row >= heights.shape[0] or column >= heights.shape[1]:
+    column, row = (x - corner[0]) * per_mm, (y - corner[1]) * per_mm
+    if row < 0.0 or column < 0.0 or row >= heights.shape[0] or column >= heights.shape[1]:
         return -np.inf
-    return heights[row, column]
+    return heights[int(row), int(column)]
 
 
 @njit
 def _cut(heights, corner, cell, place, form):
     """Cut the tool out of the map at one place."""
-    radius = form[0]
     rows, columns = heights.shape
-    for row in range(
-        max(int((place[1] - radius - corner[1]) / cell), 0), min(int((place[1] + radius - corner[1]) / cell) + 1, rows)
-    ):
-        y = corner[1] + (row + 0.5) * cell - place[1]
-        for column in range(
-            max(int((place[0] - radius - corner[0]) / cell), 0),
-            min(int((place[0] + radius - corner[0]) / cell) + 1, columns),
-        ):
-            x = corner[0] + (column + 0.5) * cell - place[0]
-            out = np.sqrt(x * x + y * y)
-            if out <= radius:
-                bottom = place[2] + height_at(out, form)
+    square = form[0] * form[0]
+    west, south, z = place[0] - corner[0] - 0.5 * cell, place[1] - corner[1] - 0.5 * cell, place[2]
+    first, last = _cells_within(south, form[0], cell, rows)
+    for row in range(first, last + 1):
+        y = row * cell - south
+        half = np.sqrt(max(square - y * y, 0.0))
+        begin, end = _cells_within(west, half, cell, columns)
+        for column in range(begin, end + 1):
+            if heights[row, column] > z:
+                x = column * cell - west
+                bottom = z + height_at(min(np.sqrt(x * x + y * y), form[0]), form)
                 if bottom < heights[row, column]:
                     heights[row, column] = bottom
 
 
 @njit
-def _highest(heights, corner, cell, place, radius):
-    """Return the highest material on a circle about the tool's axis."""
+def _cells_within(middle, half, cell, count):
+    """Return the first and last of `count` cells whose middles lie within `half` of a place, that of cell 0 at 0."""
+    return max(int(np.ceil((middle - half) / cell)), 0), min(int(np.floor((middle + half) / cell)), count - 1)
+
+
+@njit
+def _highest(heights, corner, per_mm, place, radius, step):
+    """Return the highest material on a circle about the tool's axis, looked at in every `step`-th direction."""
     found = -np.inf
-    for k in range(72):
-        angle = k * np.pi / 36
-        found = max(
-            found,
-            _height(heights, corner, cell, place[0] + radius * np.cos(angle), place[1] + radius * np.sin(angle)),
-        )
+    for k in range(0, len(AROUND), step):
+        x, y = place[0] + radius * AROUND[k, 0], place[1] + radius * AROUND[k, 1]
+        found = max(found, _height(heights, corner, per_mm, x, y))
+    return found
+
+
+@njit
+def _highest_within(heights, corner, per_mm, place, radius, rim):
+    """Return the highest material on rings up to a radius, and on the circle `rim`; none is sparser than the rim."""
+    found = _highest(heights, corner, per_mm, place, rim, 1)
+    for share, step in RINGS:
+        found = max(found, _highest(heights, corner, per_mm, place, radius * share, step))
     return found
 
 
 @njit
 def _angle(heights, corner, cell, place, direction, radius, rise):
     """Return how many degrees of the rim's front half are in material `rise` over the tip."""
-    count = int(2 * WIDEST_DEG / ANGLE_STEP_DEG) + 1
     found = 0.0
     radius -= INSIDE * cell
-    for k in range(count):
-        turn = np.radians(-WIDEST_DEG + k * ANGLE_STEP_DEG)
-        x = place[0] + radius * (direction[0] * np.cos(turn) - direction[1] * np.sin(turn))
-        y = place[1] + radius * (direction[0] * np.sin(turn) + direction[1] * np.cos(turn))
-        if _height(heights, corner, cell, x, y) > place[2] + rise + MATERIAL_MM:
-            found += ANGLE_STEP_DEG if 0 < k < count - 1 else 90.0 - WIDEST_DEG + ANGLE_STEP_DEG / 2
+    least = place[2] + rise + MATERIAL_MM
+    for k in range(len(AHEAD_OF)):
+        cosine, sine = AHEAD_OF[k]
+        x = place[0] + radius * (direction[0] * cosine - direction[1] * sine)
+        y = place[1] + radius * (direction[0] * sine + direction[1] * cosine)
+        if _height(heights, corner, 1.0 / cell, x, y) > least:
+            found += ANGLE_STEP_DEG if 0 < k < len(AHEAD_OF) - 1 else 90.0 - WIDEST_DEG + ANGLE_STEP_DEG / 2
     return found
 
 
 @njit
 def _follow(heights, corner, cell, places, direction, cut_before, which, bodies, top, met):
     """Write to `met` what is met at every place: angle, and the material over the tip in tool, wall and holder."""
-    done = 0
+    done, per_mm = 0, 1.0 / cell
     for k in range(len(places)):
         place, body = places[k], bodies[which[k]]
         while done < cut_before[k]:
@@ -219,11 +231,8 @@ def _follow(heights, corner, cell, places, direction, cut_before, which, bodies,
             else:
                 met[k, 0] = np.nan
             inner = max(body[0] - BESIDE * cell, 0.0)
-            for share in RINGS:
-                met[k, 1] = max(met[k, 1], _highest(heights, corner, cell, place, inner * share) - place[2])
-            met[k, 1] = max(met[k, 1], _highest(heights, corner, cell, place, inner) - place[2])
-            met[k, 2] = _highest(heights, corner, cell, place, body[0] + BESIDE * cell) - place[2]
+            met[k, 1] = _highest_within(heights, corner, per_mm, place, inner, inner) - place[2]
+            met[k, 2] = _highest(heights, corner, per_mm, place, body[0] + BESIDE * cell, 1) - place[2]
         if body[4] > 0.0 and body[5] > 0.0 and place[2] + body[5] < top:
-            for share in RINGS:
-                met[k, 3] = max(met[k, 3], _highest(heights, corner, cell, place, body[4] * share) - place[2])
-            met[k, 3] = max(met[k, 3], _highest(heights, corner, cell, place, body[4] - BESIDE * cell) - place[2])
+            rim = body[4] - BESIDE * cell
+            met[k, 3] = _highest_within(heights, corner, per_mm, place, body[4], rim) - place[2]
