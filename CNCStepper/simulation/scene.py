@@ -25,7 +25,7 @@ class Scene:
 
     until: how far the path is drawn, None before the first move. outlines: of cutter and shank, as
     `tool_outline.outlines_mm`, None where there is no tool to draw. limits_mm: low and high corner of the travel,
-    float64[2, 3], None where the work zero is not known. tallest_mm: how high the longest cutter is that the program uses.
+    float64[2, 3], None where the work zero is not known. tallest_mm: height of the longest cutter in the program.
     """
 
     toolpath: Toolpath
