@@ -20,10 +20,12 @@ import shapely
 
 from CNCStepper.simulation.cutter import Cutter
 from CNCStepper.simulation.region import EdgeTree, Region, climbed, flat_edges, zoomed
-from CNCStepper.simulation.segments import Segments, split_ramps
+from CNCStepper.simulation.segments import Segments, shortened, split_ramps
+from CNCStepper.simulation.stock import HeightField
 
 SMALL_MM = 0.0003  # what flattening may add; less is no gouge
 SAME_PLACE_MM = 0.0003  # a piece that comes this near to the worst place has cut it too
+FIELD_STEP_MM = 1.0  # over a height field a piece counts with the highest top near parts of this length
 RAMP_STEP_MM = 0.05  # a ramp counts with the lower end of parts of this height
 WORST_PIECES = 64
 COARSE_DISCS = 32  # with which the pieces that enter nothing are told from the rest
@@ -43,16 +45,24 @@ class Worst:
 
 @dataclass(frozen=True)
 class Kept:
-    """What is to stay: U(b) by falling bottom b, between the stock's bottom and top."""
+    """What is to stay: U(b) by falling bottom b, between the stock's bottom and top, or under a field's heights."""
 
     bottoms_mm: tuple[float, ...]
     regions: tuple[Region, ...]
     top_mm: float
     stock_bottom_mm: float
+    field: HeightField | None = None
+
+    def tops(self, pieces: Segments, radius_mm: float) -> np.ndarray:
+        """Return the highest top that a cutter of that radius can meet on each piece, float64[n]."""
+        if self.field is None:
+            return np.full(len(pieces), self.top_mm)
+        low = np.minimum(pieces.begin, pieces.end)[:, :2] - radius_mm
+        return self.field.highest_mm(low, np.maximum(pieces.begin, pieces.end)[:, :2] + radius_mm)
 
     def depth(self, points: np.ndarray, z_mm: np.ndarray) -> np.ndarray:
         """Return how deep points float64[n, 2] at heights z lie in what is to stay."""
-        depth = self.top_mm - z_mm
+        depth = (self.top_mm if self.field is None else self.field.tops_at(points)) - z_mm
         for bottom_mm, region in zip(self.bottoms_mm, self.regions, strict=True):
             depth = np.minimum(depth, np.hypot(region.beyond(points), np.maximum(bottom_mm - z_mm, 0)))
         return np.maximum(depth, 0.0)
@@ -76,16 +86,19 @@ class Entries:
 def entries(cutter: Cutter, pieces: Segments, kept: Kept) -> Entries:
     """Return the pieces (ramps in short parts) with the bound of their gouge."""
     pieces = split_ramps(pieces, RAMP_STEP_MM)
+    if kept.field is not None:
+        pieces = shortened(pieces, max(cutter.radius_mm, FIELD_STEP_MM))
     enough_mm = max(cutter.radius_mm, 0.05)
     inside = np.stack([region.inside(pieces, enough_mm) for region in kept.regions]) if kept.regions else None
     tip = np.maximum(pieces.low_mm, kept.stock_bottom_mm)
+    tops = kept.tops(pieces, cutter.radius_mm)
     heights, radii = cutter.discs(kept.top_mm - float(tip.min(initial=kept.top_mm)))
     bound, height, radius = np.zeros(len(pieces)), np.zeros(len(pieces)), np.full(len(pieces), cutter.radius_mm)
     every = np.arange(len(pieces))
     for part in _parts(every, COARSE_DISCS):
-        bound[part] = _bound(_of(inside, part), tip[part], kept, *_hull(heights, radii))[0]
+        bound[part] = _bound(_of(inside, part), tip[part], tops[part], kept, *_hull(heights, radii))[0]
     for part in _parts(every[bound > SMALL_MM], len(heights)):
-        bound[part], disc = _bound(_of(inside, part), tip[part], kept, heights, radii)
+        bound[part], disc = _bound(_of(inside, part), tip[part], tops[part], kept, heights, radii)
         height[part], radius[part] = heights[disc], radii[disc]
     return Entries(cutter, pieces, bound, height, radius)
 
@@ -105,10 +118,10 @@ def _hull(heights: np.ndarray, radii: np.ndarray) -> tuple[np.ndarray, np.ndarra
     return heights[some[: max(len(some) - 1, 1)]], radii[some[min(len(some) - 1, 1) :]]
 
 
-def _bound(inside, tip, kept: Kept, heights, radii) -> tuple[np.ndarray, np.ndarray]:
+def _bound(inside, tip, tops, kept: Kept, heights, radii) -> tuple[np.ndarray, np.ndarray]:
     """Return for each piece the deepest entry of its discs, and which disc that is."""
     z = tip[:, None] + heights
-    depth = kept.top_mm - z
+    depth = tops[:, None] - z
     for k, bottom_mm in enumerate(kept.bottoms_mm):
         beyond = np.maximum(radii - inside[k][:, None], 0.0)
         depth = np.minimum(depth, np.hypot(beyond, np.maximum(bottom_mm - z, 0.0)))

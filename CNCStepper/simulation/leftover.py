@@ -25,6 +25,7 @@ from CNCStepper.simulation.cutter import Cutter
 from CNCStepper.simulation.gouge import Worst
 from CNCStepper.simulation.region import EdgeTree, climbed
 from CNCStepper.simulation.segments import Segments, chains, clipped_below
+from CNCStepper.simulation.stock import Stock
 
 SAME_LEVEL_MM = 1e-4
 MOST_LEVELS = 200
@@ -84,8 +85,11 @@ class _Cover:
         return clearance
 
 
-def left_over(removal: Removal, cuts: Cuts) -> Left:
-    """Return the thickest material left of one removal, and its islands thicker than its tolerance."""
+def left_over(removal: Removal, cuts: Cuts, stock: Stock | None = None) -> Left:
+    """Return the thickest material left of one removal, and its islands thicker than its tolerance.
+
+    stock: where its top lies lower than the removal's, no more can be left than there was.
+    """
     wall = _Candidates(_wall_points(removal.region), alone=False)
     middles = _Candidates(np.zeros((0, 2)), alone=True)
     covers: list[_Cover] = []
@@ -99,6 +103,8 @@ def left_over(removal: Removal, cuts: Cuts) -> Left:
             middles.join(_Candidates(_middles(removal.region, cover), alone=True), covers)
     if removal.region.length and wall.thickest > SAME_LEVEL_MM and covers:
         wall.join(_Candidates(_finer(removal.region, wall), alone=False), covers)
+    for found in (wall, middles):
+        found.limit(removal, stock)
     return _answer(removal, wall, middles, covers)
 
 
@@ -119,6 +125,11 @@ class _Candidates:
         for cover in covers:
             open_ = self.thickness > cover.drop_mm
             self.thickness[open_] = np.minimum(self.thickness[open_], cover.thickness(self.points[open_], self.alone))
+
+    def limit(self, removal: Removal, stock: Stock | None) -> None:
+        """Let nothing be thicker than what there was over the removal's floor."""
+        top_mm = removal.top_mm if stock is None else np.minimum(stock.tops_at(self.points), removal.top_mm)
+        self.thickness = np.minimum(self.thickness, np.maximum(top_mm - removal.bottom_mm, 0.0))
 
     def join(self, others: _Candidates, covers: list[_Cover]) -> None:
         """Take in new points, measured against all levels so far."""
@@ -232,21 +243,20 @@ def _runs(chain: np.ndarray) -> list[np.ndarray]:
 
 
 def _answer(removal: Removal, wall: _Candidates, middles: _Candidates, covers: list[_Cover]) -> Left:
-    most_mm = removal.top_mm - removal.bottom_mm
     points = np.vstack([wall.points, middles.points])
-    thickness = np.minimum(np.r_[wall.thickness, middles.thickness], most_mm)
+    thickness = np.r_[wall.thickness, middles.thickness]
     k = int(thickness.argmax()) if len(points) else 0
     if not len(points) or thickness[k] <= SAME_LEVEL_MM:
         return Left(removal.tolerance_mm)
     place = (*points[k].tolist(), removal.bottom_mm)
-    islands = _islands(removal, middles, most_mm)
+    islands = _islands(removal, middles)
     return Left(removal.tolerance_mm, Worst(float(thickness[k]), place, _nearest_row(points[k], covers)), islands)
 
 
-def _islands(removal: Removal, middles: _Candidates, most_mm: float) -> list[Island]:
+def _islands(removal: Removal, middles: _Candidates) -> list[Island]:
     """Return one island for each group of middles that lie in one another's reach, thickest first."""
     thick = middles.thickness > removal.tolerance_mm
-    points, thickness = middles.points[thick], np.minimum(middles.thickness[thick], most_mm)
+    points, thickness = middles.points[thick], middles.thickness[thick]
     reach = shapely.union_all(shapely.buffer(shapely.points(points), thickness / 2 + ISLAND_REACH_MM, quad_segs=2))
     islands = []
     for part in shapely.get_parts(reach):

@@ -171,3 +171,16 @@ class HeightField(Stock):
         corner = [[self.heights_mm[row + i, column + j] for j in (0, 1)] for i in (0, 1)]
         south_edge, north_edge = (low * (1 - east) + high * east for low, high in corner)
         return self.bottom_mm + south_edge * (1 - north) + north_edge * north
+
+    def highest_mm(self, low_mm: np.ndarray, high_mm: np.ndarray) -> np.ndarray:
+        """Return the highest top within rectangles seen from above, or a little beside them, float64[n].
+
+        low_mm, high_mm: the rectangles' corners, float64[n, 2].
+        """
+        assert self.heights_mm is not None
+        most = np.array(self.heights_mm.shape[::-1]) - 1
+        scale = most / np.array(self.size_mm[:2])
+        first = np.clip(np.floor((low_mm - self.low_mm[:2]) * scale), 0, most).astype(int)
+        last = np.clip(np.ceil((high_mm - self.low_mm[:2]) * scale), 0, most).astype(int)
+        tops = [self.heights_mm[a:b, c:d].max() for c, a, d, b in np.hstack([first, last + 1]).tolist()]
+        return self.bottom_mm + np.array(tops)

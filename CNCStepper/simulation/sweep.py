@@ -22,7 +22,7 @@ from CNCStepper.simulation.gouge import SMALL_MM, Entries, Kept, Worst, deepest,
 from CNCStepper.simulation.leftover import SAME_LEVEL_MM, Cuts, Island, Left, left_over
 from CNCStepper.simulation.region import EdgeTree, Region, flat_edges
 from CNCStepper.simulation.segments import Segments, clipped_below, segments
-from CNCStepper.simulation.stock import Stock
+from CNCStepper.simulation.stock import HeightField, Stock
 from CNCStepper.toolpath import Toolpath
 
 FLATTEN_MM = 0.0002
@@ -90,7 +90,7 @@ def judge(
         default=Worst(),
     )
     centres = [(POINT, pieces) for _, pieces in engraved]
-    left = [left_over(_reachable(one, stock), cuts if one.region.area > 0 else centres) for one in removals]
+    left = [left_over(_reachable(one, stock), cuts if one.region.area > 0 else centres, stock) for one in removals]
     return Judgement(
         gouge,
         _nearest_tolerance_mm(gouge, removals),
@@ -163,7 +163,8 @@ def _kept(areas: list[Removal], stock: Stock | None) -> Kept:
     if beside:
         bottoms, unions = [*bottoms, stock_bottom_mm], [*unions, beside]
     regions = tuple(Region(shapely.union_all(union)) for union in unions)
-    return Kept(tuple(bottoms), regions, 0.0, stock_bottom_mm)
+    field = stock if isinstance(stock, HeightField) else None
+    return Kept(tuple(bottoms), regions, 0.0, stock_bottom_mm, field)
 
 
 def _split_engraving(found: list[Entries], lines: list[Removal], alone: bool) -> tuple[list[Entries], Cuts]:

@@ -7,7 +7,7 @@ import shapely
 from programs import BALL, FLAT, Program, begun, square_pocket, square_removal
 
 from CNCStepper.cycles.form import Removal
-from CNCStepper.simulation.stock import Stock
+from CNCStepper.simulation.stock import HeightField, Stock
 from CNCStepper.simulation.sweep import judge
 from CNCStepper.toolpath import ARC_CCW
 
@@ -175,3 +175,27 @@ def test_nothing_cut_leaves_all_of_it():
     verdict = judged(Program().up_first(5), [square_removal()])
     assert verdict.left_over_mm == 4
     assert verdict.gouge_mm == 0
+
+
+def valley():
+    """Return a stock with a valley along Y: 10 mm deep up to 8 mm beside its middle, rising to the top at 10 mm."""
+    across = np.interp(np.abs(np.linspace(-30, 30, 61)), (8, 10), (10, 20))
+    return HeightField((60, 50, 20), heights_mm=np.tile(across, (2, 1)))
+
+
+@pytest.mark.parametrize("into_mm", [-0.01, 0.02])
+def test_the_air_over_a_height_field_is_no_gouge_and_its_floor_is_one(into_mm):
+    pocket = Removal(shapely.Point(-20, 0).buffer(3, quad_segs=128), 0, -2)
+    program = begun().rapid(-20, 0, 5).feed(-20, 0, -2).rapid(-20, 0, 5).rapid(2, -30, 5).rapid(2, -30, -10 - into_mm)
+    verdict = judge(program.feed(2, 30, -10 - into_mm).toolpath(), FLAT, [pocket], valley())
+    assert verdict.gouge_mm == pytest.approx(max(into_mm, 0.0), abs=0.001)
+
+
+def test_nothing_is_left_where_a_height_field_holds_nothing():
+    across = Removal(shapely.box(-15, -3, 15, 3), 0, -9)  # its floor lies 1 mm over the valley's
+    program = begun().rapid(-15, 0, 5)
+    for x in (-1, 1):
+        program.rapid(15 * x, 0, 5).feed(15 * x, 0, -9).feed(7 * x, 0, -9).rapid(7 * x, 0, 5)
+    whole = judge(program.toolpath(), FLAT, [across], valley())
+    assert whole.left_over_mm < 0.001
+    assert judge(program.toolpath(), FLAT, [across], Stock((60, 50, 20))).left_over_mm > 1
