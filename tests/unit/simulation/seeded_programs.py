@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Random programs as text, the shapes that they are to cut, and one fault planted into a copy at a known line.
 
-A stock of four fields; in each a pocket, a round pocket or a slot, cut by a mill that goes straight down, by
-one with a core that goes down on a helix, or by that one in a hole drilled before. Between them rapids go
-round the stock's corners and to the ends of the travel under another work offset, and G92 moves the zero.
+A stock of four fields, a block, a cylinder or a block with a valley; in each field a pocket, a round pocket or a
+slot, cut by a mill that goes straight down, by one with a core that goes down on a helix or a ramp, or by that one in
+a hole drilled before. Between them rapids go round the stock's rim, through its valley and to the ends of the travel
+under another work offset, and G92 moves the zero.
 """
 
 from __future__ import annotations
@@ -14,21 +15,30 @@ import random
 from collections.abc import Callable
 from dataclasses import dataclass, field
 
+import numpy as np
 import shapely
 from shapely import affinity
 
 from CNCStepper.cycles.form import Removal
 from CNCStepper.machine.profile import load_machine
 from CNCStepper.machine.tool import Tool
-from CNCStepper.simulation.stock import Stock
+from CNCStepper.simulation.stock import Cylinder, HeightField, Stock
 from CNCStepper.state import WORK_SYSTEMS, Start
 
 MACHINE = load_machine("table-a")
-STOCK = Stock((100, 80, 20))
+VALLEY_MM = (6.0, 8.0, 12.0)  # half its width at its floor and at its top, and its depth; it runs along Y
+_ACROSS = np.interp(np.abs(np.linspace(-50, 50, 101)), VALLEY_MM[:2], [20 - VALLEY_MM[2], 20])
+STOCKS = [
+    Stock((100, 80, 20)),
+    Cylinder((120, 120, 20)),
+    HeightField((100, 80, 20), heights_mm=np.tile(_ACROSS, (3, 1))),
+]
+IN_VALLEY = 9  # the side of a rapid that goes there
 FIELDS = [(-25, -20), (25, -20), (-25, 20), (25, 20)]
 MM_AN_INCH = 25.4
 SAFE_MM, NEAR_MM = 10.0, 1.0  # heights of rapids, and from which the tool feeds
 GOUGE_MM, CORNER_MM, BEYOND_MM = 0.02, 1.0, 0.01  # the sizes of the faults
+RUB_MM = 0.02
 SOLID, DRILL, CORED, WRONG = 1, 2, 3, 4  # tool numbers
 
 Point = tuple[float, float]
@@ -57,6 +67,7 @@ class Program:
     removals: list[Removal]
     start: Start
     inch: bool
+    stock: Stock
 
     @property
     def text(self) -> str:
@@ -96,6 +107,7 @@ class Maker:
     def __init__(self, seed: int):
         self.random = random.Random(seed)
         pick = self.random
+        self.stock = pick.choice(STOCKS)
         self.blocks: list[Block] = []
         self.removals: list[Removal] = []
         self.zero = (pick.uniform(-260, -140), pick.uniform(-260, -140), pick.uniform(-45, -30))
@@ -119,9 +131,9 @@ class Maker:
         inch = pick.random() < 0.3
         self.add(f"G90 G17 {'G20' if inch else 'G21'} {self.systems[0]}")
         places = pick.sample(FIELDS, pick.randint(1, 4))
-        ways = [pick.choice(["straight", "straight", "helix", "drilled"]) for _ in places]
+        ways = [pick.choice(["straight", "straight", "helix", "ramp", "drilled"]) for _ in places]
         shapes = [self._shape(place, way) for place, way in zip(places, ways, strict=True)]
-        for tool, mine in ((DRILL, ["drilled"]), (SOLID, ["straight"]), (CORED, ["helix", "drilled"])):
+        for tool, mine in ((DRILL, ["drilled"]), (SOLID, ["straight"]), (CORED, ["helix", "ramp", "drilled"])):
             todo = [k for k, way in enumerate(ways) if way in mine]
             if todo:
                 self._section(tool, [(k, shapes[k], ways[k]) for k in todo])
@@ -131,7 +143,7 @@ class Maker:
             work_offsets_mm={self.systems[0]: self.zero, self.systems[1]: self.other_zero},
             zero_known=True,
         )
-        return Program(self.blocks, self.tools, self.removals, start, inch)
+        return Program(self.blocks, self.tools, self.removals, start, inch, self.stock)
 
     def add(self, code: str, role: str = "", side: int = -1, **words: float) -> None:
         self.blocks.append(
@@ -205,10 +217,13 @@ class Maker:
 
     def _enter(self, place: Point, before: float, z: float, way: str) -> None:
         """Go down in the middle from `before` to z, straight or by a helix."""
+        radius = 0.6 * self.radius
+        if way == "ramp":
+            self._ramp(place, radius, before, z)
+            return
         if way != "helix":
             self.add("G1", "entry", Z=z, F=150)
             return
-        radius = 0.6 * self.radius
         turns = math.ceil((before - z) / (2 * math.pi * radius * math.tan(math.radians(4))))
         self.add("G1", X=place[0] + radius, Y=place[1], F=600)
         for k in range(1, turns + 1):
@@ -216,6 +231,17 @@ class Maker:
                 "G3", "entry", X=place[0] + radius, Y=place[1], Z=before + (z - before) * k / turns, I=-radius, J=0
             )
         self.add("G3", "turn", X=place[0] + radius, Y=place[1], I=-radius, J=0)
+        self.add("G1", X=place[0], Y=place[1])
+
+    def _ramp(self, place: Point, out: float, before: float, z: float) -> None:
+        """Go down to and fro, then once more level; end in the middle."""
+        legs = math.ceil((before - z) / (2 * out * math.tan(math.radians(self.random.uniform(3, 9)))))
+        self.add("G1", X=place[0] + out, Y=place[1], F=600)
+        for k in range(1, legs + 1):
+            side = -1 if k % 2 else 1
+            self.add("G1", "entry", X=place[0] + side * out, Y=place[1], Z=before + (z - before) * k / legs)
+        for side in (-1, 1):
+            self.add("G1", "turn", X=place[0] + side * out, Y=place[1])
         self.add("G1", X=place[0], Y=place[1])
 
     def _levels(self, place: Point, heights: list[float], way: str):
@@ -263,17 +289,28 @@ class Maker:
         self.add("G1", role, side, X=x, Y=y, F=800)
 
     def _round_a_corner(self, radius: float) -> None:
-        """Rapids beside the stock, a twentieth of a millimetre off one of its corners."""
+        """Rapids beside the stock, a twentieth of a millimetre off its rim towards a corner, or through its valley."""
         pick = self.random
+        if isinstance(self.stock, HeightField) and pick.random() < 0.5:
+            self._through_the_valley(radius)
+            return
         u = (pick.choice([-1, 1]), pick.choice([-1, 1]))
         z = -pick.uniform(0.5, 6)
         for role, along, height in (("", -12, SAFE_MM), ("", -12, z), ("corner", 12, z), ("", 12, SAFE_MM)):
-            x, y = _beside_corner(u, radius + 0.05, along)
+            x, y = _beside_corner(self.stock, u, radius + 0.05, along)
             if role or (height == SAFE_MM and along < 0):
                 self.add("G0", role, X=x, Y=y)
             else:
                 self.add("G0", Z=height)
             self.blocks[-1].side = 2 * (u[0] > 0) + (u[1] > 0)
+
+    def _through_the_valley(self, radius: float) -> None:
+        x = self.random.choice([-1, 1]) * (VALLEY_MM[0] - radius - 0.05)
+        z = -self.random.uniform(4, VALLEY_MM[2] - 0.05)
+        self.add("G0", X=x, Y=-50)
+        self.add("G0", Z=z)
+        self.add("G0", "corner", IN_VALLEY, X=x, Y=50)
+        self.add("G0", Z=SAFE_MM)
 
     def _visit(self) -> None:
         """A rapid to one end of the travel, a hundredth within it, under the other work offset."""
@@ -303,10 +340,11 @@ def _turned(point: Point, angle_deg: float, place: Point) -> Point:
     return x + place[0], point[0] * math.sin(turn) + point[1] * math.cos(turn) + place[1]
 
 
-def _beside_corner(u: tuple[int, int], out_mm: float, along_mm: float) -> Point:
-    """Return a point on the line across the diagonal of the stock's corner in the direction u."""
-    corner = (u[0] * STOCK.size_mm[0] / 2, u[1] * STOCK.size_mm[1] / 2)
+def _beside_corner(stock: Stock, u: tuple[int, int], out_mm: float, along_mm: float) -> Point:
+    """Return a point on the line across the diagonal of the stock's rim in the direction u."""
     s = math.sqrt(0.5)
+    share = s if isinstance(stock, Cylinder) else 1.0
+    corner = (u[0] * share * stock.size_mm[0] / 2, u[1] * share * stock.size_mm[1] / 2)
     return corner[0] + u[0] * s * (out_mm - along_mm), corner[1] + u[1] * s * (out_mm + along_mm)
 
 
@@ -365,16 +403,20 @@ def _move(blocks: list[Block], dx: float, dy: float) -> None:
 
 
 def _corner(program: Program, pick: random.Random) -> Fault | None:
-    """A rapid 1 mm through a corner of the stock."""
+    """A rapid 1 mm through a corner of the stock, or through the side of its valley."""
     rapids = program.find(role="corner")
     if not rapids:
         return None
     rapid = pick.choice(rapids)
     tool = program.tools[int(program.find(section=rapid.section, role="tool")[0].code[1:])]
     number = program.blocks.index(rapid)
+    if rapid.side == IN_VALLEY:
+        x = math.copysign(VALLEY_MM[1] - tool.radius_mm + CORNER_MM, rapid.words["X"])
+        rapid.words["X"] = program.blocks[number - 2].words["X"] = x
+        return Fault("corner", program, {"rapid-in-stock"}, {number + 1})
     u = (1 if rapid.side // 2 else -1, 1 if rapid.side % 2 else -1)
     for block, along in ((program.blocks[number - 2], -12), (rapid, 12)):
-        block.words["X"], block.words["Y"] = _beside_corner(u, tool.radius_mm - CORNER_MM, along)
+        block.words["X"], block.words["Y"] = _beside_corner(program.stock, u, tool.radius_mm - CORNER_MM, along)
     return Fault("corner", program, {"rapid-in-stock"}, {number + 1})
 
 
@@ -409,7 +451,8 @@ def _spindle_off(program: Program, pick: random.Random) -> Fault | None:
         cuts = [block for block in program.find(feature=chosen.feature, role="entry") if block.words["Z"] < 0]
         number = next(k for k, block in enumerate(program.blocks) if block.feature == chosen.feature)
         program.blocks.insert(number, Block("M5", section=chosen.section))
-    return Fault("spindle off", program, {"spindle-off"}, _numbers(program, cuts[:1]))
+    first = 1 if cuts[0].words["Z"] < -RUB_MM else 2  # a first turn that only rubs cuts nothing
+    return Fault("spindle off", program, {"spindle-off"}, _numbers(program, cuts[:first]))
 
 
 def _beside_hole(program: Program, pick: random.Random) -> Fault | None:
