@@ -2707,7 +2707,7 @@
         </message>
         <message>
             <source>a rapid crosses the stock with the beam on</source>
-            <translation type="unfinished"></translation>
+            <translation>um deslocamento rápido atravessa o bloco com o feixe ligado</translation>
         </message>
         <message>
             <source>a rapid goes sideways while the height is not known</source>
@@ -3579,11 +3579,11 @@
         </message>
         <message>
             <source>switch it off with M5 before it</source>
-            <translation type="unfinished"></translation>
+            <translation>desligue-o antes com M5</translation>
         </message>
         <message>
             <source>switch it on with M3 and S before it</source>
-            <translation type="unfinished"></translation>
+            <translation>ligue-o antes com M3 e S</translation>
         </message>
         <message>
             <source>take out {0}</source>
@@ -3611,7 +3611,7 @@
         </message>
         <message>
             <source>the beam is never on where it is to cut</source>
-            <translation type="unfinished"></translation>
+            <translation>o feixe nunca está ligado onde deveria cortar</translation>
         </message>
         <message>
             <source>the certificate cannot be read</source>
@@ -3983,7 +3983,7 @@
         </message>
         <message>
             <source>the program was proven with other clamps, or another distance from the sheet's edge</source>
-            <translation type="unfinished"></translation>
+            <translation>o programa foi verificado com outros grampos, ou com outra distância da borda da chapa</translation>
         </message>
         <message>
             <source>the program was proven with other tools</source>
