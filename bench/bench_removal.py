@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Material removal: moves a second beside FreeCAD's PathSimulator (C++), on the same moves and cells in one run."""
+"""Material removal: moves a second beside FreeCAD's PathSimulator (C++), on the same moves and cells in one run.
+
+Where the machine has other work, processor time (all threads) tells more than wall time: both are printed.
+"""
 
 from __future__ import annotations
 
@@ -13,12 +16,15 @@ from pathlib import Path
 import numpy as np
 
 from CNCStepper.machine.tool import Tool
+from CNCStepper.simulation.cutter import Tools
+from CNCStepper.simulation.engagement import engagement
 from CNCStepper.simulation.form import form_of
-from CNCStepper.simulation.heightmap import height_map
 from CNCStepper.simulation.removal_moves import Moves
 from CNCStepper.simulation.stock import Stock
 from CNCStepper.simulation.tiles import Grid, Part
 from CNCStepper.simulation.timeline import Timeline
+from CNCStepper.state import Start, State
+from CNCStepper.toolpath import TableBuilder, Toolpath
 
 CELL_MM, STEP_MM, DEPTH_MM = 0.1, 0.25, 2.0
 THEIRS = """
@@ -72,62 +78,94 @@ def theirs(points: np.ndarray, size_mm: float) -> tuple[float, float]:
     return float(wall_s), float(cpu_s)
 
 
-def slider_ms(path: Path) -> tuple[int, float, float, float]:
-    """Return a job's moves, and the seconds to prepare and the median and worst ms of its timeline."""
+def of_job(path: Path) -> tuple[Toolpath, np.ndarray, Tools, Stock, float]:
+    """Return what a timeline of a job is made from."""
     from CNCStepper.gcode.interpret import interpret
     from CNCStepper.job.make import make_program
     from CNCStepper.job.model import load_job
     from CNCStepper.motion.plan import times_s
-    from CNCStepper.state import Start
 
     job, machine = load_job(path)
     start = Start.with_work_zero((0.0, 0.0, 0.0))
     toolpath = interpret(make_program(job, machine).program, start, machine.controller)
     ends_s = np.maximum.accumulate(np.nan_to_num(times_s(toolpath, machine)))
-    height_map(toolpath, job.tools, job.stock.stock())
-    begun = time.perf_counter()
-    timeline = Timeline(toolpath, ends_s, job.tools, job.stock.stock())
-    prepared_s = time.perf_counter() - begun
-    return len(toolpath), prepared_s, *answers_ms(timeline)
+    return toolpath, ends_s, job.tools, job.stock.stock(), 0.0
 
 
-def answers_ms(timeline: Timeline) -> tuple[float, float]:
-    """Return the median and the worst time of an answer at random times, heights of all cells included."""
-    taken = []
+def answers_ms(timeline: Timeline) -> tuple[float, ...]:
+    """Return the median and the worst wall ms, then processor ms, of an answer at random times."""
+    wall, cpu = [], []
     for time_s in np.random.default_rng(5).uniform(0, timeline.duration_s, 40):
-        begun = time.perf_counter()
-        assert timeline.at(float(time_s)).heights_mm.size
-        taken.append((time.perf_counter() - begun) * 1000)
-    return float(np.median(taken)), max(taken)
+        begun, spent = time.perf_counter(), time.process_time()
+        assert timeline.at(float(time_s)).part.tiles is not None
+        wall.append((time.perf_counter() - begun) * 1000)
+        cpu.append((time.process_time() - spent) * 1000)
+    return float(np.median(wall)), max(wall), float(np.median(cpu)), max(cpu)
+
+
+def tables(points: np.ndarray) -> Toolpath:
+    """Return the moves as a program of straight feeds."""
+    table = TableBuilder(Start.at_zero(), State(tool=1, spindle="cw"))
+    for point in points.tolist():
+        table.feed(point, 600)
+    return table.toolpath()
+
+
+def print_timeline(name: str, toolpath: Toolpath, ends_s: np.ndarray, tools: Tools, stock: Stock, cell: float) -> None:
+    """Print how soon a timeline is ready, what it holds and how long an answer takes."""
+    begun, spent = time.perf_counter(), time.process_time()
+    timeline = Timeline(toolpath, ends_s, tools, stock, cell)
+    ready_s, cpu_s = time.perf_counter() - begun, time.process_time() - spent
+    median, worst, cpu_median, cpu_worst = answers_ms(timeline)
+    print(f"timeline: {name}, {len(toolpath)} moves: ready in {ready_s:.2f} s (processor {cpu_s:.2f}), ", end="")
+    print(f"{len(timeline.parts)} check-points, {timeline.bytes_held / 1e6:.0f} MB, median {median:.1f} ms ", end="")
+    print(f"(processor {cpu_median:.1f}), worst {worst:.1f} ms ({cpu_worst:.1f})", flush=True)
+
+
+def print_engagement(tool: Tool) -> None:
+    """Print how long the map of what the tool meets takes."""
+    toolpath, stock = tables(spiral(100_000, 100)), Stock((100, 100, 6))
+    engagement(tables(spiral(500, 100)), tool, stock)
+    begun, spent = time.perf_counter(), time.process_time()
+    met = engagement(toolpath, tool, stock)
+    wall_s, cpu_s = time.perf_counter() - begun, time.process_time() - spent
+    print(f"engagement: {len(met.row)} places, {tool.shape}: {wall_s:.2f} s, processor {cpu_s:.2f} s")
+
+
+def print_both_sides(points: np.ndarray, tool: Tool) -> None:
+    """Print moves a second of both simulators."""
+    count = len(points) - 1
+    for name, own, their in zip(("wall", "processor"), ours(points, 100, tool)[:2], theirs(points, 100), strict=True):
+        print(f"removal: {count} short moves, flat 6 mm, {CELL_MM} mm cells, {name} time: ours ", end="")
+        print(f"{count / own:,.0f}/s, PathSimulator {count / their:,.0f}/s, ratio {their / own:.1f}", flush=True)
 
 
 def main() -> None:
     """Print both sides and their ratio, the million moves, and what a slider waits."""
-    flat, ball = (Tool(number=1, shape=shape, diameter_mm=6) for shape in ("flat", "ball"))
-    for tool in (flat, ball):
+    tools = [
+        Tool(number=1, shape="flat", diameter_mm=6),
+        Tool(number=1, shape="ball", diameter_mm=6),
+        Tool(number=1, shape="bullnose", diameter_mm=6, corner_radius_mm=1),
+        Tool(number=1, shape="v", diameter_mm=6, tip_angle_deg=90),
+    ]
+    for tool in tools:
         for points in (spiral(2000, 40), hilly(spiral(2000, 40))):
             ours(points, 40, tool)  # compiles
-    points = spiral(100_000, 100)
     if shutil.which("freecadcmd"):
-        count = len(points) - 1
-        for name, own, their in zip(
-            ("wall", "processor"), ours(points, 100, flat)[:2], theirs(points, 100), strict=True
-        ):
-            print(f"removal: {count} short moves, flat 6 mm, {CELL_MM} mm cells, {name} time: ours ", end="")
-            print(f"{count / own:,.0f}/s, PathSimulator {count / their:,.0f}/s, ratio {their / own:.1f}")
-    for name, tool, million in (
-        ("flat, level", flat, spiral(1_000_000, 300)),
-        ("ball, level", ball, spiral(1_000_000, 300)),
-        ("ball, hilly", ball, hilly(spiral(1_000_000, 300))),
-    ):
-        wall_s, cpu_s, part = ours(million, 300, tool)
-        held = sum(tile.nbytes for tile in part.tiles.values()) / 1e6
-        print(f"removal: 1 000 000 moves, 300 × 300 mm, {name}: {wall_s:.2f} s, processor {cpu_s:.2f} s, {held:.0f} MB")
+        print_both_sides(spiral(100_000, 100), tools[0])
+    level = spiral(1_000_000, 300)
+    for tool in tools:
+        for name, million in (("level", level), ("every move a ramp", hilly(level))):
+            wall_s, cpu_s, part = ours(million, 300, tool)
+            held = sum(tile.nbytes for tile in part.tiles.values()) / 1e6
+            print(f"removal: 1 000 000 moves, 300 × 300 mm, {tool.shape}, {name}: {wall_s:.2f} s, ", end="")
+            print(f"processor {cpu_s:.2f} s, {held:.0f} MB", flush=True)
+    million, ends_s = tables(level), np.arange(len(level)) * 0.01
+    for tool in tools[:2]:
+        print_timeline(f"a million level moves, {tool.shape}", million, ends_s, tool, Stock((300, 300, 6)), CELL_MM)
     for path in sorted((Path(__file__).parents[1] / "examples" / "jobs").glob("*.toml")):
-        count, prepared_s, median, worst = slider_ms(path)
-        print(
-            f"timeline: {path.stem}, {count} moves: ready in {prepared_s:.2f} s, {median:.1f} ms, worst {worst:.1f} ms"
-        )
+        print_timeline(path.stem, *of_job(path))
+    print_engagement(tools[0])
 
 
 if __name__ == "__main__":
