@@ -98,12 +98,13 @@ def _timeline(folder: Path) -> Any:
     from CNCStepper.gcode.prepare import prepare
     from CNCStepper.gcode.read_back import read_back
     from CNCStepper.job.proof_files import MOVES, read_question
+    from CNCStepper.job.start_file import read_start
     from CNCStepper.simulation.timeline import Timeline
     from CNCStepper.simulation.tip_track import TipTrack
 
     program, job, machine = read_question(folder)
     wire = prepare(program, machine.controller, "")
-    toolpath = read_back(wire, program, None, machine.controller, "")
+    toolpath = read_back(wire, program, read_start(folder), machine.controller, "")
     ends_s = TipTrack.load(folder / MOVES).ends_s
     return Timeline(toolpath, ends_s, job.tools, job.stock.stock(), machine=machine)
 

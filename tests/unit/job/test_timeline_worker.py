@@ -19,10 +19,12 @@ from CNCStepper.job.make import make_program
 from CNCStepper.job.model import load_job
 from CNCStepper.job.proof_files import MESH, MOVES, TILES, write_answer, write_question
 from CNCStepper.job.prove import Proof, prove_job
+from CNCStepper.job.start_file import write_start
 from CNCStepper.motion.plan import begun, step_events
 from CNCStepper.simulation.drawn_faces import LAP_MM
 from CNCStepper.simulation.mesh import STL_FACET
 from CNCStepper.simulation.timeline import Timeline
+from CNCStepper.state import Start
 
 JOBS = Path(__file__).parents[3] / "examples" / "jobs"
 LIMIT_S = 120
@@ -34,7 +36,9 @@ def proven(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Proof]:
     job, machine = load_job(JOBS / "elliptical-pocket.toml")
     program = make_program(job, machine).program
     write_question(folder, program, job, machine)
-    proof = prove_job(job, machine, program, "pocket.nc")
+    start = Start.with_work_zero((60.0, 50.0, -30.0))
+    write_start(folder, start)
+    proof = prove_job(job, machine, program, "pocket.nc", start)
     write_answer(folder, proof, job, certificate_of(proof).to_json())
     return folder, proof
 

@@ -1,0 +1,137 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Milliseconds from a move of the simulation's slider to the material of that moment in the scene, for the demo part.
+
+Python starts FreeCAD with this file, and FreeCAD measures, without a window: what drawing the scene then takes is
+the graphics card's. The answers come from the process that a simulation's panel starts.
+"""
+
+from __future__ import annotations
+
+import os
+import shutil
+import statistics
+import subprocess
+import sys
+import tempfile
+import time
+import traceback
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+ROOT = Path(__file__).resolve().parents[1]
+MOVES = 100
+LIMIT_S = 300.0
+
+
+def until(done: Callable[[], Any]) -> None:
+    """Let Qt's events run until something is so."""
+    from PySide import QtCore
+
+    end_s = time.monotonic() + LIMIT_S
+    while not done():
+        if time.monotonic() > end_s:
+            raise TimeoutError
+        QtCore.QCoreApplication.processEvents(QtCore.QEventLoop.ProcessEventsFlag.WaitForMoreEvents, 5)
+
+
+def proven(job: Any) -> Any:
+    """Return the proof of a job."""
+    from CNCStepper.workbench.proof import ProofRun
+
+    answers: list[Any] = []
+    run = ProofRun(job)
+    run.finished.connect(answers.append)
+    run.failed.connect(answers.append)
+    run.start()
+    until(lambda: answers)
+    return answers[0]
+
+
+def processor_ms(material: Any) -> float:
+    """Return the processor time of this process and of the one that it asks, which Linux tells."""
+    pid = material.moments._process.processId()
+    ticks = Path(f"/proc/{pid}/stat").read_text("ascii").rpartition(")")[2].split()[11:13]
+    return 1000 * (time.process_time() + sum(map(int, ticks)) / os.sysconf("SC_CLK_TCK"))
+
+
+class View:
+    """What a scene wants of a 3D view."""
+
+    def __init__(self) -> None:
+        from pivy import coin
+
+        self._graph = coin.SoSeparator()
+
+    def getSceneGraph(self) -> Any:
+        """Return the root of what is shown."""
+        return self._graph
+
+
+def measure(result: Any) -> str:
+    """Return what jumps to any moment and drags by a five hundredth of the program take."""
+    import numpy as np
+
+    from CNCStepper.workbench.simulation.material import Material
+    from CNCStepper.workbench.simulation.player import Player
+    from CNCStepper.workbench.simulation.scene import Scene
+
+    player, scene = Player(result.moves), Scene(View(), result)
+    list(scene.load())
+    material = Material(player, scene, result)
+    until(lambda: not material.waiting)
+    player.seek(player.moves.duration_s / 2)
+    until(lambda: not material.waiting)
+    texts = []
+    jumps = np.random.default_rng(5).uniform(0, 0.99, MOVES)
+    for name, shares in (("jumps", jumps), ("drags", 0.3 + np.arange(MOVES) / 500)):
+        times_ms, worked_ms = [], processor_ms(material)
+        for share in shares:
+            begun = time.perf_counter()
+            player.seek(float(share) * player.moves.duration_s)
+            until(lambda: not material.waiting)
+            times_ms.append((time.perf_counter() - begun) * 1000)
+        worked_ms = (processor_ms(material) - worked_ms) / MOVES
+        times = f"median {statistics.median(times_ms):.1f}, worst {max(times_ms):.1f} ms"
+        texts.append(f"{name} {times}, processor {worked_ms:.1f} ms")
+    material.end()
+    return "; ".join(texts)
+
+
+def inside() -> None:
+    """Measure, in FreeCAD."""
+    import FreeCAD
+    from PySide import QtCore
+
+    sys.path.insert(0, str(ROOT / "bench"))
+    from bench_panel import engraving, pocket
+
+    application = QtCore.QCoreApplication.instance() or QtCore.QCoreApplication([])
+    for make in (pocket, engraving):
+        document = FreeCAD.newDocument()
+        _, job = make(document)
+        document.recompute()
+        print(f"slider: the demo's {make.__name__}: {measure(proven(job))}", file=sys.stderr)
+    application.processEvents()
+
+
+def main() -> None:
+    """Start FreeCAD with this file and print what it measures."""
+    with tempfile.TemporaryDirectory() as home:
+        command = [str(shutil.which("freecadcmd")), __file__, "-M", str(ROOT)]
+        environment = {**os.environ, "FREECAD_USER_HOME": home, "CNCSTEPPER_BENCH": "slider"}
+        done = subprocess.run(command, env=environment, capture_output=True, text=True, check=False)
+    print("\n".join(line for line in done.stderr.splitlines() if line.startswith("slider:")))
+    if done.returncode:
+        sys.exit(done.stderr)
+
+
+if os.environ.get("CNCSTEPPER_BENCH") == "slider":  # in FreeCAD this is no __main__, and it ends by os._exit
+    try:
+        inside()
+    except BaseException:
+        traceback.print_exc()
+        os._exit(1)
+    os._exit(0)
+elif __name__ == "__main__":
+    main()
