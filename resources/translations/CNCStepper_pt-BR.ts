@@ -868,7 +868,7 @@
         </message>
         <message>
             <source>Add selected</source>
-            <translation>Adicionar seleção</translation>
+            <translation>Usar seleção</translation>
         </message>
         <message>
             <source>Add the part, as it stands now, to the document as a mesh</source>
