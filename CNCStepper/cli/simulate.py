@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Iterator
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -30,6 +31,7 @@ from CNCStepper.machine.tool import Tool
 
 if TYPE_CHECKING:
     from CNCStepper.job.prove import Proof
+    from CNCStepper.simulation.heightmap import HeightMap
     from CNCStepper.simulation.scene import Scene
     from CNCStepper.simulation.timeline import Moment, Timeline
 
@@ -74,7 +76,8 @@ def command(
     """Draw what PROGRAM leaves of the stock, at its end or at a moment; times are the job's machine's
     or table-a's unless told.
 
-    With --work-zero the pictures of one view show the machine's work surface. Exit 1 when a finding is an error.
+    A PNG of the end stands there at once, plain, until the full one takes its place. With --work-zero the pictures
+    of one view show the machine's work surface. Exit 1 when a finding is an error.
     """
     from CNCStepper.job.model import load_job
     from CNCStepper.job.prove import prove, prove_job
@@ -87,12 +90,14 @@ def command(
     text = read_program(program)
     words: dict[str, Any] = {"file": str(program), "start": start_of(work_zero)}
     words["dialect"] = dialect_name(dialect, machine)
+    out.parent.mkdir(parents=True, exist_ok=True)
+    if out.suffix.lower() == ".png" and view in (None, "depth") and at_s is line is None:
+        words["see"] = partial(_show_first, out)
     if job:
         proof = prove_job(job, machine, text, **words)
     else:
         proof = prove(text, machine, stock=stock_of(stock, origin), tools=tool, **words)
     show = _Show(proof, program.stem)
-    out.parent.mkdir(parents=True, exist_ok=True)
     show.draw(out, view, show.time_s(at_s, line))
     if stl:
         show.save_stl(stl)
@@ -101,6 +106,13 @@ def command(
     show_findings(proof.findings)
     click.echo(f"{out}: {show.words}")
     sys.exit(1 if proof.refused else 0)
+
+
+def _show_first(out: Path, part: HeightMap) -> None:
+    """Write a picture of the part at once: the one that is asked for takes its place when all is known."""
+    from CNCStepper.simulation.first_picture import save_first_picture
+
+    save_first_picture(out, part)
 
 
 class _Show:

@@ -39,8 +39,9 @@ if TYPE_CHECKING:
     from CNCStepper.simulation.timeline import Moment
 
 ON_EDGE_MM = 0.01  # a shape may end on the stock's edge
-STAGES = ("make", "read", "time", "judge", "check", "cut", "report")  # what `tell` hears, in this order
+STAGES = ("make", "read", "cut", "time", "judge", "check", "report")  # what `tell` hears, in this order
 Tell = Callable[[str], None]
+See = Callable[[HeightMap], None]
 
 
 @dataclass(frozen=True)
@@ -98,18 +99,23 @@ def prove(
     keep_out: Sequence[Clamp] = (),
     edge_mm: float | None = None,
     tell: Tell = lambda stage: None,
+    see: See = lambda part: None,
 ) -> Proof:
     """Return the proof of a program text; raises ProgramError for a text that cannot be read.
 
     start: where the machine stands; None is a machine whose position and zero are unknown (for the times it then
     begins at the work zero). removals: the shapes wanted, in work coordinates; without them gouge and left-over
     are not judged. keep_out: the clamps. edge_mm: how far from the sheet's edge cuts must stay. tell: called with the
-    stage that begins, one of STAGES.
+    stage that begins, one of STAGES. see: called with the part once it is cut, before it is judged.
     """
     language = dialect or machine.controller
     tell("read")
     wire = prepare(text, language, file)
     toolpath = read_back(wire, text, start, language, file)
+    tell("cut")
+    part = height_map(toolpath, tools, stock) if stock is not None and tools is not None else None
+    if part is not None:
+        see(part)
     tell("time")
     ends_s = times_s(begun(toolpath), machine)
     tell("judge")
@@ -118,8 +124,6 @@ def prove(
     findings = check(
         toolpath, machine, file=file, stock=stock, tools=tools, judgement=judgement, keep_out=keep_out, edge_mm=edge_mm
     )
-    tell("cut")
-    part = height_map(toolpath, tools, stock) if stock is not None and tools is not None else None
     tell("report")
     told = report(toolpath, ends_s, file=file, findings=findings, judgement=judgement, part=part, tools=tools)
     given = Given(text, language, machine, stock, tools, removals, keep_out, edge_mm)
@@ -134,6 +138,7 @@ def prove_job(
     start: Start | None = None,
     tell: Tell = lambda stage: None,
     dialect: str = "",
+    see: See = lambda part: None,
 ) -> Proof:
     """Return the proof of a job's program text, as `prove` does, against the shapes that the job wants removed."""
     tell("make")
@@ -150,6 +155,7 @@ def prove_job(
         keep_out=job.clamps,
         edge_mm=job.stock.edge_mm,
         tell=tell,
+        see=see,
     )
     findings = sorted(
         [*proof.findings, *_warnings(proof, made, job.stock.stock(), file)], key=lambda finding: finding.place.line

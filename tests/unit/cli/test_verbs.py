@@ -172,6 +172,15 @@ def test_simulate_draws_and_reports(square: Path, tmp_path: Path) -> None:
     assert json.loads(told.read_text("utf-8"))["removed_volume_mm3"] > 300
 
 
+def test_simulate_has_a_first_picture_on_disk_before_it_judges(
+    square: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    out, sizes = tmp_path / "part.png", []
+    monkeypatch.setattr("CNCStepper.job.prove.times_s", lambda *_: sizes.append(out.stat().st_size) or 1 / 0)
+    assert isinstance(run("simulate", square, *PLATE, "--out", out).exception, ZeroDivisionError)
+    assert sizes[0] > 1000 and out.read_bytes().startswith(b"\x89PNG")
+
+
 @pytest.mark.parametrize("view", ["isometric", "xy", "zy", "depth"])
 def test_simulate_draws_each_view(view: str, square: Path, tmp_path: Path) -> None:
     for ending, begin in ((".png", b"\x89PNG"), (".svg", b"<?xml")):
