@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Finds a real Python for a process of our own: inside FreeCAD `sys.executable` is FreeCAD itself.
 
-What runs there is named by `command` and told by `environment`: it sees, behind its own packages, those that this
-process sees (`control/started.py`).
+What runs there is named by `command` and told by `environment`: where it lacks some of ours it sees, behind its own
+packages, those that this process sees (`control/started.py`).
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ CHECK = (
     "import sys\n"
     f"assert sys.version_info >= {OLDEST}, 'Python ' + sys.version.split()[0] + ' is too old'\n"
     "from CNCStepper.control import started\n"
-    "started.see_packages()\n"
+    "started.see_packages(*sys.argv[1:])\n"
     "for name in sys.argv[1:]:\n"
     "    __import__(name)\n"
     "sys.stdout.buffer.write(sys.executable.encode('utf-8'))"

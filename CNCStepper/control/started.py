@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The first thing in a process of our own: `python -m CNCStepper.control.started MODULE ARGUMENTS...`.
 
-The packages that the starting process sees (FreeCAD's, the Addon Manager's) stand behind this Python's own, where
-both are of one version; then MODULE runs as if it had been started itself.
+Where this Python lacks a package that we use, those that the starting process sees (FreeCAD's, the Addon Manager's)
+stand behind its own, if both are of one version; then MODULE runs as if it had been started itself.
 """
 
 from __future__ import annotations
@@ -10,8 +10,10 @@ from __future__ import annotations
 import os
 import runpy
 import sys
+from importlib.util import find_spec
 
 BEHIND = "CNCSTEPPER_BEHIND"  # a version of Python, then the folders that it imports from
+USED = ("numpy", "numba", "shapely", "pydantic", "platformdirs", "serial")
 
 
 def python_version() -> str:
@@ -19,8 +21,14 @@ def python_version() -> str:
     return f"{sys.version_info[0]}.{sys.version_info[1]}"
 
 
-def see_packages() -> None:
-    """Append the folders of the starting process to sys.path, when it was this version of Python."""
+def see_packages(*needs: str) -> None:
+    """Append the folders of the starting process to sys.path, when it was this version of Python and one of `needs`
+    is missing (without any: of USED).
+
+    Else they stay out: this Python's own numpy would meet packages that were compiled for another.
+    """
+    if all(find_spec(name) for name in needs or USED):
+        return
     version, *folders = os.environ.get(BEHIND, "").split(os.pathsep)
     if version == python_version():
         sys.path.extend(folder for folder in folders if folder not in sys.path)

@@ -22,6 +22,7 @@ from CNCStepper.control.python_finder import candidates, checked, find_python, s
 from CNCStepper.control.send_job import SendJob
 from CNCStepper.control.session import WORKER, SessionClient
 from CNCStepper.control.session_file import OUTCOME, new_session, sessions
+from CNCStepper.control.started import BEHIND, python_version, see_packages
 from CNCStepper.errors import LinkError, MachineRefusal, MissingPackage
 
 LINES = [f"G1X{number}F600" for number in range(40)]
@@ -246,6 +247,16 @@ def test_packages_of_the_starting_process_stand_behind_those_of_the_started(monk
     assert checked(sys.executable, needs)[0]
     monkeypatch.setattr(python_finder, "python_version", lambda: "3.0")
     assert "only_seen_here" in checked(sys.executable, needs)[1]
+
+
+def test_a_python_that_lacks_nothing_keeps_to_its_own_packages(monkeypatch, tmp_path):
+    monkeypatch.setenv(BEHIND, os.pathsep.join([python_version(), str(tmp_path)]))
+    monkeypatch.setattr(sys, "path", list(sys.path))
+    see_packages("json", "click")
+    see_packages()
+    assert str(tmp_path) not in sys.path
+    see_packages("json", "only_seen_there")
+    assert sys.path[-1] == str(tmp_path)
 
 
 def test_a_python_is_sought_without_waiting(monkeypatch):
