@@ -15,7 +15,8 @@ from PIL import Image
 ROOT = Path(__file__).resolve().parents[1]
 TAKEN = ROOT / "build" / "window"
 KEPT = ROOT / "docs" / "pictures"
-WIDEST = {"plain": 1600, "scaled": 2000}  # pixels
+WIDEST = 1600  # pixels
+COLOURS = 256  # of a palette: a window has few, and the file is a third as large
 SUFFIX = {"plain": "", "scaled": "-2x"}
 
 
@@ -25,9 +26,14 @@ def keep(kind: str) -> None:
     folder = TAKEN / ("0.20.2" if kind == "plain" else f"0.20.2-{kind}")
     for taken in sorted(folder.glob("road-*.png")):
         with Image.open(taken) as picture:
-            small = picture.convert("RGB")
-            small.thumbnail((WIDEST[kind], WIDEST[kind]), Image.Resampling.LANCZOS)
-            small.save(KEPT / f"{taken.stem}{SUFFIX[kind]}.png", optimize=True)
+            kept(picture).save(KEPT / f"{taken.stem}{SUFFIX[kind]}.png", optimize=True)
+
+
+def kept(picture: Image.Image) -> Image.Image:
+    """Return a picture as it is kept: at most WIDEST pixels wide, in a palette of its own."""
+    small = picture.convert("RGB")
+    small.thumbnail((WIDEST, WIDEST), Image.Resampling.LANCZOS)
+    return small.quantize(COLOURS, Image.Quantize.MEDIANCUT)
 
 
 if __name__ == "__main__":
