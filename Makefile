@@ -25,7 +25,8 @@ demo: setup
 	@.venv/bin/python examples/demo.py
 
 test: setup lint
-	@.venv/bin/python -m pytest
+	@.venv/bin/python -m pytest -n 2 --dist loadfile -m "not freecad"
+	@.venv/bin/python -m pytest -m freecad
 
 matrix:
 	@tools/setup.sh matrix
