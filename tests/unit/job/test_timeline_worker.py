@@ -116,6 +116,7 @@ def test_material_vanishes_forwards_and_comes_back_the_same(worker: Worker, prov
     assert worker.tiles(0.0) == {}
 
 
+@pytest.mark.slow
 def test_pulses_are_the_planners(worker: Worker, proven: tuple[Path, Proof]) -> None:
     proof = proven[1]
     pieces = step_events(begun(proof.toolpath), proof.given.machine)
@@ -128,6 +129,7 @@ def test_pulses_are_the_planners(worker: Worker, proven: tuple[Path, Proof]) -> 
     assert worker.ask(pulse=0.0, sense=-1) == {"pulse": None, "steps": None}
 
 
+@pytest.mark.slow
 def test_the_mesh_of_a_moment_has_its_volume(worker: Worker, proven: tuple[Path, Proof]) -> None:
     folder, proof = proven
     given = proof.given
@@ -140,11 +142,13 @@ def test_the_mesh_of_a_moment_has_its_volume(worker: Worker, proven: tuple[Path,
     assert volume == pytest.approx(np.prod(given.stock.size_mm) - part.removed_volume_mm3, rel=1e-4)
 
 
+@pytest.mark.slow
 def test_what_cannot_be_answered_is_said_and_ends_it(worker: Worker) -> None:
     assert worker.ask(colour=1)["error"]["code"] == "timeline-question"
     assert worker.process.wait(LIMIT_S) == 1
 
 
+@pytest.mark.slow
 def test_a_folder_without_an_answer_is_said(tmp_path: Path, proven: tuple[Path, Proof]) -> None:
     job, machine = load_job(JOBS / "elliptical-pocket.toml")
     write_question(tmp_path, make_program(job, machine).program, job, machine)

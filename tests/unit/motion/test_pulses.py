@@ -18,14 +18,14 @@ MACHINE = load_machine("table-a")
 PROGRAM = """G21 G90 G94
 M3 S10000
 G4 P0.3
-G1 X4 Y1 F600
-G3 X-4 Y1 I-4 J3 F900
+G1 X0.8 Y0.2 F600
+G3 X-0.8 Y0.2 I-0.8 J0.6 F900
 G4 P0.2
-G1 X-4 Y1
-G1 Z-0.5 F120
+G1 X-0.8 Y0.2
+G1 Z-0.1 F120
 M3 S8000
-G2 X0 Y0 I2 J-0.5 Z-1
-G0 Z1
+G2 X0 Y0 I0.4 J-0.1 Z-0.2
+G0 Z0.2
 M5
 """
 
@@ -47,7 +47,7 @@ def all_pulses(toolpath: Toolpath) -> list[Pulse]:
 def test_going_forwards_and_backwards_gives_every_pulse_of_the_run(toolpath: Toolpath) -> None:
     wanted = all_pulses(toolpath)
     pulses = Pulses(toolpath, MACHINE)
-    assert len(wanted) > 3000
+    assert len(wanted) > 500
     there, time_s = [], -1.0
     while pulse := pulses.after(time_s):
         there.append(pulse)
@@ -58,7 +58,7 @@ def test_going_forwards_and_backwards_gives_every_pulse_of_the_run(toolpath: Too
         back.append(pulse)
         time_s = pulse.time_s
     assert back == wanted[::-1]
-    assert len(pulses._marks) > 20
+    assert len(pulses._marks) > 8
 
 
 def test_any_moment_in_any_order(toolpath: Toolpath) -> None:

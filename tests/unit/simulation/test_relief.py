@@ -49,7 +49,14 @@ def pieces(faces: Faces, x_mm: np.ndarray, y_mm: np.ndarray) -> dict[tuple, np.n
     return found
 
 
-@pytest.mark.parametrize(("tool", "stock"), [(FLAT, STOCK), (BALL, STOCK), (FLAT, Cylinder((60, 60, 20)))])
+@pytest.mark.parametrize(
+    ("tool", "stock"),
+    [
+        (FLAT, STOCK),
+        pytest.param(BALL, STOCK, marks=pytest.mark.slow),
+        pytest.param(FLAT, Cylinder((60, 60, 20)), marks=pytest.mark.slow),
+    ],
+)
 def test_all_tiles_together_are_the_part_drawn_whole(tool, stock) -> None:
     part = timeline(stock, tool).at(1e9)
     relief = Relief(part.part.grid)
