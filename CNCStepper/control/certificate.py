@@ -2,8 +2,8 @@
 """The certificate of a program: which bytes were proven, against what, what was found, and all that a sender needs.
 
 `job.certify` makes it; here it is read, so that who sends need not know how a proof is made. What was proven
-(program, wire, start, machine, stock, tools, clamps) stands in it with its SHA-256; one more, over the whole, finds what
-was changed in the certificate itself. None of them is a signature: they stop mistakes, not a forger.
+(program, wire, start, machine, stock, tools, clamps) stands in it with its SHA-256; one more, over the whole, finds
+what was changed in the certificate itself. None of them is a signature: they stop mistakes, not a forger.
 """
 
 from __future__ import annotations
