@@ -41,8 +41,9 @@ def test_every_verb_has_a_help_for_strangers(verb: str) -> None:
     assert len(result.output.splitlines()) > 5
 
 
-def test_run_writes_program_report_and_picture(tmp_path: Path) -> None:
-    result = run("run", JOBS / "brazil-engraving.toml", "--out", tmp_path / "saída 1")
+def test_run_writes_program_report_and_picture_and_check_agrees(tmp_path: Path) -> None:
+    job = JOBS / "brazil-engraving.toml"
+    result = run("run", job, "--out", tmp_path / "saída 1")
     assert result.exit_code == 0, result.output
     report = json.loads((tmp_path / "saída 1" / "report.json").read_text("utf-8"))
     assert report["time_s"] > 40 and report["gouge_mm"] <= 0.01
@@ -51,7 +52,12 @@ def test_run_writes_program_report_and_picture(tmp_path: Path) -> None:
     assert certificate.content["times"]["operations_s"][0]["time_s"] > 40
     assert "pierces 1" in result.output and "engrave: " in result.output
     assert (tmp_path / "saída 1" / "part.png").read_bytes().startswith(b"\x89PNG")
-    assert (tmp_path / "saída 1" / "program.nc").read_text("ascii").endswith("M2\n")
+    program = tmp_path / "saída 1" / "program.nc"
+    assert program.read_text("ascii").endswith("M2\n")
+    assert run("check", program, "--machine", "table-a", "--job", job).exit_code == 0
+    program.write_text(program.read_text("ascii").replace("Y36.378", "Y36.428"), encoding="ascii")
+    changed = run("check", program, "--machine", "table-a", "--job", job)
+    assert changed.exit_code == 1 and "[gouge]" in changed.output
 
 
 def test_a_clean_program_is_exit_0(square: Path) -> None:
@@ -226,6 +232,7 @@ def test_simulate_animates(square: Path, tmp_path: Path, monkeypatch: pytest.Mon
     assert out.read_bytes().startswith(b"GIF89a")
 
 
+@pytest.mark.slow
 def test_a_program_changed_by_hand_is_checked_against_its_job(tmp_path: Path) -> None:
     assert run("run", POCKET, "--out", tmp_path).exit_code == 0
     program, told = tmp_path / "program.nc", tmp_path / "told.json"

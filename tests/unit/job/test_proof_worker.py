@@ -90,6 +90,7 @@ def test_no_answer_is_said(folder: Path) -> None:
         read_answer(folder)
 
 
+@pytest.mark.slow
 def test_a_known_start_is_proven_from_and_stands_in_the_certificate(folder: Path) -> None:
     program = asked(folder)
     write_start(folder, START)

@@ -60,6 +60,7 @@ def test_rows_name_the_files_lines_and_its_operations(pocket: tuple[Job, Machine
     assert [span.name for span in clean.toolpath.spans if span.kind == "operation"] == ["elliptical pocket"]
 
 
+@pytest.mark.slow
 def test_a_missing_finishing_pass_is_caught(pocket: tuple[Job, Machine, Made]) -> None:
     lines = lines_of(pocket)
     end = max(number for number, line in enumerate(lines) if line.startswith("G3"))

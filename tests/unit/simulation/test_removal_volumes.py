@@ -116,7 +116,8 @@ def test_a_helix(tool: Tool, radius: float, pitch: float) -> None:
     v = np.linspace(-np.pi, np.pi, 1441)
     fall = pitch / (2 * np.pi)
     distance = np.sqrt((out[:, None] - radius) ** 2 + 4 * out[:, None] * radius * np.sin(v / 2) ** 2)
-    height = np.where(distance <= R + 1e-9, heights(tool, np.minimum(distance, R)), 1e3)
+    height, below = np.full(distance.shape, 1e3), distance <= R + 1e-9
+    height[below] = heights(tool, np.minimum(distance[below], R))
     lowest_yet = np.minimum.accumulate(height - fall * v, axis=1)  # on the way up to each v
     passes = []
     for past in (since - 2 * np.pi, since, since + 2 * np.pi):

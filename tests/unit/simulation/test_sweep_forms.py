@@ -138,7 +138,9 @@ def test_a_form_that_is_not_given_is_said_to_be_judged_as_a_flat(shape):
 
 @solid_tool
 @pytest.mark.parametrize("turn_deg", [pytest.param(0, marks=slow), 25, pytest.param(70, marks=slow)])
-@pytest.mark.parametrize(("off", "z"), [(0.5, -3.0), pytest.param(0.2, -2.0, marks=slow), (-0.3, -2.5)])
+@pytest.mark.parametrize(
+    ("off", "z"), [(0.5, -3.0), pytest.param(0.2, -2.0, marks=slow), pytest.param(-0.3, -2.5, marks=slow)]
+)
 def test_a_corner_of_the_part_is_entered_by_the_deepest_point_of_the_whole_face(name, turn_deg, off, z):
     """Beside a convex corner the deepest point is not on the disc that a straight wall would meet first."""
     tool = TOOLS[name]
