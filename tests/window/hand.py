@@ -269,9 +269,17 @@ class Hand:
         self.settle()
 
     def undo(self) -> None:
-        """Press Ctrl+Z as soon as FreeCAD lets it work: it enables its commands only every few hundred milliseconds."""
-        self.wait(lambda: FreeCADGui.Command.get("Std_Undo").getAction()[0].isEnabled(), APPEARS_S, "something to undo")
-        self.key("Ctrl+Z")
+        """Press Ctrl+Z as soon as it works."""
+        self.shortcut("Std_Undo", "Ctrl+Z")
+
+    def redo(self) -> None:
+        """Press Ctrl+Shift+Z as soon as it works."""
+        self.shortcut("Std_Redo", "Ctrl+Shift+Z")
+
+    def shortcut(self, command: str, keys: str) -> None:
+        """Press a command's keys as soon as FreeCAD lets it work: it looks only every few hundred milliseconds."""
+        self.wait(lambda: FreeCADGui.Command.get(command).getAction()[0].isEnabled(), APPEARS_S, f"{command} to work")
+        self.key(keys)
 
     def fill(self, target: Target, text: str) -> None:
         """Click a field, replace what stands in it, leave it with Tab."""

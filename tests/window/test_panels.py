@@ -139,7 +139,7 @@ def test_ok_is_one_undo_step(hand: Hand, bench: Bench) -> None:
     hand.wait(lambda: bench.pocket.Depth.Value == 10)
     assert hand.main(bench.values) == before
     assert hand.main(api.program_text, bench.job) == before["text"]
-    hand.key("Ctrl+Shift+Z")
+    hand.redo()
     hand.wait(lambda: bench.pocket.Depth.Value == 12.5)
     assert hand.main(bench.values) == changed
 

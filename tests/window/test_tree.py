@@ -180,8 +180,7 @@ def delete(hand: Hand, label: str, question: bool = False) -> None:
     """Delete a row as a person does, with the key; answer FreeCAD's question with Yes."""
     hand.wait(lambda: row(label) is not None)
     hand.tree(label)
-    hand.wait(lambda: FreeCADGui.Command.get("Std_Delete").getAction()[0].isEnabled())
-    hand.key("Delete")
+    hand.shortcut("Std_Delete", "Delete")
     if question:
         hand.wait(
             lambda: isinstance(QtGui.QApplication.activeModalWidget(), QtGui.QMessageBox), 5, "FreeCAD's question"
@@ -242,10 +241,9 @@ def test_hiding_the_job_hides_its_preview(hand: Hand, job: Any) -> None:
     preview = hand.main(lambda: job.Document.getObject("CNCStepper_Preview"))
     hand.wait(lambda: row("Job") is not None)
     hand.tree("Job")
-    hand.wait(lambda: FreeCADGui.Command.get("Std_ToggleVisibility").getAction()[0].isEnabled())
-    hand.key("space")
+    hand.shortcut("Std_ToggleVisibility", "space")
     hand.wait(lambda: not preview.ViewObject.Visibility)
-    hand.key("space")
+    hand.shortcut("Std_ToggleVisibility", "space")
     hand.wait(lambda: preview.ViewObject.Visibility)
 
 
