@@ -160,6 +160,7 @@ def set_zero(port: str, zero: str) -> None:
         assert line.readline().strip() == b"ok"
 
 
+@pytest.mark.slow
 def test_a_certified_program_is_cut_where_it_was_proven(
     program: Path, certificate: Path, table: tuple[str, Path]
 ) -> None:

@@ -143,6 +143,7 @@ def test_everything_a_window_asks_reaches_the_machine(window):
     assert all(isinstance(event["error"], CNCStepperError) for event in refused)
 
 
+@pytest.mark.slow
 def test_held_jog_stops_when_the_window_freezes_and_at_once_when_the_button_is_let_go(window):
     client = window.client
     end_s = time.monotonic() + 0.8
@@ -195,6 +196,7 @@ def test_killed_window_does_not_stop_the_cut_and_a_new_one_attaches(table, tmp_p
     window.client.leave()
 
 
+@pytest.mark.slow
 def test_second_launch_on_one_port_attaches_to_the_desk_that_is_there(window, tmp_path):
     second = Window(DeskClient.launch(window.client.port, folder=tmp_path))
     second.until(lambda: second.client.phase == "connected")
@@ -206,6 +208,7 @@ def test_second_launch_on_one_port_attaches_to_the_desk_that_is_there(window, tm
     second.client.leave()
 
 
+@pytest.mark.slow
 def test_two_desks_started_at_one_moment_agree_on_one(window, tmp_path):
     path = new_session(tmp_path, DESK).with_name(f"99990101-000000-ff{DESK}")
     process = own_process.start(sys.executable, WORKER, path, window.client.port, "115200")
@@ -258,6 +261,7 @@ def test_killed_desk_is_lost_with_its_position(table, tmp_path):
     assert running_desks(tmp_path) == []
 
 
+@pytest.mark.slow
 def test_sigterm_stops_the_job_safely(table, tmp_path):
     window = Window(DeskClient.launch(table, folder=tmp_path))
     window.until(lambda: window.client.phase == "connected")
@@ -269,6 +273,7 @@ def test_sigterm_stops_the_job_safely(table, tmp_path):
     assert window.client.error is None
 
 
+@pytest.mark.slow
 def test_no_call_waits_for_a_desk_that_stands_still(window):
     """Stopped by SIGSTOP, a desk takes nothing and answers nothing; a window must not notice in its drawing."""
     client, process = window.client, process_of(window.client.session_file)
@@ -288,6 +293,7 @@ def test_no_call_waits_for_a_desk_that_stands_still(window):
     window.until(lambda: sum("not in alarm" in text for text in window.heard("refused")) == 120)
 
 
+@pytest.mark.slow
 def test_window_that_was_frozen_for_long_is_let_in_again(window):
     """The desk drops a client that does not read; the client comes back by itself and sees the present."""
     window.client._socket.close()

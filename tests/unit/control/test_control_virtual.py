@@ -95,6 +95,7 @@ def test_program_is_cut_to_its_end_over_tcp(tmp_path):
         judge_whole_program(address, tmp_path)
 
 
+@pytest.mark.slow
 def test_stop_in_motion_keeps_the_position(tmp_path, table):
     zero = ["G21G90G94", "G10L20P1X0Y0Z0", "M3S9000"]
     client = started(table, tmp_path, [*zero, "G1X-100F3000", "G1X0", "M2"])

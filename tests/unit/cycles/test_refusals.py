@@ -167,6 +167,7 @@ def extreme(rng: random.Random) -> dict[str, Any]:
     return POCKET | changes
 
 
+@pytest.mark.slow
 def test_no_extreme_value_ends_in_anything_but_a_cut_or_a_refusal() -> None:
     seed = random.randrange(10**6)
     print("seed", seed)

@@ -99,6 +99,7 @@ def test_two_tools_of_one_number_are_refused() -> None:
         Job.model_validate(job.model_dump() | {"tool": job.tool * 2, "operation": job.operation})
 
 
+@pytest.mark.slow
 def test_clamps_and_the_sheets_edge_are_kept_and_go_into_the_proof(tmp_path: Path) -> None:
     stock = 'origin = "top-centre"'
     path = changed(tmp_path, stock, f"{stock}\nedge_mm = 30\n\n[[clamp]]\ncorners_mm = [[-2, -2], [2, 2]]\ntop_mm = 6")

@@ -73,6 +73,7 @@ def test_the_length_of_the_time_steps_does_not_matter(dt_s):
         max_size=12,
     )
 )
+@pytest.mark.slow
 def test_meddling_never_costs_a_pulse(acts):
     plain = Motion(LIMITS, record=True)
     run(plain, TARGETS)

@@ -39,6 +39,7 @@ def test_the_examples_are_clean(name):
     assert findings(name) == []
 
 
+@pytest.mark.slow
 def test_a_floor_two_hundredths_off_is_found():
     deep = findings("elliptical-pocket.toml", lambda text: text.replace("Z-10.000", "Z-10.020"))
     assert deep == [("gouge", pytest.approx(0.02, abs=0.0015))]  # with the wall's own 0.006 beside it

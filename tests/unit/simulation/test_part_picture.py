@@ -22,6 +22,7 @@ def picture(program, path, stock=STOCK):
     return imread(path)[..., :3] if path.suffix == ".png" else path.read_text("utf-8")
 
 
+@pytest.mark.slow
 def test_pictures_are_the_same_for_the_same_program_and_differ_for_another(tmp_path):
     one, same, other = (
         picture(program, tmp_path / f"{k}.png")

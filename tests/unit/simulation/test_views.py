@@ -125,6 +125,7 @@ def test_rapids_feeds_arcs_and_plunges_have_their_colours(tmp_path: Path) -> Non
     assert not pixels(begins, "arcs").any() and not pixels(begins, "rapids").any()
 
 
+@pytest.mark.slow
 def test_limits_are_shown_where_the_work_zero_is_known(tmp_path: Path) -> None:
     machine = load_machine("table-a")
     for view in ("isometric", "xy", "zy"):
@@ -189,6 +190,7 @@ def test_without_an_encoder_there_is_a_sentence(tmp_path: Path, monkeypatch: pyt
         save_animation(tmp_path / "p.mp4", "xy", iter([(scene_of(), [])]), "p")
 
 
+@pytest.mark.slow
 def test_seen_from_the_side_the_cutter_is_shown_whole(tmp_path: Path) -> None:
     """On its way out, 5 mm over the stock, it is as high in the picture as its three diameters."""
     for time_s in (None, 11.3):
