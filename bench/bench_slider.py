@@ -77,8 +77,9 @@ def measure(result: Any) -> str:
     from CNCStepper.workbench.simulation.player import Player
     from CNCStepper.workbench.simulation.scene import Scene
 
-    player, scene = Player(result.moves), Scene(View(), result)
-    list(scene.load())
+    player, scene = Player(result.moves), Scene(View(), result.part, result.work_origin_mm)
+    list(scene.load_part())
+    list(scene.load_result(result))
     material = Material(player, scene, result)
     until(lambda: not material.waiting)
     player.seek(player.moves.duration_s / 2)

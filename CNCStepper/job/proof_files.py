@@ -2,7 +2,8 @@
 """The folder in which a proof is asked for and answered, between a window and the process that proves.
 
     job.json  machine.json  program.nc        what is asked; the machine is that of machine.json
-    result.json  moves.npz  lines.npz  part.npz  tools.npz  send.json    what is answered; or error.json, why not
+    part.npz                                  what is left of the stock, as soon as it is cut: a first picture
+    result.json  moves.npz  lines.npz  tools.npz  send.json    what is answered then; or error.json, why not
     tiles.bin  part.stl                       what `timeline_worker` answers afterwards
 
 send.json is the program's certificate. Reading an answer takes numpy only, so that a window does it at once.
@@ -27,6 +28,7 @@ if TYPE_CHECKING:
     from CNCStepper.job.model import Job
     from CNCStepper.job.prove import Proof
     from CNCStepper.machine.profile import Machine
+    from CNCStepper.simulation.heightmap import HeightMap
 
 PROGRAM, JOB, MACHINE = "program.nc", "job.json", "machine.json"
 RESULT, MOVES, LINES = "result.json", "moves.npz", "lines.npz"
@@ -98,31 +100,38 @@ def read_question(folder: Path) -> tuple[str, Job, Machine]:
     )
 
 
-def write_answer(folder: Path, proof: Proof, job: Job, send_json: str) -> None:
-    """Write the answer; the result, which says that all is there, comes last."""
+def write_part(folder: Path, part: HeightMap) -> None:
+    """Write what is left of the stock; the file appears when all of it is there."""
     from CNCStepper.simulation.drawn_faces import drawn, height_range_mm
-    from CNCStepper.simulation.paths import lines_in_space
     from CNCStepper.simulation.surface import faces_of
+
+    faces = drawn(faces_of(part), height_range_mm(part))
+    unfinished = folder / f"unfinished-{PART}"
+    np.savez(
+        unfinished,
+        heights_mm=part.heights_mm,
+        x_mm=part.x_mm,
+        y_mm=part.y_mm,
+        low_mm=np.array(part.stock.low_mm),
+        high_mm=np.array(part.stock.high_mm),
+        corners=faces.corners,
+        rgba=faces.rgba,
+    )
+    unfinished.replace(folder / PART)
+
+
+def write_answer(folder: Path, proof: Proof, job: Job, send_json: str) -> None:
+    """Write the answer but for the part; the result, which says that all is there, comes last."""
+    from CNCStepper.simulation.paths import lines_in_space
     from CNCStepper.simulation.tool_outline import outlines_mm
 
-    assert proof.part is not None
     TipTrack.of(proof.toolpath, proof.times_s).save(folder / MOVES)
     rapids, feeds = lines_in_space(proof.toolpath, MOST_POINTS)
     columns = (rapids.points, rapids.counts, feeds.points, feeds.counts)
     named: dict[str, Any] = dict(zip(LINE_COLUMNS, columns, strict=True))
     np.savez(folder / LINES, **named)
-    stock, faces = proof.part.stock, drawn(faces_of(proof.part), height_range_mm(proof.part))
-    np.savez(
-        folder / PART,
-        heights_mm=proof.part.heights_mm,
-        x_mm=proof.part.x_mm,
-        y_mm=proof.part.y_mm,
-        low_mm=np.array(stock.low_mm),
-        high_mm=np.array(stock.high_mm),
-        corners=faces.corners,
-        rgba=faces.rgba,
-    )
-    outlines = {str(tool.number): outlines_mm(tool, stock.size_mm[2]) for tool in job.tool}
+    height_mm = job.stock.stock().size_mm[2]
+    outlines = {str(tool.number): outlines_mm(tool, height_mm) for tool in job.tool}
     named = {f"{number}-{place}": both[place] for number, both in outlines.items() for place in (0, 1)}
     np.savez(folder / TOOLS, **named)
     (folder / SEND).write_text(send_json, encoding="utf-8")
@@ -132,6 +141,12 @@ def write_answer(folder: Path, proof: Proof, job: Job, send_json: str) -> None:
 def write_error(folder: Path, error: CNCStepperError) -> None:
     """Write why there is no answer."""
     (folder / ERROR).write_text(json.dumps(error_to_json(error)), encoding="utf-8")
+
+
+def read_part(folder: Path) -> Part:
+    """Return what is left of the stock, once it is written."""
+    with np.load(folder / PART, allow_pickle=False) as arrays:
+        return Part(**arrays)
 
 
 def read_answer(folder: Path) -> Answer:
@@ -145,8 +160,6 @@ def read_answer(folder: Path) -> Answer:
             advice="try again; if it stays so, the program may need more memory than there is",
         )
     report = json.loads((folder / RESULT).read_text("utf-8"))
-    with np.load(folder / PART, allow_pickle=False) as arrays:
-        part = Part(**arrays)
     with np.load(folder / LINES, allow_pickle=False) as arrays:
         columns = [arrays[name] for name in LINE_COLUMNS]
     findings = [Finding.from_dict(content) for content in report["findings"]]
@@ -154,4 +167,5 @@ def read_answer(folder: Path) -> Answer:
         numbers = sorted({int(name.partition("-")[0]) for name in arrays})
         tools = {number: (arrays[f"{number}-0"], arrays[f"{number}-1"]) for number in numbers}
     moves = TipTrack.load(folder / MOVES)
-    return Answer(findings, report, moves, Lines(*columns[:2]), Lines(*columns[2:]), part, tools, folder / SEND)
+    rapids, feeds = Lines(*columns[:2]), Lines(*columns[2:])
+    return Answer(findings, report, moves, rapids, feeds, read_part(folder), tools, folder / SEND)

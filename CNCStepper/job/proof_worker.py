@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The process that proves: `python -m CNCStepper.job.proof_worker FOLDER NAME`, the folder as in `proof_files`.
 
-It tells on standard output the stage that begins, one a line. When its standard input is closed nobody waits for
-the answer any more: it takes the folder away and ends. NAME is the program's in findings. Its exit status is 0
-when an answer stands in the folder, else 1: then `error.json` says why.
+It tells on standard output the stage that begins, one a line, and `part` once the cut part stands in the folder.
+When its standard input is closed nobody waits for the answer any more: it takes the folder away and ends. NAME is the
+program's in findings. Its exit status is 0 when an answer stands in the folder, else 1: then `error.json` says why.
 """
 
 from __future__ import annotations
@@ -15,8 +15,12 @@ import sys
 import threading
 import traceback
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from CNCStepper.errors import CNCStepperError, MissingPackage
+
+if TYPE_CHECKING:
+    from CNCStepper.simulation.heightmap import HeightMap
 
 
 def main(arguments: list[str]) -> int:
@@ -43,13 +47,21 @@ def main(arguments: list[str]) -> int:
 def answer(folder: Path, name: str) -> None:
     """Read the question, prove, and write the answer; raises what the core raises."""
     from CNCStepper.job.certify import certificate_of
-    from CNCStepper.job.proof_files import read_question, write_answer
+    from CNCStepper.job.proof_files import read_question, write_answer, write_part
     from CNCStepper.job.prove import prove_job
     from CNCStepper.job.start_file import read_start
 
     program, job, machine = read_question(folder)
     start = read_start(folder)
-    proof = prove_job(job, machine, program, name, start, tell=lambda stage: print(stage, flush=True))
+
+    def tell(stage: str) -> None:
+        print(stage, flush=True)
+
+    def see(part: HeightMap) -> None:
+        write_part(folder, part)
+        tell("part")
+
+    proof = prove_job(job, machine, program, name, start, tell=tell, see=see)
     write_answer(folder, proof, job, certificate_of(proof).to_json())
 
 

@@ -2,6 +2,7 @@
 """The proof of a job's program, made by a process of its own while the window goes on.
 
     run = ProofRun(job, parent)
+    run.part.connect(show_part)     # Part and work zero, while the rest is still to come
     run.finished.connect(show)      # ProofResult
     run.failed.connect(tell)        # CNCStepperError
     run.start()
@@ -38,6 +39,7 @@ if TYPE_CHECKING:
 
 WORKER = "CNCStepper.job.proof_worker"
 LOOK_EVERY_MS = 20
+PART_CUT = "part"  # what the process tells when the part can be read
 STAGES = {
     "start": later("Looking for a Python…"),
     "make": later("Reading the job…"),
@@ -85,9 +87,11 @@ class ProofResult:
 class ProofRun(QtCore.QObject):
     """One proof of a job's program; `start` it once, `cancel` it at any time.
 
-    begins: the start state of the machine that it is proven for, None where that is not known.
+    begins: the start state of the machine that it is proven for, None where that is not known. part: sent once with
+    the Part, as soon as it is cut, and where the work zero lies in the document; not for a proof that is known already.
     """
 
+    part = QtCore.Signal(object, object)
     finished = QtCore.Signal(object)
     failed = QtCore.Signal(object)
     progress = QtCore.Signal(str)
@@ -180,9 +184,18 @@ class ProofRun(QtCore.QObject):
     def _hear(self) -> None:
         if self._process is None:
             return
-        stages = bytes(self._process.readAllStandardOutput()).decode("ascii", "replace").split()
-        if stages and stages[-1] in STAGES:
+        told = bytes(self._process.readAllStandardOutput()).decode("ascii", "replace").split()
+        stages = [word for word in told if word in STAGES]
+        if stages:
             self.progress.emit(tr(STAGES[stages[-1]]))
+        if PART_CUT in told:
+            self._hand_out_part()
+
+    def _hand_out_part(self) -> None:
+        from CNCStepper.job.proof_files import read_part
+
+        assert self._folder is not None
+        self.part.emit(read_part(Path(self._folder.name)), self._origin_mm)
 
     def _not_started(self, problem: Any) -> None:
         """Tell that the process did not start; every other end of it is told by `_ended`."""

@@ -29,6 +29,8 @@ class Heard:
         self.results: list[ProofResult] = []
         self.errors: list[CNCStepperError] = []
         self.stages: list[str] = []
+        self.parts: list[tuple[Any, Any, bool]] = []  # part, work zero, whether all was proven before
+        run.part.connect(lambda part, zero_mm: self.parts.append((part, zero_mm, bool(self.results))))
         run.finished.connect(self.results.append)
         run.failed.connect(self.errors.append)
         run.progress.connect(self.stages.append)
@@ -73,6 +75,8 @@ def test_a_clean_job_is_proven_from_its_text(job: Any, folder: Path) -> None:
     assert result.part.heights_mm.min() == pytest.approx(-4)
     assert tuple(result.work_origin_mm) == (5, 6, 7) and result.tools[1][0].max(axis=0)[0] == 3
     assert len(heard.stages) >= 2
+    ((part, zero_mm, late),) = heard.parts
+    assert (part.heights_mm == result.part.heights_mm).all() and tuple(zero_mm) == (5, 6, 7) and not late
     sent = sendable(result.send_file.read_text("utf-8"))
     sent.check()
     assert sent.port == "" and not sent.zero_confirmed and sent.expected[100] > 0

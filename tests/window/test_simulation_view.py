@@ -21,7 +21,7 @@ from CNCStepper.workbench import api, program_file
 from CNCStepper.workbench.findings import sentence
 from CNCStepper.workbench.proof import ProofRun
 from CNCStepper.workbench.simulation import open_simulation
-from CNCStepper.workbench.simulation.scene import AT_MOMENT
+from CNCStepper.workbench.simulation.scene import AT_MOMENT, FINISHED
 from CNCStepper.workbench.simulation.task import SimulationTask
 
 PROVEN_S = 180  # where nothing is compiled yet and the processors are busy
@@ -131,6 +131,33 @@ def volume_mm3(tiles: dict[int, np.ndarray]) -> float:
 
 def shows_a_moment(task: SimulationTask) -> bool:
     return bool(task._scene._part.whichChild.getValue() == AT_MOMENT)
+
+
+def opened_up_to_the_part(hand: Hand, job: Any) -> tuple[SimulationTask, int]:
+    """Open the simulation, halt its proof when the part is handed out, and wait until that is shown; the process."""
+    processes: list[int] = []
+
+    def halt(*_: Any) -> None:
+        print(f"the part came {time.monotonic() - begun_s:.2f} s after the click")
+        processes.append(int(task._run._process.processId()))
+        os.kill(processes[0], signal.SIGSTOP)
+
+    def open_and_listen() -> SimulationTask:
+        task = open_simulation(job)
+        task._run.part.connect(halt)
+        return task
+
+    begun_s = time.monotonic()
+    task = hand.main(open_and_listen)
+    hand.wait(lambda: processes and not task._loader.isActive(), PROVEN_S)
+    print(f"the part is in the view {time.monotonic() - begun_s:.2f} s after the click")
+    return task, processes[0]
+
+
+def finished_faces(task: SimulationTask) -> int:
+    """How many pieces of the finished part the scene holds."""
+    group = task._scene._part.getChild(FINISHED)
+    return sum(group.getChild(k).getTypeId().getName() == "IndexedFaceSet" for k in range(group.getNumChildren()))
 
 
 def process_of(task: SimulationTask) -> int:
@@ -282,6 +309,41 @@ def test_it_leaves_nothing_behind(hand: Hand, job: Any) -> None:
         hand.wait(lambda: not FreeCADGui.Control.activeDialog(), 5)
         assert hand.main(scenes) == 0
     assert {obj.Name: hand.main(lambda obj=obj: obj.ViewObject.Visibility) for obj in document.Objects} == before
+    assert hand.main(lambda: FreeCADGui.ActiveDocument.ActiveView.getCamera()) == camera
+
+
+def test_the_part_is_in_the_view_before_the_answer(hand: Hand, job: Any) -> None:
+    task, process = opened_up_to_the_part(hand, job)
+    scene = task._scene
+    assert task._result is None and hand.main(scenes) == 1 and hand.main(finished_faces, task) > 0
+    assert not hand.main(lambda: job.Document.Plate.ViewObject.Visibility)
+    assert hand.exists("CNCStepper_Simulation_busy")
+    assert hand.text("CNCStepper_Simulation_message")
+    hand.shot("simulation-part-first")
+    pieces = hand.main(finished_faces, task)
+    os.kill(process, signal.SIGCONT)
+    hand.wait(lambda: task._result is not None and not task._loader.isActive(), PROVEN_S)
+    assert task._scene is scene and hand.main(scenes) == 1 and hand.main(finished_faces, task) == pieces
+    hand.shot("simulation-part-and-all")
+
+
+@pytest.mark.parametrize("end", ["lost", "closed", "deleted"])
+def test_a_part_without_an_answer_leaves_the_view(hand: Hand, job: Any, end: str) -> None:
+    camera = hand.main(lambda: FreeCADGui.ActiveDocument.ActiveView.getCamera())
+    task, process = opened_up_to_the_part(hand, job)
+    assert hand.main(scenes) == 1
+    if end == "lost":
+        os.kill(process, signal.SIGKILL)
+        hand.wait(lambda: "without an answer" in task.form._message.text(), 20)
+        hand.shot("simulation-part-lost")
+    elif end == "closed":
+        hand.button("Close")
+        hand.wait(lambda: not FreeCADGui.Control.activeDialog(), 5)
+    else:
+        hand.main(lambda: job.Document.removeObject(job.Name))
+        hand.wait(lambda: not FreeCADGui.Control.activeDialog(), 5)
+    hand.wait(lambda: not runs(process), 5)
+    assert hand.main(scenes) == 0 and task._scene is None and task._run is None
     assert hand.main(lambda: FreeCADGui.ActiveDocument.ActiveView.getCamera()) == camera
 
 

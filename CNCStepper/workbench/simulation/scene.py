@@ -20,6 +20,7 @@ from CNCStepper.simulation.revolve import revolved
 from CNCStepper.workbench.simulation import coin as nodes
 
 if TYPE_CHECKING:
+    from CNCStepper.job.proof_files import Part
     from CNCStepper.workbench.proof import ProofResult
     from CNCStepper.workbench.simulation.moments import Tiles
 
@@ -38,21 +39,26 @@ OUTLINE_COUNTS = np.array([10, 2, 2, 2])
 
 
 class Scene:
-    """The nodes of one simulation in one 3D view; `load` brings them in bit by bit, `remove` takes all away."""
+    """The nodes of one simulation in one 3D view.
 
-    def __init__(self, view: Any, result: ProofResult):
+    `load_part` and, when the proof is there, `load_result` bring them in bit by bit: run them on from a timer until
+    they end. `remove` takes all away. work_origin_mm: where the work zero lies in the document.
+    """
+
+    def __init__(self, view: Any, part: Part, work_origin_mm: tuple[float, float, float]):
         from pivy import coin
 
-        self._result = result
+        self._cut = part
         self._graph = view.getSceneGraph()
         self._root = coin.SoSeparator()
         self._root.setName("CNCStepper_Simulation")
         unpickable = coin.SoPickStyle()
         unpickable.style = coin.SoPickStyle.UNPICKABLE
         place = coin.SoTranslation()
-        place.translation = result.work_origin_mm
+        place.translation = work_origin_mm
         self._root.addChild(unpickable)
         self._root.addChild(place)
+        self._tools: dict[int, tuple[np.ndarray, np.ndarray]] = {}
         self._tool_number: int | None = None
         self._tiles: dict[int, Any] = {}
         self._part = coin.SoSwitch()
@@ -66,23 +72,26 @@ class Scene:
     @property
     def height_range_mm(self) -> tuple[float, float]:
         """The heights at the two ends of the colour scale."""
-        part = self._result.part
+        part = self._cut
         low, high = float(part.low_mm[2]), float(part.high_mm[2])
         return deepest_shown_mm(float(part.heights_mm.min()), low, high), high
 
-    def load(self) -> Iterator[None]:
-        """Add the nodes, a few ms at a time: run it on from a timer until it ends."""
+    def load_part(self) -> Iterator[None]:
+        """Add stock and finished part, a few ms at a time."""
         self._root.addChild(self._stock())
         yield
         self._root.addChild(self._part)
-        for piece in _pieces(self._result.part.corners, self._result.part.rgba):
+        for piece in _pieces(self._cut.corners, self._cut.rgba):
             self._part.getChild(FINISHED).addChild(piece)
             yield
+
+    def load_result(self, result: ProofResult) -> Iterator[None]:
+        """Add path, tools and marker, a few ms at a time."""
         self._root.addChild(self._path)
-        for lines, rgb in ((self._result.rapids, RAPID_RGB), (self._result.feeds, FEED_RGB)):
+        for lines, rgb in ((result.rapids, RAPID_RGB), (result.feeds, FEED_RGB)):
             self._path.addChild(nodes.separator(nodes.plain(rgb), nodes.lines(lines.points, lines.counts)))
             yield
-        self._add_tool()
+        self._add_tools(result.tools)
         self._add_marker()
 
     def remove(self) -> None:
@@ -122,12 +131,12 @@ class Scene:
 
     def show_tool(self, number: int, tip_mm: np.ndarray) -> None:
         """Put the tool with that number there; a place that is not known shows no tool."""
-        known = bool(np.isfinite(tip_mm).all()) and number in self._result.tools
+        known = bool(np.isfinite(tip_mm).all()) and number in self._tools
         if known:
             self._tool_place.translation.setValue(*map(float, tip_mm))
             if number != self._tool_number:
                 self._tool_number = number
-                self._tool_shapes.whichChild = list(self._result.tools).index(number)
+                self._tool_shapes.whichChild = list(self._tools).index(number)
         if bool(self._tool.whichChild.getValue() == 0) != known:
             self._tool.whichChild = 0 if known else -1
 
@@ -140,18 +149,19 @@ class Scene:
         self._marker.whichChild = 0
 
     def _stock(self) -> Any:
-        part = self._result.part
+        part = self._cut
         points = (part.low_mm + OUTLINE * (part.high_mm - part.low_mm)).astype(np.float32)
         return nodes.separator(nodes.plain(STOCK_RGB), nodes.lines(points, OUTLINE_COUNTS))
 
-    def _add_tool(self) -> None:
+    def _add_tools(self, tools: dict[int, tuple[np.ndarray, np.ndarray]]) -> None:
         from pivy import coin
 
+        self._tools = tools
         self._tool = coin.SoSwitch()
         self._tool.whichChild = -1
         self._tool_place = coin.SoTranslation()
         self._tool_shapes = coin.SoSwitch()
-        for cutter, shank in self._result.tools.values():
+        for cutter, shank in tools.values():
             self._tool_shapes.addChild(_tool_shape(cutter, shank))
         self._tool.addChild(nodes.separator(self._tool_place, self._tool_shapes))
         self._root.addChild(self._tool)
@@ -159,7 +169,7 @@ class Scene:
     def _add_marker(self) -> None:
         from pivy import coin
 
-        part = self._result.part
+        part = self._cut
         height_mm = MARKER_SHARE * float((part.high_mm - part.low_mm).max())
         self._marker = coin.SoSwitch()
         self._marker.whichChild = -1

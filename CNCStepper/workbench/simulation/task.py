@@ -1,9 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The task of a simulation: it proves the job's program, shows panel and scene, and leaves nothing behind."""
+"""The task of a simulation: it proves the job's program, shows panel and scene, and leaves nothing behind.
+
+The part is shown as soon as it is cut, the rest when all is proven; without a proof the part goes away again.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import chain
 from typing import TYPE_CHECKING, Any
 
 from PySide import QtCore, QtGui
@@ -21,6 +25,7 @@ from CNCStepper.workbench.words import tr
 
 if TYPE_CHECKING:
     from CNCStepper.errors import CNCStepperError
+    from CNCStepper.job.proof_files import Part
     from CNCStepper.simulation.finding import Finding
     from CNCStepper.workbench.simulation.scene import Scene
 
@@ -82,6 +87,7 @@ class SimulationTask:
         self.form.clear()
         self._run = ProofRun(self._job, begins=dock.start_here())
         self._run.progress.connect(self._tell_stage)
+        self._run.part.connect(tell.guarded(self._show_part))
         self._run.finished.connect(tell.guarded(self._show))
         self._run.failed.connect(tell.guarded(self._refuse))
         self.form.say(tr("Looking for a Python…"), busy=True)
@@ -124,32 +130,47 @@ class SimulationTask:
         self.form.say(text, busy=True)
 
     def _refuse(self, error: CNCStepperError) -> None:
-        """Say why there is nothing to show, and offer to try again."""
+        """Say why there is nothing to show, take away what was shown of it, and offer to try again."""
+        self._leave_result()
         self.form.say(_words(error), again=True)
 
-    def _show(self, result: ProofResult) -> None:
-        self._result = result
-        self._player = Player(result.moves)
-        view = view_of(self._job.Document)
-        if view is None:
-            self._refuse(_no_view())
-            return
-        self._loading = self._show_bit_by_bit(result, self._player, view)
-        self._loader.start()
-
-    def _show_bit_by_bit(self, result: ProofResult, player: Player, view: Any) -> Iterator[None]:
-        """Bring in scene and panel, a few ms at a time, and stand at the end: run it on from a timer until it ends."""
+    def _show_part(self, part: Part, work_origin_mm: tuple[float, float, float]) -> None:
+        """Show stock and part; a document without a 3D view shows nothing yet."""
         from CNCStepper.workbench.simulation.scene import Scene
 
+        view = view_of(self._job.Document)
+        if view is None:
+            return
         self._stage = Stage(self._job, view)
-        self._scene = scene = Scene(view, result)
+        self._scene = Scene(view, part, work_origin_mm)
+        self._loading = self._part_bit_by_bit(self._scene, self._stage)
+        self._loader.start()
+
+    def _part_bit_by_bit(self, scene: Scene, stage: Stage) -> Iterator[None]:
+        """Bring in the part, a few ms at a time, and look at it: run it on from a timer until it ends."""
         yield
+        yield from scene.load_part()
+        stage.look()
+
+    def _show(self, result: ProofResult) -> None:
+        """Show all that is proven; the part is mostly there already."""
+        if self._scene is None:
+            self._show_part(result.part, result.work_origin_mm)
+        if self._scene is None:
+            self._refuse(_no_view())
+            return
+        self._result = result
+        self._player = Player(result.moves)
+        self._loading = chain(self._loading, self._rest_bit_by_bit(result, self._player, self._scene))
+        self._loader.start()
+
+    def _rest_bit_by_bit(self, result: ProofResult, player: Player, scene: Scene) -> Iterator[None]:
+        """Bring in path, tools and panel likewise, and stand at the end."""
         self.form.show_result(result, player, scene.height_range_mm)
         self.form.program.chosen.connect(tell.guarded(self._go_to_line))
         self.form.findings.chosen.connect(tell.guarded(self._go_to_finding))
         yield
-        yield from scene.load()
-        self._stage.look()
+        yield from scene.load_result(result)
         self._material = Material(player, scene, result)
         self._material.moments.failed.connect(tell.guarded(self._tell_material))
         self._material.moments.mesh.connect(tell.guarded(self._keep_mesh))

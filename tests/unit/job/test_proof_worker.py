@@ -13,9 +13,11 @@ import pytest
 from CNCStepper.control.certificate import sendable
 from CNCStepper.control.python_finder import command, environment
 from CNCStepper.errors import CNCStepperError
+from CNCStepper.job import prove
 from CNCStepper.job.make import make_program
 from CNCStepper.job.model import load_job
-from CNCStepper.job.proof_files import read_answer, write_question
+from CNCStepper.job.proof_files import PART, RESULT, read_answer, read_part, write_question
+from CNCStepper.job.proof_worker import answer as answer_question
 from CNCStepper.job.prove import STAGES, prove_job
 from CNCStepper.job.start_file import read_start, write_start
 from CNCStepper.simulation.tip_track import TipTrack
@@ -23,6 +25,7 @@ from CNCStepper.state import Start
 
 JOBS = Path(__file__).parents[3] / "examples" / "jobs"
 LIMIT_S = 120
+TOLD = [*STAGES[:3], "part", *STAGES[3:]]  # the part stands there once it is cut
 START = Start.with_work_zero((-200.0, -180.0, -60.0))
 
 
@@ -57,7 +60,7 @@ def ended(process: subprocess.Popen[str]) -> tuple[int, list[str]]:
 
 def test_the_answer_is_that_of_prove_job(folder: Path) -> None:
     program = asked(folder)
-    assert ended(started(folder)) == (0, list(STAGES))
+    assert ended(started(folder)) == (0, TOLD)
     answer = read_answer(folder)
     proof = prove_job(*load_job(JOBS / "elliptical-pocket.toml"), program, "pocket.nc")
     assert answer.report == proof.report and answer.findings == proof.findings and not answer.refused
@@ -65,6 +68,25 @@ def test_the_answer_is_that_of_prove_job(folder: Path) -> None:
     assert (answer.part.heights_mm == proof.part.heights_mm).all()
     sent = sendable(answer.send_file.read_text("utf-8"))
     assert sent.lines == list(proof.wire.lines) and sent.file_lines == proof.wire.file_lines.tolist()
+
+
+def test_the_part_is_there_before_the_program_is_judged(
+    folder: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    def part_alone(*_: object) -> None:
+        assert {PART} == {path.name for path in folder.iterdir()} - asked_files
+        raise CNCStepperError("judge", "as far as this")
+
+    program = asked(folder)
+    asked_files = {path.name for path in folder.iterdir()}
+    part = prove_job(*load_job(JOBS / "elliptical-pocket.toml"), program).part
+    monkeypatch.setattr(prove, "judge", part_alone)
+    with pytest.raises(CNCStepperError, match="as far as this"):
+        answer_question(folder, "pocket.nc")
+    assert capsys.readouterr().out.split() == TOLD[: TOLD.index("judge") + 1]
+    seen = read_part(folder)
+    assert (seen.heights_mm == part.heights_mm).all() and len(seen.corners) == len(seen.rgba) > 0
+    assert not (folder / RESULT).exists()
 
 
 def test_a_refusal_comes_back_as_it_was_raised(folder: Path) -> None:
