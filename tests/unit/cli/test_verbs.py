@@ -124,6 +124,7 @@ def test_a_cut_at_an_unknown_place_is_refused(tmp_path: Path) -> None:
     assert f"{path}:3:" in result.output
 
 
+@pytest.mark.slow
 def test_run_tells_the_recalculated_stepover_and_what_no_tool_reaches(tmp_path: Path) -> None:
     text = (JOBS / "elliptical-pocket.toml").read_text("utf-8").replace('"../machines/table-a.toml"', '"table-a"')
     job = tmp_path / "narrow.toml"
@@ -187,7 +188,9 @@ def test_simulate_has_a_first_picture_on_disk_before_it_judges(
     assert sizes[0] > 1000 and out.read_bytes().startswith(b"\x89PNG")
 
 
-@pytest.mark.parametrize("view", ["isometric", "xy", "zy", "depth"])
+@pytest.mark.parametrize(
+    "view", ["isometric", *(pytest.param(name, marks=pytest.mark.slow) for name in ("xy", "zy", "depth"))]
+)
 def test_simulate_draws_each_view(view: str, square: Path, tmp_path: Path) -> None:
     for ending, begin in ((".png", b"\x89PNG"), (".svg", b"<?xml")):
         out = tmp_path / f"part{ending}"
@@ -225,6 +228,7 @@ def test_simulate_is_exit_1_when_a_check_refuses_the_program_and_draws_it(square
     assert out.stat().st_size > 10_000
 
 
+@pytest.mark.slow
 def test_simulate_animates(square: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("CNCStepper.cli.simulate.ANIMATION_S", 0.4)
     out = tmp_path / "part.gif"

@@ -121,6 +121,7 @@ def test_launch_connects_runs_a_job_and_leaves_nothing(window, tmp_path):
     assert client.session_file.with_suffix(LOG).read_text() == ""
 
 
+@pytest.mark.slow
 def test_everything_a_window_asks_reaches_the_machine(window):
     client = window.client
     client.jog(x_mm=-10.0, feed_mm_min=1500.0)

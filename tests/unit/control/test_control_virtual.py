@@ -84,6 +84,7 @@ def judge_whole_program(address: str, folder: Path) -> None:
     assert phases == ["running", "paused", "running", "finishing", "done"]
 
 
+@pytest.mark.slow
 def test_program_is_cut_to_its_end_over_a_terminal(tmp_path):
     with virtual_grbl("pty", tmp_path / "table") as address:
         judge_whole_program(address, tmp_path)

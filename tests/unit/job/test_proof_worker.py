@@ -132,6 +132,7 @@ def test_a_known_start_is_proven_from_and_stands_in_the_certificate(folder: Path
     assert deepest[2] == pytest.approx(-10) and (abs(widest[:2]) < 50).all() and (abs(deepest[:2]) < 50).all()
 
 
+@pytest.mark.slow
 def test_a_start_too_near_to_the_table_s_edge_is_refused(folder: Path) -> None:
     asked(folder)
     write_start(folder, replace(START, work_offsets_mm={"G54": (-10.0, -180.0, -60.0)}))

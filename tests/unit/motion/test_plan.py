@@ -218,6 +218,7 @@ print(motion.path().tolist(), motion.step_path().tolist())
 """
 
 
+@pytest.mark.slow
 def test_compiled_and_plain_python_agree():
     compiled, plain = (said_by_small({**os.environ, "NUMBA_DISABLE_JIT": disable}) for disable in "01")
     assert compiled == plain and len(plain) > 500

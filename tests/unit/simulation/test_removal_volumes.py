@@ -64,7 +64,7 @@ def test_a_plunge(tool: Tool) -> None:
 
 
 @each_tool
-@pytest.mark.parametrize("turn", [0.0, TURN_OFF])
+@pytest.mark.parametrize("turn", [pytest.param(0.0, marks=pytest.mark.slow), TURN_OFF])
 def test_a_line(tool: Tool, turn: float) -> None:
     x, y = 15 * math.cos(turn), 15 * math.sin(turn)
     out, deep = across(tool)
@@ -90,7 +90,7 @@ def test_a_ramp(tool: Tool, fall: float) -> None:
 
 
 @each_tool
-@pytest.mark.parametrize("kind", [ARC_CCW, ARC_CW])
+@pytest.mark.parametrize("kind", [ARC_CCW, pytest.param(ARC_CW, marks=pytest.mark.slow)])
 def test_a_circle(tool: Tool, kind: int) -> None:
     out, deep = across(tool)
     program = begun().rapid(8, 0, 5).feed(8, 0, -DEPTH).arc(kind, (8, 0, -DEPTH), (0, 0, 0))
@@ -105,7 +105,7 @@ def test_an_arc(tool: Tool) -> None:
 
 
 @each_tool
-@pytest.mark.parametrize(("radius", "pitch"), [(2.0, 0.8), (6.0, 1.5)])
+@pytest.mark.parametrize(("radius", "pitch"), [(2.0, 0.8), pytest.param(6.0, 1.5, marks=pytest.mark.slow)])
 def test_a_helix(tool: Tool, radius: float, pitch: float) -> None:
     """Seen from the axis: the lowest that the cutter reaches on the last two passes of each place."""
     top, turns = -0.4 - DEPTH, 3

@@ -104,6 +104,7 @@ def test_a_conversation(port: Port) -> None:
         assert re.fullmatch(r"<Idle\|MPos:.*>\r\n\[VER.*\r\n\[OPT:V,15,128]\r\nok\r\n", read_until(link, "ok"))
 
 
+@pytest.mark.slow
 def test_a_process_leaves_no_link_behind(tmp_path: Path) -> None:
     path = tmp_path / "port nº 1"
     with process(pty=str(path)) as (address, running):
