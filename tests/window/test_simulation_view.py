@@ -16,7 +16,6 @@ import numpy as np
 import pytest
 from hand import Hand
 
-from CNCStepper.simulation.drawn_faces import LAP_MM
 from CNCStepper.workbench import api, program_file
 from CNCStepper.workbench.findings import sentence
 from CNCStepper.workbench.proof import ProofRun
@@ -123,6 +122,8 @@ def drawn_tiles(task: SimulationTask) -> dict[int, np.ndarray]:
 
 def volume_mm3(tiles: dict[int, np.ndarray]) -> float:
     """The volume within faces, which are drawn a trifle larger than they are."""
+    from CNCStepper.simulation.drawn_faces import LAP_MM  # not above: a window without packages reads this file too
+
     corners = np.concatenate(list(tiles.values())).astype(float)
     corners -= LAP_MM * np.sign(corners - corners.mean(axis=1, keepdims=True))
     area = np.cross(corners[:, 2] - corners[:, 0], corners[:, 3] - corners[:, 1]) / 2
