@@ -284,7 +284,11 @@ class Hand:
     def fill(self, target: Target, text: str) -> None:
         """Click a field, replace what stands in it, leave it with Tab."""
         self.click(target)
-        self.key("Ctrl+A")
+        for _ in range(CLICKS):
+            self.key("Ctrl+A")
+            if self.main(places.all_is_selected):
+                break
+            print(f"Ctrl+A did not select what stands in {target}", flush=True)
         self.type(text)
         self.key("Tab")
 

@@ -73,6 +73,15 @@ class Pressed(QtCore.QObject):
         return self._heard
 
 
+def all_is_selected() -> bool:
+    """Tell whether all of the line that has the keyboard is selected; in anything but a line that is not seen.
+
+    Qt forgets which keys are held when the X server tells it of a new key, as after the first € of a test.
+    """
+    line = QtGui.QApplication.focusWidget()
+    return not isinstance(line, QtGui.QLineEdit) or line.selectedText() == line.text()
+
+
 def tooltip() -> str:
     """Return the text of the tooltip that is shown, "" when there is none."""
     return str(QtGui.QToolTip.text()) if QtGui.QToolTip.isVisible() else ""
