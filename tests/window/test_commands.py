@@ -156,7 +156,7 @@ def test_of_several_jobs_one_must_be_meant(hand: Hand) -> None:
 def test_a_job_that_cannot_be_made_says_what_is_wrong(hand: Hand) -> None:
     job = hand.main(lambda: new_job(new_document()))
     hand.main(lambda: (api.edit(job.Tools[0], diameter_mm=100), job.Document.recompute()))
-    hand.wait(lambda: not action(SEND).isEnabled())
+    hand.wait(lambda: not action(SEND).isEnabled() and "wider than the pocket" in action(SEND).toolTip())
     assert "wider than the pocket" in reason(hand, SEND)
     hand.main(lambda: (api.edit(job.Tools[0], diameter_mm=6), job.Document.recompute()))
     hand.wait(lambda: action(SEND).isEnabled())

@@ -288,9 +288,12 @@ def test_a_drawing_is_chosen_taken_and_let_go(hand: Hand, bench: Bench) -> None:
     hand.choose(box, "none, the numbers count")
     hand.wait(lambda: bench.pocket.Drawing is None)
     assert hand.main(lambda: hand_box("CNCStepper_Panel_radius_x_mm").isEnabled())
-    hand.main(FreeCADGui.Selection.clearSelection)
-    hand.main(FreeCADGui.Selection.addSelection, bench.line)
-    hand.click("CNCStepper_Panel_drawing_take")
+    for _ in range(3):  # a click that falls through FreeCAD 1.1's panel goes into the 3D view, which selects nothing
+        hand.main(FreeCADGui.Selection.clearSelection)
+        hand.main(FreeCADGui.Selection.addSelection, bench.line)
+        hand.click("CNCStepper_Panel_drawing_take")
+        if hand.main(lambda: "no ellipse" in bench.note("drawing") or bench.panel_problem()):
+            break
     hand.wait(lambda: "no ellipse" in bench.note("drawing") or bench.panel_problem(), 5, "why it cannot be taken")
     assert hand.main(lambda: bench.pocket.Drawing) is None
 
