@@ -25,6 +25,9 @@ from PySide import QtGui
 PICTURES = Path(os.environ["CNCSTEPPER_WINDOW_PICTURES"])
 APPEARS_S = 5.0  # so long may a window or an entry take to appear
 FINGER_S = 0.05  # between the clicks of a double click
+NO_DOUBLE_S = 0.6  # between two clicks, so that Qt takes them for no double click (it does within 0.4 s)
+NEAR_PX = 20.0  # two clicks that near might be taken for a double click
+AGAIN_S = 0.2  # before a key is pressed once more that was not seen
 REST_S = 0.03  # what has not moved for so long rests
 CLICKS = 3  # so often is a button clicked that does not see it
 TOOLTIP_S = 2.0  # so long may a tooltip take that comes
@@ -41,6 +44,7 @@ class Hand:
         server = x_input.connect()
         self.mouse, self.keyboard = x_input.Mouse(server), x_input.Keyboard(server)
         self._allowed: list[str] = []
+        self._clicked: tuple[Point, float] = ((-1.0, -1.0), 0.0)  # the last place, and when
 
     # ---- FreeCAD's own thread ----
 
@@ -157,6 +161,7 @@ class Hand:
     def _click_place(self, place: Point, button: int = 1, double: bool = False, modifiers: Sequence[str] = ()) -> None:
         self.mouse.move(*place)
         self.settle()
+        self._let_a_double_click_pass(place)
         for key in modifiers:
             self.keyboard.down(key)
         for _ in range(2 if double else 1):
@@ -165,7 +170,14 @@ class Hand:
             time.sleep(FINGER_S)
         for key in reversed(modifiers):
             self.keyboard.up(key)
+        self._clicked = place, time.monotonic()
         self.settle()
+
+    def _let_a_double_click_pass(self, place: Point) -> None:
+        """Wait where the last click was beside this place and a moment ago."""
+        (x, y), when_s = self._clicked
+        if abs(place[0] - x) <= NEAR_PX and abs(place[1] - y) <= NEAR_PX:
+            time.sleep(max(0.0, when_s + NO_DOUBLE_S - time.monotonic()))
 
     def hover(self, target: Target) -> None:
         """Put the pointer on a widget."""
@@ -207,14 +219,26 @@ class Hand:
         self._click_place(self._place(places.of_item, view, text), double=double, modifiers=modifiers)
 
     def tree(self, label: str, *, double: bool = False, modifiers: Sequence[str] = ()) -> None:
-        """Click an object in FreeCAD's tree by its label."""
-        self._click_place(self._place(places.of_tree_item, label), double=double, modifiers=modifiers)
+        """Click an object in FreeCAD's tree by its label; again where the tree moved under the pointer."""
+        for _ in range(CLICKS):
+            self._click_place(self._place(places.of_tree_item, label), double=double, modifiers=modifiers)
+            if double or self.main(places.is_selected, label):
+                return
+            print(f"{label} in the tree did not see the click", flush=True)
+        raise AssertionError(f"{label} in the tree does not see clicks; {self.describe()}")
 
     def choose(self, combo: Target, text: str) -> None:
-        """Open a combo box and click the entry with this text."""
+        """Open a combo box and click the entry with this text until the list closes.
+
+        Where the list opens under the pointer, Qt takes a click at the same place for half of a double click.
+        """
         self.click(combo)
-        self.wait(lambda: places.combo_list(combo).isVisible(), 5, f"the list of {combo}")
-        self.item(self.main(places.combo_list, combo), text)
+        entries = self.main(places.combo_list, combo)
+        self.wait(lambda: entries.isVisible(), APPEARS_S, f"the list of {combo}")
+        until_s = time.monotonic() + APPEARS_S
+        while self.main(lambda: entries.isVisible()):
+            assert time.monotonic() < until_s, f"the list of {combo} does not see clicks at {text!r}; {self.describe()}"
+            self.item(entries, text)
 
     def click_view(
         self, point: Point, *, button: int = x_input.LEFT, double: bool = False, modifiers: Sequence[str] = ()
@@ -256,8 +280,13 @@ class Hand:
     # ---- keys ----
 
     def type(self, text: str) -> None:
-        """Type a text where the keyboard's focus is."""
+        """Type a text where the keyboard's focus is.
+
+        Qt forgets that Shift is held when it hears of a new key: all keys are there before the first is pressed.
+        """
         self.wait(places.has_keyboard, APPEARS_S, "the keyboard's focus")
+        self.keyboard.learn(text)
+        self.settle()
         for letter in text:
             self.keyboard.write(letter)
         self.settle()
@@ -284,11 +313,13 @@ class Hand:
     def fill(self, target: Target, text: str) -> None:
         """Click a field, replace what stands in it, leave it with Tab."""
         self.click(target)
-        for _ in range(CLICKS):
-            self.key("Ctrl+A")
-            if self.main(places.all_is_selected):
-                break
+        until_s = time.monotonic() + APPEARS_S
+        self.key("Ctrl+A")
+        while not self.main(places.all_is_selected, target):
+            assert time.monotonic() < until_s, f"Ctrl+A does not select what stands in {target}; {self.describe()}"
             print(f"Ctrl+A did not select what stands in {target}", flush=True)
+            time.sleep(AGAIN_S)
+            self.key("Ctrl+A")
         self.type(text)
         self.key("Tab")
 

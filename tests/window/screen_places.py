@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import re
 from typing import Any
 
 import FreeCAD
@@ -73,13 +74,19 @@ class Pressed(QtCore.QObject):
         return self._heard
 
 
-def all_is_selected() -> bool:
-    """Tell whether all of the line that has the keyboard is selected; in anything but a line that is not seen.
+def all_is_selected(target: Any) -> bool:
+    """Tell whether all of a field's line is selected, of a number with a unit at least the number; no line: yes.
 
-    Qt forgets which keys are held when the X server tells it of a new key, as after the first € of a test.
+    Qt forgets which keys are held when the X server tells it of a new key, as after the first € of a test. Qt itself
+    is asked what the field is: PySide2 may hand out a wrapper of another class.
     """
-    line = QtGui.QApplication.focusWidget()
-    return not isinstance(line, QtGui.QLineEdit) or line.selectedText() == line.text()
+    widget = find(target)
+    line = widget if widget.inherits("QLineEdit") else widget.findChild(QtGui.QLineEdit)
+    if line is None:
+        return True
+    selected, whole = str(line.property("selectedText")), str(line.property("text"))
+    number_is_selected = bool(selected) and whole.startswith(selected) and not re.search(r"\d", whole[len(selected) :])
+    return selected == whole or (line is not widget and number_is_selected)
 
 
 def tooltip() -> str:
@@ -182,14 +189,17 @@ def button(label: str) -> Any:
 
 
 def of_item(target: Any, label: str) -> Point:
-    """Return the place of an entry of a list, tree or table."""
+    """Return the middle of what is seen of an entry of a list, tree or table.
+
+    A row may be wider than its list: Qt lays rows out once, and a panel becomes narrower when FreeCAD shows it.
+    """
     view = find(target)
     index = _find_index(view.model(), view.rootIndex(), label)
     assert index is not None, f"{view.objectName() or view} has no entry {label!r}"
     view.scrollTo(index)
-    spot = view.visualRect(index).center()
-    assert view.viewport().rect().contains(spot), f"the entry {label!r} is hidden"
-    return _on_screen(view.viewport(), spot)
+    seen = view.visualRect(index).intersected(view.viewport().rect())
+    assert not seen.isEmpty(), f"the entry {label!r} is hidden"
+    return _on_screen(view.viewport(), seen.center())
 
 
 def _find_index(model: Any, parent: Any, label: str) -> Any:
@@ -217,6 +227,11 @@ def of_tree_item(label: str) -> Point:
             on_text = min(rect.left() + 60, rect.right() - 6)  # not on the eye before it, which hides the object
             return _on_screen(tree.viewport(), QtCore.QPoint(on_text, rect.center().y()))
     raise AssertionError(f"the tree shows no {label!r}")
+
+
+def is_selected(label: str) -> bool:
+    """Tell whether FreeCAD has an object with this label among what is selected."""
+    return label in [chosen.Label for chosen in FreeCADGui.Selection.getSelection("*")]
 
 
 def combo_list(target: Any) -> Any:
