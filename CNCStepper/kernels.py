@@ -7,49 +7,13 @@ Import this module only from modules that hold kernels: numba costs 0.4 s.
 
 from __future__ import annotations
 
-import hashlib
-import os
-import shutil
-from collections.abc import Callable
-from pathlib import Path
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from typing import Any
 
-import platformdirs
+from CNCStepper import kernel_cache
 
-PACKAGE = Path(__file__).resolve().parent
-ROOMS_ABOVE = {"cli", "control", "cycles", "drawing", "gcode", "job", "virtual", "workbench"}  # no kernel uses them
-KEPT_CACHES = 16
-
-
-def cache_folder(root: Path) -> Path:
-    """Return the folder below `root` for the machine code of exactly these sources; older ones are pruned.
-
-    numba looks only at the file of the kernel that is called: code of a changed kernel that it calls would
-    live on in a cache shared by two versions.
-    """
-    digest = hashlib.sha256()
-    for path in sorted(PACKAGE.rglob("*.py")):
-        if path.relative_to(PACKAGE).parts[0] in ROOMS_ABOVE:
-            continue
-        state = path.stat()
-        digest.update(f"{path}|{state.st_size}|{state.st_mtime_ns}\n".encode())
-    folder = root / digest.hexdigest()[:16]
-    if not folder.is_dir():
-        _prune(root)
-        folder.mkdir(parents=True, exist_ok=True)
-    return folder
-
-
-def _prune(root: Path) -> None:
-    """Delete all but the newest caches; another process may be doing the same."""
-    if root.is_dir():
-        caches = sorted((path for path in root.iterdir() if path.is_dir()), key=lambda path: path.stat().st_mtime_ns)
-        for path in caches[: -KEPT_CACHES + 1]:
-            shutil.rmtree(path, ignore_errors=True)
-
-
-if "NUMBA_CACHE_DIR" not in os.environ:
-    os.environ["NUMBA_CACHE_DIR"] = str(cache_folder(platformdirs.user_cache_path("cncstepper", appauthor=False)))
+kernel_cache.folder()  # numba reads its variable when it is loaded
 
 numba: Any
 try:
@@ -59,9 +23,53 @@ except ImportError:  # everything still works, slowly; callers tell the user thr
 
 COMPILED = numba is not None and not numba.config.DISABLE_JIT
 
+_look: Callable[[], None] | None = None  # called in place of compiling, while that must wait
 
-def njit(kernel: Callable[..., Any]) -> Callable[..., Any]:
+
+def njit(kernel: Callable[..., Any], **options: Any) -> Callable[..., Any]:
     """Return `kernel` compiled on first call, its machine code kept in the user's cache folder."""
-    if numba is None:
+    if not COMPILED:
         return kernel
-    return numba.njit(cache=True, nogil=True)(kernel)
+    compiled = numba.njit(cache=True, nogil=True, **options)(kernel)
+    compile_for = compiled._compile_for_args  # numba calls it for what is not compiled, and then what it returns
+
+    def compile_or_not(*arguments: Any, **named: Any) -> Any:
+        if _look is None:
+            return compile_for(*arguments, **named)
+        _look()
+        return kernel
+
+    compiled._compile_for_args = compile_or_not
+    return compiled  # type: ignore[no-any-return]
+
+
+def njit_in_place(kernel: Callable[..., Any]) -> Callable[..., Any]:
+    """Return what `njit` does of a kernel that makes no arrays, nor do those that it calls.
+
+    No references to arrays are counted then, which takes longer at each call than a small kernel's own work.
+    """
+    return njit(kernel, _nrt=False)
+
+
+def njit_inline(kernel: Callable[..., Any]) -> Callable[..., Any]:
+    """Return what `njit_in_place` does of a kernel whose code is to stand in every kernel that calls it.
+
+    For small kernels that take many arrays: handing these over takes longer than the kernel's own work.
+    """
+    return njit(kernel, _nrt=False, forceinline=True)
+
+
+def compiles() -> bool:
+    """Whether a kernel that is called now runs as machine code."""
+    return COMPILED and _look is None
+
+
+@contextmanager
+def uncompiled(look: Callable[[], None]) -> Iterator[None]:
+    """Run those kernels as plain Python that are not compiled yet; `look` is called before each and may raise."""
+    global _look
+    before, _look = _look, look
+    try:
+        yield
+    finally:
+        _look = before

@@ -3,7 +3,7 @@
 
     chunk 0            chunk 1            ...      each at most CHUNK_ROWS rows
     +----------------+ +----------------+
-    | kind           | | kind           |         states: list of State, row -> chunk.state[row]
+    | kind           | | kind           |         states: in their order, row -> chunk.state[row]
     | end            | | end            |         events: what happens BEFORE row `index` is run
     | centre ...     | | centre ...     |         spans:  rows [first, last) that belong together
     +----------------+ +----------------+
@@ -14,17 +14,21 @@ Lengths are mm in machine coordinates (`state.py` says how they relate to work c
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field, replace
+from itertools import accumulate
+from typing import Any
 
 import numpy as np
 
-from CNCStepper.state import Start, State
+from CNCStepper.errors import Place, ProgramError
+from CNCStepper.state import Start, State, States
 
 CHUNK_ROWS = 65_536
 
 RAPID, LINE, ARC_CW, ARC_CCW = 0, 1, 2, 3  # kinds; the sense of an arc is seen from the positive normal
 XY, ZX, YZ = 0, 1, 2  # planes: G17, G18, G19
+COLUMNS = ("kind", "end", "centre", "plane", "turns", "feed", "state", "line")  # of a chunk
 PLANE_NAMES = ("XY", "ZX", "YZ")
 PLANE_AXES = ((0, 1, 2), (2, 0, 1), (1, 2, 0))  # first and second axis of the plane, then the normal
 
@@ -33,8 +37,9 @@ PLANE_AXES = ((0, 1, 2), (2, 0, 1), (1, 2, 0))  # first and second axis of the p
 class Chunk:
     """At most CHUNK_ROWS moves as columns of equal length n.
 
-    first: execution index of row 0. kind: uint8[n]. end: float64[n, axes], mm. centre: float64[n, 3],
-    mm, absolute, 0 on rows that are no arcs (the normal axis' value is not used). plane: uint8[n].
+    first: execution index of row 0. kind: uint8[n]. end: float64[n, axes], mm; three axes, or X Y Z A B C U V W
+    (A B C in degrees) once a row has named one of the last six. centre: float64[n, 3], mm, absolute,
+    0 on rows that are no arcs (the normal axis' value is not used). plane: uint8[n].
     turns: uint16[n], 0 on lines, else the number of times the arc passes or reaches its end angle
     (P word; 1 for a plain arc and for one full circle). feed: float64[n], mm/min, 0 on rapids.
     state: int32[n], index into the states. line: int32[n], source line from 1, 0 where there is none.
@@ -88,18 +93,32 @@ class Toolpath:
 
     start: Start
     chunks: list[Chunk]
-    states: list[State]
+    states: Sequence[State]
     events: list[Event] = field(default_factory=list)
     spans: list[Span] = field(default_factory=list)
+    _joined: Chunk | None = field(default=None, init=False, repr=False, compare=False)
 
     def __len__(self) -> int:
         return sum(len(chunk) for chunk in self.chunks)
 
     def table(self) -> Chunk:
-        """Return all rows as one chunk (a copy when there are several)."""
+        """Return all rows as one chunk, joined once; the chunks are parts of it then, so that nothing is held twice."""
         if len(self.chunks) == 1:
             return self.chunks[0]
-        return join_chunks(self.chunks)
+        if self._joined is None:
+            self._joined = self._join()
+        return self._joined
+
+    def _join(self) -> Chunk:
+        """Join column after column, and let the chunks look into each at once: no two are held twice at any time."""
+        ends = list(accumulate(map(len, self.chunks)))[:-1]
+        joined = join_chunks(self.chunks[:0])
+        for name in COLUMNS if self.chunks else ():
+            column = np.concatenate([getattr(chunk, name) for chunk in self.chunks])
+            parts = np.split(column, ends)
+            self.chunks = [_with(chunk, name, part) for chunk, part in zip(self.chunks, parts, strict=True)]
+            joined = _with(replace(joined, first=self.chunks[0].first), name, column)
+        return joined
 
     def begins(self) -> np.ndarray:
         """Return the start point of every row, float64[n, axes]."""
@@ -113,15 +132,41 @@ class Toolpath:
 
 def join_chunks(chunks: list[Chunk]) -> Chunk:
     """Return consecutive chunks as one."""
-    columns = ("kind", "end", "centre", "plane", "turns", "feed", "state", "line")
     if not chunks:
         return TableBuilder(Start()).empty()
-    return Chunk(chunks[0].first, *(np.concatenate([getattr(c, name) for c in chunks]) for name in columns))
+    return Chunk(chunks[0].first, *(np.concatenate([getattr(c, name) for c in chunks]) for name in COLUMNS))
+
+
+def _with(chunk: Chunk, name: str, column: np.ndarray) -> Chunk:
+    """Return a chunk with another column."""
+    columns: dict[str, Any] = {name: column}
+    return replace(chunk, **columns)
 
 
 def begins_of(chunk: Chunk, before: np.ndarray) -> np.ndarray:
     """Return the start points of a chunk's rows, given the position `before` its first row."""
     return np.vstack([before[None, :], chunk.end[:-1]]) if len(chunk) else chunk.end.copy()
+
+
+def require_straight_axes(path: Toolpath, file: str = "") -> Toolpath:
+    """Return a table that can be proven, simulated and timed: of X, Y and Z, in work systems that are not turned.
+
+    Raises ProgramError naming the line of the first row that is something else.
+    """
+    table = path.table()
+    further = table.end.shape[1] > 3
+    turned = np.isin(table.state, [one for one in np.unique(table.state) if path.states[one].rotation_deg])
+    if not further and not turned.any():
+        return path
+    if further:
+        what = "moves of A B C U V W are read, but cannot be proven, simulated or timed"
+        others = (table.end[:, 3:] != np.asarray(path.start.position_mm[3:], float)).any(axis=1)
+    else:
+        what = "a work system that is turned (G10 L2 R) is read, but its moves cannot be judged"
+        others = turned
+    line = int(table.line[np.argmax(others)]) if len(table) else 0
+    advice = "leave those axes out" if further else "turn the program instead"
+    raise ProgramError("axes", what, advice=advice, place=Place(file, line))
 
 
 class TableBuilder:
@@ -134,12 +179,14 @@ class TableBuilder:
     def __init__(self, start: Start, state: State | None = None):
         self.start = start
         self.axes = len(start.position_mm)
-        self.states: list[State] = [state or State()]
+        self.states = States([state or State()])
         self.events: list[Event] = []
         self.spans: list[Span] = []
         self.index = 0  # execution index of the next row
         self._open_spans: list[tuple[str, str, int, dict[str, float]]] = []
-        self._rows: list[tuple] = []
+        self._rows: list[tuple] = []  # of the chunk being made, after its pieces
+        self._pieces: list[Chunk] = []
+        self._begin = 0  # index of that chunk's first row
         self._chunks: list[Chunk] = []
 
     @property
@@ -186,6 +233,21 @@ class TableBuilder:
         kind, name, first, words = self._open_spans.pop()
         self.spans.append(Span(kind, name, first, self.index, words))
 
+    def add_span(self, kind: str, name: str, first: int, last: int) -> None:
+        """Note a span of rows that are there already."""
+        self.spans.append(Span(kind, name, first, last))
+
+    def add_cuts(self, kind: np.ndarray, end: np.ndarray, centre: np.ndarray, feed_mm_min: float) -> None:
+        """Add feed moves and arcs in the XY plane as columns of a chunk; they name the state that is in force here."""
+        first = 0
+        while first < len(kind):
+            some = slice(first, first + self.room)
+            count = len(kind[some])
+            none, state = np.zeros(count, np.uint8), np.full(count, len(self.states) - 1, np.int32)
+            turns, feed = (kind[some] != LINE).astype(np.uint16), np.full(count, feed_mm_min)
+            self.extend((kind[some], end[some], centre[some], none, turns, feed, state, none.astype(np.int32)))
+            first += count
+
     def append(self, path: Toolpath) -> None:
         """Add the rows, events and spans of a toolpath with one state; they name the state that is in force here."""
         first, state = self.index, len(self.states) - 1
@@ -194,15 +256,36 @@ class TableBuilder:
             if len(chunk):
                 states = np.full(len(chunk), state, np.int32)
                 self._chunks.append(replace(chunk, first=self.index, state=states))
-                self.index += len(chunk)
+                self.index = self._begin = self.index + len(chunk)
         self.events += [replace(event, index=event.index + first, state=state) for event in path.events]
         self.spans += [replace(span, first=span.first + first, last=span.last + first) for span in path.spans]
+
+    @property
+    def room(self) -> int:
+        """How many rows the chunk that is being made still takes, from 1 to CHUNK_ROWS."""
+        return CHUNK_ROWS - (self.index - self._begin)
+
+    def extend(self, columns: tuple[np.ndarray, ...]) -> None:
+        """Add at most `room` rows as whole columns in the order of `Chunk`, which keeps the arrays.
+
+        Their states stand in the table already.
+        """
+        if len(columns[0]):
+            self._collect()
+            self._pieces.append(Chunk(self.index, *columns))
+            self.index += len(columns[0])
+            if self.index - self._begin == CHUNK_ROWS:
+                self._flush()
+
+    def take_whole(self) -> list[Chunk]:
+        """Return the whole chunks made since the last call and forget them; the one being made stays."""
+        chunks, self._chunks = self._chunks, []
+        return chunks
 
     def take(self) -> list[Chunk]:
         """Return the rows made since the last call, as chunks, and forget them."""
         self._flush()
-        chunks, self._chunks = self._chunks, []
-        return chunks
+        return self.take_whole()
 
     def toolpath(self) -> Toolpath:
         """Return all rows not yet taken as a Toolpath."""
@@ -216,17 +299,35 @@ class TableBuilder:
         return self._chunk(0, [])
 
     def _row(self, kind, end_mm, centre_mm, plane, turns, feed_mm_min, line) -> None:
-        self._rows.append(
-            (kind, tuple(end_mm), tuple(centre_mm), plane, turns, feed_mm_min, len(self.states) - 1, line)
-        )
+        end = tuple(end_mm)
+        if len(end) > self.axes:
+            self._widen(len(end))
+        self._rows.append((kind, end, tuple(centre_mm), plane, turns, feed_mm_min, len(self.states) - 1, line))
         self.index += 1
-        if len(self._rows) == CHUNK_ROWS:
+        if self.index - self._begin == CHUNK_ROWS:
             self._flush()
 
-    def _flush(self) -> None:
+    def _widen(self, axes: int) -> None:
+        """Let rows have `axes` ends; in the rows not yet taken the new axes stand where they start, at 0."""
+        self._flush()
+        more = (0.0,) * (axes - self.axes)
+        for index, chunk in enumerate(self._chunks):
+            self._chunks[index] = replace(chunk, end=np.hstack([chunk.end, np.tile(more, (len(chunk), 1))]))
+        self.start = replace(self.start, position_mm=(*self.start.position_mm, *more))
+        self.axes = axes
+
+    def _collect(self) -> None:
+        """Make a piece of the single rows."""
         if self._rows:
-            self._chunks.append(self._chunk(self.index - len(self._rows), self._rows))
+            self._pieces.append(self._chunk(self.index - len(self._rows), self._rows))
             self._rows = []
+
+    def _flush(self) -> None:
+        self._collect()
+        if self._pieces:
+            self._chunks.append(self._pieces[0] if len(self._pieces) == 1 else join_chunks(self._pieces))
+            self._pieces = []
+        self._begin = self.index
 
     def _chunk(self, first: int, rows: list[tuple]) -> Chunk:
         kind, end, centre, plane, turns, feed, state, line = zip(*rows, strict=True) if rows else ((),) * 8

@@ -6,9 +6,10 @@ from __future__ import annotations
 import os
 from pathlib import Path
 
+import numpy as np
 import pytest
 
-from CNCStepper import kernels
+from CNCStepper import kernel_cache, kernels
 
 
 def test_other_sources_get_another_cache(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -16,28 +17,28 @@ def test_other_sources_get_another_cache(tmp_path: Path, monkeypatch: pytest.Mon
     package.mkdir()
     source = package / "kernel.py"
     source.write_text("x = 1\n", encoding="utf-8")
-    monkeypatch.setattr(kernels, "PACKAGE", package)
-    first = kernels.cache_folder(tmp_path / "cache")
-    assert kernels.cache_folder(tmp_path / "cache") == first
+    monkeypatch.setattr(kernel_cache, "PACKAGE", package)
+    first = kernel_cache.cache_folder(tmp_path / "cache")
+    assert kernel_cache.cache_folder(tmp_path / "cache") == first
     source.write_text("x = 22\n", encoding="utf-8")
-    assert kernels.cache_folder(tmp_path / "cache") != first
+    assert kernel_cache.cache_folder(tmp_path / "cache") != first
 
 
 def test_old_caches_are_pruned(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(kernels, "PACKAGE", tmp_path / "package")
+    monkeypatch.setattr(kernel_cache, "PACKAGE", tmp_path / "package")
     (tmp_path / "package").mkdir()
-    for number in range(kernels.KEPT_CACHES + 5):
+    for number in range(kernel_cache.KEPT_CACHES + 5):
         old = tmp_path / "cache" / f"old{number}"
         old.mkdir(parents=True)
         os.utime(old, (number, number))
-    kernels.cache_folder(tmp_path / "cache")
+    kernel_cache.cache_folder(tmp_path / "cache")
     left = {path.name for path in (tmp_path / "cache").iterdir()}
-    assert len(left) == kernels.KEPT_CACHES
-    assert f"old{kernels.KEPT_CACHES + 4}" in left and "old0" not in left
+    assert len(left) == kernel_cache.KEPT_CACHES
+    assert f"old{kernel_cache.KEPT_CACHES + 4}" in left and "old0" not in left
 
 
 def test_without_numba_a_kernel_is_plain_python(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(kernels, "numba", None)
+    monkeypatch.setattr(kernels, "COMPILED", False)
 
     def kernel() -> int:
         return 1
@@ -48,13 +49,66 @@ def test_without_numba_a_kernel_is_plain_python(monkeypatch: pytest.MonkeyPatch)
 def test_rooms_without_kernels_do_not_matter(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     package = tmp_path / "package"
     (package / "cli").mkdir(parents=True)
-    monkeypatch.setattr(kernels, "PACKAGE", package)
-    first = kernels.cache_folder(tmp_path / "cache")
+    monkeypatch.setattr(kernel_cache, "PACKAGE", package)
+    first = kernel_cache.cache_folder(tmp_path / "cache")
     (package / "cli" / "verb.py").write_text("x = 1\n", encoding="utf-8")
-    assert kernels.cache_folder(tmp_path / "cache") == first
+    assert kernel_cache.cache_folder(tmp_path / "cache") == first
 
 
 def test_the_rooms_left_out_hold_no_kernel() -> None:
-    for room in kernels.ROOMS_ABOVE:
-        for path in (kernels.PACKAGE / room).rglob("*.py"):
+    for room in kernel_cache.ROOMS_ABOVE:
+        for path in (kernel_cache.PACKAGE / room).rglob("*.py"):
             assert "njit" not in path.read_text("utf-8"), path
+
+
+def test_a_kernel_that_must_wait_runs_as_plain_python() -> None:
+    looks = []
+
+    def kernel(number: int) -> int:
+        return number + 1
+
+    compiled = kernels.njit(kernel)
+    with kernels.uncompiled(lambda: looks.append(1)):
+        assert compiled(1) == 2 and compiled(2) == 3
+    assert len(looks) == 2 and not compiled.signatures
+    assert compiled(1) == 2 and len(looks) == 2 and compiled.signatures
+
+
+def test_what_looks_may_refuse_to_wait_longer() -> None:
+    def refuse() -> None:
+        raise TimeoutError
+
+    kernel = kernels.njit(abs_of)
+    with pytest.raises(TimeoutError), kernels.uncompiled(refuse):
+        kernel(-1)
+    assert kernel(-1) == 1
+
+
+def abs_of(number: int) -> int:
+    return -number if number < 0 else number
+
+
+def test_the_stamp_is_of_these_sources_and_this_python(monkeypatch: pytest.MonkeyPatch) -> None:
+    kernel_cache.stamp.cache_clear()
+    here = kernel_cache.stamp()
+    assert here.parent == kernel_cache.folder() and kernel_cache.digest() in here.name
+    monkeypatch.setattr(kernel_cache, "digest", lambda: "other")
+    kernel_cache.stamp.cache_clear()
+    assert kernel_cache.stamp() != here
+    kernel_cache.stamp.cache_clear()
+
+
+def test_a_kernel_in_place_changes_arrays_and_can_make_none() -> None:
+    numbers = np.array([3, 4])
+    assert kernels.njit_in_place(first_doubled)(numbers) == 6 and numbers.tolist() == [6, 4]
+    with pytest.raises(Exception, match="array"):
+        kernels.njit_in_place(new_array)(2)
+
+
+def first_doubled(numbers: np.ndarray) -> int:
+    numbers[0] = 2 * numbers[0]
+    return int(numbers[0])
+
+
+def new_array(count: int) -> np.ndarray:
+    return np.zeros(count)

@@ -6,7 +6,7 @@ from __future__ import annotations
 import numpy as np
 
 from CNCStepper.state import Start, State
-from CNCStepper.toolpath import ARC_CW, TableBuilder, Toolpath
+from CNCStepper.toolpath import ARC_CW, COLUMNS, TableBuilder, Toolpath
 
 
 def cut(table: TableBuilder) -> None:
@@ -40,6 +40,19 @@ def built(replayed: bool) -> Toolpath:
 def test_rows_events_and_spans_are_the_same() -> None:
     made, taken = built(False), built(True)
     assert (taken.states, taken.events, taken.spans) == (made.states, made.events, made.spans)
-    for name in ("kind", "end", "centre", "plane", "turns", "feed", "state", "line"):
+    for name in COLUMNS:
         assert np.array_equal(getattr(taken.table(), name), getattr(made.table(), name)), name
-    assert [chunk.first for chunk in taken.chunks] == [0, 3]
+    lengths = [len(chunk) for chunk in taken.chunks]
+    assert [chunk.first for chunk in taken.chunks] == [sum(lengths[:number]) for number in range(len(lengths))]
+
+
+def test_a_table_is_joined_once_and_its_chunks_are_parts_of_it() -> None:
+    path, other = built(True), built(True)
+    chunks, table = other.chunks, path.table()
+    assert path.table() is table and len(table) == len(path) == 6
+    assert [chunk.first for chunk in path.chunks] == [chunk.first for chunk in chunks]
+    for part, chunk in zip(path.chunks, chunks, strict=True):
+        for name in COLUMNS:
+            assert np.array_equal(getattr(part, name), getattr(chunk, name)), name
+            assert np.shares_memory(getattr(part, name), getattr(table, name)), name
+    assert len(Toolpath(Start(), [], []).table()) == 0

@@ -1,0 +1,71 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Where the machine code of the kernels is kept, and whether all of it is there; loads no numba."""
+
+from __future__ import annotations
+
+import functools
+import hashlib
+import importlib.metadata
+import os
+import platform
+import shutil
+import sys
+from pathlib import Path
+
+import platformdirs
+
+PACKAGE = Path(__file__).resolve().parent
+ROOMS_ABOVE = {"cli", "control", "drawing", "gcode", "job", "virtual", "workbench"}  # no kernel uses them
+KEPT_CACHES = 16
+VARIABLE = "NUMBA_CACHE_DIR"
+
+
+def digest() -> str:
+    """Return what names exactly these sources of the kernels."""
+    found = hashlib.sha256()
+    for path in sorted(PACKAGE.rglob("*.py")):
+        if path.relative_to(PACKAGE).parts[0] in ROOMS_ABOVE:
+            continue
+        state = path.stat()
+        found.update(f"{path}|{state.st_size}|{state.st_mtime_ns}\n".encode())
+    return found.hexdigest()[:16]
+
+
+def cache_folder(root: Path) -> Path:
+    """Return the folder below `root` for the machine code of exactly these sources; older ones are pruned.
+
+    numba looks only at the file of the kernel that is called: code of a changed kernel that it calls would
+    live on in a cache shared by two versions.
+    """
+    folder = root / digest()
+    if not folder.is_dir():
+        _prune(root)
+        folder.mkdir(parents=True, exist_ok=True)
+    return folder
+
+
+@functools.cache
+def folder() -> Path:
+    """Return the folder that this process and those that it starts use: the user's choice, or one of our own."""
+    if VARIABLE not in os.environ:
+        os.environ[VARIABLE] = str(cache_folder(platformdirs.user_cache_path("cncstepper", appauthor=False)))
+    return Path(os.environ[VARIABLE])
+
+
+@functools.cache
+def stamp() -> Path:
+    """Return the file that is there once `job/warm.py` has run: for these sources, this Python, numba and processor.
+
+    Raises importlib.metadata.PackageNotFoundError without numba.
+    """
+    version = f"{sys.version_info[0]}.{sys.version_info[1]}"
+    numba = importlib.metadata.version("numba")
+    return folder() / f"warm-{digest()}-py{version}-numba{numba}-{platform.machine()}"
+
+
+def _prune(root: Path) -> None:
+    """Delete all but the newest caches; another process may be doing the same."""
+    if root.is_dir():
+        caches = sorted((path for path in root.iterdir() if path.is_dir()), key=lambda path: path.stat().st_mtime_ns)
+        for path in caches[: -KEPT_CACHES + 1]:
+            shutil.rmtree(path, ignore_errors=True)

@@ -1,0 +1,63 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The states of a table are a sequence like a list, whether they are kept one by one or as feeds."""
+
+from __future__ import annotations
+
+import random
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from CNCStepper.gcode.interpret import Interpreter
+from CNCStepper.gcode.plain import PlainReader
+from CNCStepper.state import FEW, Start, State, States
+
+BASES = (State(), State(tool=2, spindle="cw"), State(plane="ZX", feed_mm_min=5.0))
+
+
+def both(seed: int) -> tuple[States, list[State]]:
+    """Return random states and the list that they must equal."""
+    chance = random.Random(seed)
+    states, expected = States(BASES[:1]), list(BASES[:1])
+    for _ in range(30):
+        base = chance.choice(BASES)
+        if chance.random() < 0.5:
+            states.append(base)
+            expected.append(base)
+        else:
+            feeds = [float(chance.randint(1, 9)) for _ in range(chance.choice([0, 1, FEW - 1, FEW, 2 * FEW]))]
+            states.append_feeds(base, np.array(feeds))
+            expected += [replace(base, feed_mm_min=feed) for feed in feeds]
+    return states, expected
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_states_are_what_a_list_of_them_is(seed: int) -> None:
+    states, expected = both(seed)
+    assert len(states) == len(expected) and list(states) == expected
+    assert states == expected and expected == states and states == both(seed)[0]
+    places = [0, -1, -len(expected), *range(0, len(expected), 17)]
+    assert [states[place] for place in places] == [expected[place] for place in places]
+    assert states[np.int32(len(expected) - 1)] == expected[-1]
+    assert states[3:700:5] == expected[3:700:5] and states[-2:] == expected[-2:]
+    assert states != expected[:-1] and states != [*expected[:-1], replace(expected[-1], tool=9)]
+    for place in (len(expected), -len(expected) - 1):
+        with pytest.raises(IndexError):
+            states[place]
+
+
+def test_states_with_the_same_feed_are_one() -> None:
+    states = States()
+    for first in (1.0, 2.0):
+        states.append_feeds(State(feed_mm_min=first), np.tile([7.0, 8.0], FEW))
+    assert len({id(state) for state in states}) == 2
+
+
+def test_a_program_with_a_feed_on_each_line_names_a_state_on_each_row() -> None:
+    feeds = [float(n + 2) for n in range(3 * FEW)]
+    text = "G21 G90 G17\nG1 X0 F1\n" + "".join(f"G1 X{n} F{feed:.0f}\n" for n, feed in enumerate(feeds)) + "M2\n"
+    reader = Interpreter(Start.at_zero(), "linuxcnc")
+    assert PlainReader(reader).read(text.encode())
+    path = reader.toolpath()
+    assert [path.states[state].feed_mm_min for state in path.table().state] == path.table().feed.tolist() == [1, *feeds]
