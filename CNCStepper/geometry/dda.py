@@ -21,6 +21,7 @@ import numpy as np
 
 from CNCStepper.errors import GeometryError
 from CNCStepper.geometry.curve import Curve
+from CNCStepper.kernels import njit
 
 FIRST_ORDER = 1.005  # covers the terms of higher order: a deviation is below a hundredth of the radii
 MOST_STEPS = 200_000
@@ -57,7 +58,7 @@ def ellipse_by_dda(radius_x_mm: float, radius_y_mm: float, resolution_mm: float,
 
 
 def _unit_quadrant(count: int) -> np.ndarray:
-    return np.array(quadrant_steps(count), float) / count
+    return quadrant_steps(count) / count
 
 
 def _deviation_mm(points: np.ndarray, radii_mm: np.ndarray) -> float:
@@ -67,12 +68,17 @@ def _deviation_mm(points: np.ndarray, radii_mm: np.ndarray) -> float:
     return float((off / slope).max()) * FIRST_ORDER
 
 
-def quadrant_steps(count: int) -> list[tuple[int, int]]:
-    """Return the points of the first quadrant in steps, from (0, count) to (count, 0)."""
-    x, y, qx, qy = 0, count, 0, 0
-    points = [(x, y)]
-    while y > 0:
-        before = (x, y)
+@njit
+def quadrant_steps(count):
+    """Return the points of the first quadrant in steps, int64 (n, 2), from (0, count) to (count, 0)."""
+    steps = np.empty((2 * count + 1, 2), np.int64)
+    x, y, qx, qy, points = 0, count, 0, 0, 0
+    while True:
+        if points == 0 or steps[points - 1, 0] != x or steps[points - 1, 1] != y:
+            steps[points] = x, y
+            points += 1
+        if y == 0:
+            return steps[:points]
         qx += y
         if qx >= count:
             qx -= count
@@ -81,6 +87,3 @@ def quadrant_steps(count: int) -> list[tuple[int, int]]:
         if qy >= count:
             qy -= count
             y -= 1
-        if (x, y) != before:
-            points.append((x, y))
-    return points

@@ -16,12 +16,15 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 
 from CNCStepper.errors import GeometryError
 from CNCStepper.geometry.curve import Curve, joined
 from CNCStepper.geometry.fit import fit_arcs
+
+MOST_KEPT = 256  # quarters of parallel curves that are remembered
 
 
 @dataclass(frozen=True)
@@ -86,25 +89,31 @@ class Ellipse:
                 value=f"{inside_mm:g} mm",
                 limit=f"{self.minor_mm:g} mm",
             )
-        quarter = fit_arcs(
-            lambda t: self._inside(t, inside_mm), math.pi / 2.0, self._tip_parameter(inside_mm), tolerance_mm
-        )
-        quarter = _exact_ends(quarter, self.minor_mm - inside_mm, self.tip_mm(inside_mm))
+        quarter = _quarter(Ellipse((0.0, 0.0), self.major_mm, self.minor_mm, 0.0), inside_mm, tolerance_mm)
         to_tip, to_bottom = quarter.mirrored_x(), _half_turned(quarter.reversed())
         half = joined([to_tip, to_bottom])
         return self.placed(joined([half, _half_turned(half)]))
 
-    def _inside(self, t: np.ndarray, inside_mm: float) -> np.ndarray:
+    def inside(self, t: np.ndarray, inside_mm: float) -> np.ndarray:
+        """Return points of the parallel curve, float64[n, 2], at parameters of the ellipse, in its own frame."""
         cosine, sine = np.cos(t), np.sin(t)
         stretch = np.hypot(self.minor_mm * cosine, self.major_mm * sine)
         x = (self.major_mm - inside_mm * self.minor_mm / stretch) * cosine
         return np.column_stack([x, (self.minor_mm - inside_mm * self.major_mm / stretch) * sine])
 
-    def _tip_parameter(self, inside_mm: float) -> float:
+    def tip_parameter(self, inside_mm: float) -> float:
         """Return the parameter at which the parallel curve meets the long axis; 0 where it has no corner."""
         beyond = (inside_mm * self.major_mm / self.minor_mm) ** 2 - self.minor_mm**2
         within = self.minor_mm**2 - inside_mm**2
         return math.atan2(math.sqrt(max(beyond, 0.0)), math.sqrt(max(within, 0.0)) * self.major_mm / self.minor_mm)
+
+
+@lru_cache(MOST_KEPT)  # a pocket that becomes deeper keeps its curves
+def _quarter(ellipse: Ellipse, inside_mm: float, tolerance_mm: float) -> Curve:
+    """Return the parallel curve from the end of the short axis to the long one, both ends exactly on the axes."""
+    begin, end = math.pi / 2.0, ellipse.tip_parameter(inside_mm)
+    fitted = fit_arcs(lambda t: ellipse.inside(t, inside_mm), begin, end, tolerance_mm)
+    return _exact_ends(fitted, ellipse.minor_mm - inside_mm, ellipse.tip_mm(inside_mm))
 
 
 def _half_turned(curve: Curve) -> Curve:

@@ -21,6 +21,7 @@ def outline(major_mm: float, minor_mm: float, count: int = 8_000) -> Polygon:
     return Polygon(np.column_stack([major_mm * np.cos(t), minor_mm * np.sin(t)]))
 
 
+@pytest.mark.slow
 @given(
     st.floats(1.0, 50.0),
     st.floats(1.0, 8.0),

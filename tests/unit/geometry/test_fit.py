@@ -10,8 +10,9 @@ import pytest
 from shapely import LineString, points, prepare
 
 from CNCStepper.errors import GeometryError
+from CNCStepper.geometry.corners import corner_parameters
 from CNCStepper.geometry.curve import Curve
-from CNCStepper.geometry.fit import fit_arcs
+from CNCStepper.geometry.fit import fit_arcs, fit_curve
 
 
 def ellipse(t: np.ndarray) -> np.ndarray:
@@ -93,3 +94,60 @@ def test_a_tolerance_below_rounding_is_refused() -> None:
 def test_the_measure_sees_a_shifted_arc() -> None:
     curve = fit_arcs(ellipse, 0, math.pi / 2, 0.01)
     assert max(deviations_mm(curve.moved(0.02, 0.0), ellipse, 0, math.pi / 2)) > 0.015
+
+
+def astroid(t: np.ndarray) -> np.ndarray:
+    return np.column_stack([10 * np.cos(t) ** 3, 10 * np.sin(t) ** 3])
+
+
+def vee(t: np.ndarray) -> np.ndarray:
+    return np.column_stack([10 * t, 7 * np.abs(t - 0.3)])
+
+
+def rounded_vee(t: np.ndarray) -> np.ndarray:
+    return np.column_stack([10 * t, 7 * np.sqrt((t - 0.3) ** 2 + 1e-6)])
+
+
+def rippled(t: np.ndarray) -> np.ndarray:
+    return np.column_stack([10 * t, 0.3 * np.sin(32 * math.pi * t)])  # every even sample of 33 is on the line
+
+
+@pytest.mark.parametrize(
+    "function, first, last, corners",
+    [
+        (lambda t: np.column_stack([10 * t**2, 10 * t**3]), -1, 1, [0]),
+        (astroid, 0, 2 * math.pi, [math.pi / 2, math.pi, 1.5 * math.pi]),
+        (astroid, 2 * math.pi, 0, [1.5 * math.pi, math.pi, math.pi / 2]),
+        (vee, -1, 1, [0.3]),
+        (rounded_vee, -1, 1, []),
+        (lambda t: np.column_stack([t - np.sin(t), 1 - np.cos(t)]), 1, 20, [2 * math.pi, 4 * math.pi, 6 * math.pi]),
+        (thin_ellipse, 0, 2 * math.pi, []),
+        (rippled, 0, 1, []),
+    ],
+    ids=["cusp", "astroid", "backwards", "corner", "bend", "cycloid", "smooth", "rippled"],
+)
+def test_corners_and_cusps_are_vertices(function, first: float, last: float, corners: list[float]) -> None:
+    assert corner_parameters(function, first, last) == pytest.approx(corners, abs=1e-4)
+    curve = fit_curve(function, first, last, 0.01)
+    if corners:
+        places = function(np.array(corners))
+        assert np.hypot(*(curve.xy[:, None] - places).T).min(axis=1).max() < 1e-6
+    assert max(deviations_mm(curve, function, first, last)) <= 0.01 + 2e-5
+
+
+def test_a_corner_at_a_knot_is_that_knot() -> None:
+    assert corner_parameters(vee, -1, 1, [0.3, 0.5]) == [0.3]
+    assert fit_curve(vee, -1, 1, 0.01, [0.3, 0.5]).xy.tolist() == vee(np.array([-1, 0.3, 1])).tolist()
+
+
+def test_a_bump_between_two_knots_is_seen() -> None:
+    def bumped(t: np.ndarray) -> np.ndarray:
+        return np.column_stack([100 * t, np.exp(-(((t - 0.4567) / 0.0005) ** 2))])
+
+    knots = np.linspace(0, 1, 801).tolist()
+    curve = fit_curve(bumped, 0, 1, 0.01, knots)
+    assert np.abs(curve.distances_mm(bumped(np.linspace(0.45, 0.46, 4001)))).max() <= 0.01
+
+
+def test_a_closed_curve_ends_on_its_start() -> None:
+    assert fit_curve(ellipse, 0, 2 * math.pi, 0.01, closed=True).closed

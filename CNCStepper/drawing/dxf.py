@@ -1,0 +1,155 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""DXF drawings: the curves of each layer in mm, joined to chains, with the gaps left and what could not be read.
+
+ezdxf parses the file (and mends a damaged one); dxf_entities.py turns each entity into a curve. Blocks are
+taken apart where they are inserted; what they hold on layer 0 lies on the layer of the insertion. Only the model space
+is read, and of that what is visible.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from CNCStepper.drawing.dxf_entities import curve_of
+from CNCStepper.errors import GeometryError, JobError, Place
+from CNCStepper.geometry.chains import NEAR_MM, SAME_MM, Gap, chained
+from CNCStepper.geometry.curve import Curve
+
+UNIT_NAME = b"$INSUNITS"  # where a file does not hold it, ezdxf may take it for one in metres
+DEEPEST = 32  # blocks within blocks; a block that holds itself goes on for ever
+
+
+@dataclass(frozen=True)
+class Layer:
+    """What one layer holds: chains of lines and arcs, mm, and where their ends nearly meet."""
+
+    name: str
+    curves: tuple[Curve, ...]
+    gaps: tuple[Gap, ...]
+
+
+@dataclass(frozen=True)
+class Skipped:
+    """An entity that is in no curve: its kind, layer and handle as the file names them, and why."""
+
+    kind: str
+    layer: str
+    handle: str
+    why: str
+
+
+@dataclass(frozen=True)
+class Drawing:
+    """The layers of a file that hold curves, in the order in which they first appear, and what was left out.
+
+    `damage` says what is wrong with a file that had to be mended, of which a part may be missing; "" for a sound one.
+    """
+
+    layers: tuple[Layer, ...]
+    skipped: tuple[Skipped, ...]
+    unit_mm: float
+    damage: str
+
+    def layer(self, name: str) -> Layer:
+        """Return the layer of that name, capital or not; raises JobError that names those there are."""
+        for layer in self.layers:
+            if layer.name.casefold() == name.casefold():
+                return layer
+        names = ", ".join(f"'{layer.name}'" for layer in self.layers)
+        raise JobError("dxf-layer", f"the drawing has no curves on a layer '{name}'", advice=f"it has them on {names}")
+
+
+def read_dxf(
+    path: Path, tolerance_mm: float, unit_mm: float | None = None, same_mm: float = SAME_MM, near_mm: float = NEAR_MM
+) -> Drawing:
+    """Return the curves of a DXF file; ellipses and splines within `tolerance_mm`, all else exact.
+
+    `unit_mm` is the length of its unit where the file does not say it or is wrong; without either it is a mm. Ends
+    within `same_mm` are joined, gaps up to `near_mm` reported. Raises JobError for no DXF file or no curve in it.
+    """
+    if not tolerance_mm > 0:
+        raise JobError("tolerance", "the tolerance must be above 0", value=f"{tolerance_mm:g} mm")
+    document, damage = _document(path)
+    unit_mm = unit_mm or (_unit_mm(document) if UNIT_NAME in path.read_bytes() else 1.0)
+    pieces: dict[str, list[Curve]] = {}
+    skipped = []
+    for entity, layer in _visible(document, document.modelspace(), None, 0):
+        try:
+            curve = curve_of(entity, tolerance_mm / unit_mm)
+        except GeometryError as error:
+            skipped.append(Skipped(entity.dxftype(), layer, str(entity.dxf.handle or ""), error.what))
+        else:
+            pieces.setdefault(layer, []).append(curve if unit_mm == 1.0 else curve.scaled(unit_mm))
+    if not pieces and damage:
+        raise _no_dxf(path, damage)
+    if not pieces:
+        raise JobError(
+            "dxf-empty",
+            "the drawing holds no curves",
+            value=f"{len(skipped)} other things" if skipped else "",
+            advice="draw lines, arcs, circles, polylines, ellipses or splines in its model space, on visible layers",
+            place=Place(str(path)),
+        )
+    layers = tuple(Layer(name, *chained(curves, same_mm, near_mm)) for name, curves in pieces.items())
+    return Drawing(layers, tuple(skipped), unit_mm, damage)
+
+
+def _document(path: Path) -> tuple[Any, str]:
+    """Return the file as ezdxf has it, and what is damaged where it had to be mended.
+
+    On a damaged file its parser may end with any exception.
+    """
+    import ezdxf  # it takes 0.4 s
+    from ezdxf import recover
+
+    try:
+        return ezdxf.readfile(path), ""
+    except FileNotFoundError as error:
+        raise JobError("dxf-missing", f"there is no drawing '{path}'", advice="correct the path") from error
+    except Exception as damage:
+        try:
+            return recover.readfile(path)[0], str(damage) or "it ends too early"
+        except Exception as error:
+            raise _no_dxf(path, str(error)) from error
+
+
+def _no_dxf(path: Path, why: str) -> JobError:
+    advice = "save it as DXF again, as R2000 or newer"
+    return JobError("dxf-file", f"not a DXF file: {why}", advice=advice, place=Place(str(path)))
+
+
+def _unit_mm(document: Any) -> float:
+    """Return the length of the drawing's unit, 1 mm where it names none."""
+    from ezdxf import units
+
+    unit = units.InsertUnits(document.units)
+    return float(units.conversion_factor(unit, units.InsertUnits.Millimeters)) if unit else 1.0
+
+
+def _visible(document: Any, entities: Any, inserted_on: str | None, depth: int) -> Iterator[tuple[Any, str]]:
+    """Yield the visible entities, blocks taken apart, with the layer on which each lies."""
+    for entity in entities:
+        layer = str(_attribute(entity, "layer", "0"))
+        layer = inserted_on if inserted_on is not None and layer == "0" else layer
+        if _attribute(entity, "invisible", 0) or _is_hidden(document, layer):
+            continue
+        if entity.dxftype() == "INSERT" and depth < DEEPEST:
+            for insert in entity.multi_insert() if entity.mcount > 1 else [entity]:
+                yield from _visible(document, insert.virtual_entities(), layer, depth + 1)
+        else:
+            yield entity, layer
+
+
+def _attribute(entity: Any, name: str, otherwise: Any) -> Any:
+    """Return an attribute of an entity; kinds that ezdxf does not know have none."""
+    return entity.dxf.get(name, otherwise) if entity.dxf.is_supported(name) else otherwise
+
+
+def _is_hidden(document: Any, layer: str) -> bool:
+    if not document.layers.has_entry(layer):
+        return False
+    found = document.layers.get(layer)
+    return bool(found.is_off() or found.is_frozen())

@@ -1,0 +1,147 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""One entity of a DXF drawing as a curve in the drawing's own unit, by its kind.
+
+Lines, arcs, circles and polylines with bulges come over exactly, ellipses and splines as arcs within a
+tolerance. An entity drawn seen from below (extrusion -Z, as mirrored ones are) is turned to lie as seen from above.
+"""
+
+from __future__ import annotations
+
+import itertools
+import math
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+
+from CNCStepper.errors import GeometryError
+from CNCStepper.geometry.curve import COINCIDENT_MM, Curve, joined
+from CNCStepper.geometry.fit import Function, fit_arcs, fit_curve
+
+FLAT = 1e-6  # units: heights that differ by less are one; also how far an extrusion may lean from Z
+ROUND = 1e-9  # an ellipse whose axes differ by less, relatively, is a circle
+Reader = Callable[[Any, float], Curve]
+
+
+def curve_of(entity: Any, tolerance: float) -> Curve:
+    """Return an entity as a curve, `tolerance` in its unit; raises GeometryError that says why it is none."""
+    reader = READERS.get(entity.dxftype())
+    if reader is None:
+        raise GeometryError("dxf-kind", "nothing that a tool could follow")
+    curve = reader(entity, tolerance)
+    if curve.length_mm <= COINCIDENT_MM:
+        raise GeometryError("curve-short", "the curve has no length")
+    return curve
+
+
+def _line(entity: Any, _: float) -> Curve:
+    begin, end = entity.dxf.start, entity.dxf.end
+    _require_level([begin.z, end.z])
+    return Curve(np.array([(begin.x, begin.y), (end.x, end.y)]), np.zeros(1))
+
+
+def _arc(entity: Any, _: float) -> Curve:
+    first, last = math.radians(entity.dxf.start_angle), math.radians(entity.dxf.end_angle)
+    sweep = (last - first) % math.tau or math.tau
+    return _from_above(entity, round_arc(entity.dxf.center, entity.dxf.radius, first, sweep))
+
+
+def _circle(entity: Any, _: float) -> Curve:
+    return _from_above(entity, round_arc(entity.dxf.center, entity.dxf.radius, 0.0, math.tau))
+
+
+def round_arc(centre: Any, radius: float, first_rad: float, sweep_rad: float) -> Curve:
+    """Return an arc in parts of at most a half turn, exactly closed when it is a whole one."""
+    parts = max(1, math.ceil(abs(sweep_rad) / math.pi - 1e-9))
+    angles = first_rad + sweep_rad * np.linspace(0.0, 1.0, parts + 1)
+    xy = np.column_stack([centre.x + abs(radius) * np.cos(angles), centre.y + abs(radius) * np.sin(angles)])
+    if math.isclose(abs(sweep_rad), math.tau, rel_tol=1e-12):
+        xy[-1] = xy[0]
+    return Curve(xy, np.full(parts, math.tan(sweep_rad / parts / 4.0)))
+
+
+def _light_polyline(entity: Any, _: float) -> Curve:
+    points = np.array(entity.get_points("xyb"), float).reshape(-1, 3)
+    return _from_above(entity, _bulged(points, bool(entity.closed)))
+
+
+def _polyline(entity: Any, _: float) -> Curve:
+    if not (entity.is_2d_polyline or entity.is_3d_polyline):
+        raise GeometryError("dxf-mesh", "a mesh and no line")
+    vertices = [vertex for vertex in entity.vertices if not vertex.dxf.flags & vertex.SPLINE_FRAME_CONTROL_POINT]
+    rows = [(*vertex.dxf.location, vertex.dxf.get("bulge", 0.0)) for vertex in vertices]
+    columns = np.array(rows, float).reshape(-1, 4)
+    _require_level(columns[:, 2])
+    curve = _bulged(columns[:, [0, 1, 3]], bool(entity.is_closed))
+    return _from_above(entity, curve) if entity.is_2d_polyline else curve
+
+
+def _bulged(points: np.ndarray, closed: bool) -> Curve:
+    """Return the polyline through rows of x, y and the bulge to the next one."""
+    if closed and len(points) > 1:
+        points = np.vstack([points, points[:1]])
+    return Curve(points[:, :2], points[:-1, 2]).without_short()
+
+
+def _ellipse(entity: Any, tolerance: float) -> Curve:
+    centre, major, minor = entity.dxf.center, entity.dxf.major_axis, entity.minor_axis
+    _require_level([major.z, 0.0, minor.z])
+    first, last = entity.dxf.start_param, entity.dxf.end_param
+    sweep = (last - first) % math.tau or math.tau
+    sense = math.copysign(1.0, major.x * minor.y - major.y * minor.x)
+    if abs(abs(entity.dxf.ratio) - 1.0) <= ROUND:
+        return round_arc(centre, major.magnitude, math.atan2(major.y, major.x) + sense * first, sense * sweep)
+    axes = np.array([(major.x, major.y), (minor.x, minor.y)])
+
+    def point(t: np.ndarray) -> np.ndarray:
+        return np.column_stack([np.cos(t), np.sin(t)]) @ axes + (centre.x, centre.y)
+
+    return _in_quarters(point, first, sweep, tolerance)
+
+
+def _in_quarters(point: Function, first: float, sweep: float, tolerance: float) -> Curve:
+    """Return an ellipse or a part of it, fitted in parts of at most a quarter, so that it comes out symmetrical."""
+    bounds = first + sweep * np.linspace(0.0, 1.0, math.ceil(sweep / (math.pi / 2.0) - 1e-9) + 1)
+    curve = joined(fit_arcs(point, *part, tolerance) for part in itertools.pairwise(bounds.tolist()))
+    if math.isclose(sweep, math.tau, rel_tol=1e-12):
+        return Curve(np.vstack([curve.xy[:-1], curve.xy[:1]]), curve.bulge)
+    return curve
+
+
+def _spline(entity: Any, tolerance: float) -> Curve:
+    spline = entity.construction_tool()
+    _require_level([point.z for point in spline.control_points])
+    knots = np.array(spline.knots(), float)
+    first, last = float(knots[spline.degree]), float(knots[spline.count])
+
+    def point(t: np.ndarray) -> np.ndarray:
+        return np.array([(place.x, place.y) for place in spline.points(t.tolist())])
+
+    inner = np.unique(knots[(knots > first) & (knots < last)])
+    return fit_curve(point, first, last, tolerance, inner.tolist())
+
+
+def _from_above(entity: Any, curve: Curve) -> Curve:
+    """Return a curve of the entity's own plane as seen from above; raises GeometryError where that plane leans."""
+    ocs = entity.ocs()
+    if not ocs.transform:
+        return curve
+    if abs(abs(ocs.uz.z) - 1.0) > FLAT:
+        raise GeometryError("dxf-not-flat", "does not lie flat")
+    return curve.transformed(np.array([(ocs.ux.x, ocs.uy.x, 0.0), (ocs.ux.y, ocs.uy.y, 0.0)]))
+
+
+def _require_level(heights: Any) -> None:
+    if len(heights) and max(heights) - min(heights) > FLAT:
+        raise GeometryError("dxf-not-flat", "does not lie flat")
+
+
+READERS: dict[str, Reader] = {
+    "LINE": _line,
+    "ARC": _arc,
+    "CIRCLE": _circle,
+    "LWPOLYLINE": _light_polyline,
+    "POLYLINE": _polyline,
+    "ELLIPSE": _ellipse,
+    "SPLINE": _spline,
+}

@@ -1,0 +1,156 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Loose pieces of a drawing, in any order and direction, as chains; what nearly meets is reported with its place.
+
+Ends within `same_mm` of each other meet. Where two meet, their pieces become one; where more meet, those
+two that go on straightest, then the next two. A piece goes on as it was drawn where its chain allows.
+
+        a ---->---- b ----<---- c        ends at b meet: one chain a b c, its second piece turned round
+                       d ----            b and d lie apart by more than `same_mm`, by less than `near_mm`: a Gap
+"""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+import shapely
+
+from CNCStepper.geometry.curve import Curve
+from CNCStepper.geometry.segments import Segments, complex_of
+
+SAME_MM = 1e-4
+NEAR_MM = 1.0
+
+
+@dataclass(frozen=True)
+class Gap:
+    """Two ends of chains that nearly meet: a point halfway between them and how far they are apart."""
+
+    place_mm: tuple[float, float]
+    size_mm: float
+
+
+def chained(
+    pieces: Sequence[Curve], same_mm: float = SAME_MM, near_mm: float = NEAR_MM
+) -> tuple[tuple[Curve, ...], tuple[Gap, ...]]:
+    """Return the pieces as chains, in the order of their first pieces, and the gaps left, the smallest first.
+
+    A piece no longer than `same_mm` lies within one place: what it would join is joined without it.
+    """
+    pieces = [piece for piece in pieces if piece.length_mm > same_mm]
+    loose = [number for number, piece in enumerate(pieces) if not piece.closed]
+    partner = _partners([pieces[number] for number in loose], same_mm)
+    chains = {number: piece for number, piece in enumerate(pieces) if piece.closed}
+    for walk in _walks(partner):
+        parts = [pieces[loose[end // 2]] if end % 2 == 0 else pieces[loose[end // 2]].reversed() for end in walk]
+        chains[loose[min(walk) // 2]] = _one(parts, closed=partner[walk[0]] == walk[-1] ^ 1)
+    ordered = tuple(chains[number] for number in sorted(chains))
+    return ordered, _gaps([chain for chain in ordered if not chain.closed], near_mm)
+
+
+def _partners(pieces: Sequence[Curve], same_mm: float) -> np.ndarray:
+    """Return the end that each end goes on with, int64[2 n], -1 for none; end 2 i begins piece i, 2 i + 1 ends it."""
+    partner = np.full(2 * len(pieces), -1)
+    places, outward = _ends(pieces)
+    for meeting in _groups(places, same_mm):
+        free = list(meeting)
+        while len(free) > 1:
+            straightest = [(abs(np.angle(-outward[a] / outward[b])), a, b) for a in free for b in free if a < b]
+            _, a, b = min((turn, a, b) for turn, a, b in straightest)
+            partner[a], partner[b] = b, a
+            free = [end for end in free if end not in (a, b)]
+    return partner
+
+
+def _ends(pieces: Sequence[Curve]) -> tuple[np.ndarray, np.ndarray]:
+    """Return where all ends lie and in which direction each leaves its piece, complex128[2 n] both."""
+    if not pieces:
+        return np.empty(0, complex), np.empty(0, complex)
+    xy = np.array([piece.xy[index] for piece in pieces for index in (0, 1, -2, -1)])
+    ends = complex_of(xy).reshape(-1, 2)  # rows: the first and the last segment of each piece in turn
+    sweep = 4.0 * np.arctan([piece.bulge[index] for piece in pieces for index in (0, -1)])
+    segments = Segments(ends[:, 0], ends[:, 1], sweep)
+    first = np.arange(len(ends)) % 2 == 0
+    places = np.where(first, segments.begin, segments.end)
+    return places, np.where(first, -segments.direction(0.0), segments.direction(1.0))
+
+
+def _groups(places: np.ndarray, same_mm: float) -> list[list[int]]:
+    """Return the places that meet at least one other within `same_mm`, by groups, all in ascending order."""
+    root = np.arange(len(places))
+    for a, b in _close_pairs(places, same_mm).tolist():
+        low, high = sorted((_root_of(root, a), _root_of(root, b)))
+        root[high] = low
+    groups = defaultdict(list)
+    for place in range(len(places)):
+        groups[_root_of(root, place)].append(place)
+    return [group for group in groups.values() if len(group) > 1]
+
+
+def _close_pairs(places: np.ndarray, within_mm: float) -> np.ndarray:
+    """Return the pairs of places within a distance of each other, int64[k, 2], ascending, the lower one first."""
+    points = shapely.points(places.real, places.imag)
+    one, other = shapely.STRtree(points).query(points, predicate="dwithin", distance=within_mm)
+    pairs = np.column_stack([one, other])[one < other]
+    return pairs[np.lexsort(pairs.T[::-1])]
+
+
+def _root_of(root: np.ndarray, place: int) -> int:
+    while root[place] != place:
+        root[place] = root[root[place]]
+        place = int(root[place])
+    return place
+
+
+def _walks(partner: np.ndarray) -> list[list[int]]:
+    """Return each chain as the ends at which its pieces are entered, in the sense of its first piece."""
+    done, walks = np.zeros(len(partner) // 2, bool), []
+    for piece in range(len(done)):
+        if not done[piece]:
+            forward = _followed(partner, 2 * piece)
+            if partner[forward[-1] ^ 1] == 2 * piece:
+                walks.append(forward)  # round and back
+            else:
+                behind = _followed(partner, 2 * piece + 1)[1:]
+                walks.append([end ^ 1 for end in reversed(behind)] + forward)
+            done[np.array(walks[-1]) // 2] = True
+    return walks
+
+
+def _followed(partner: np.ndarray, entered: int) -> list[int]:
+    """Return the ends at which pieces are entered from this one on, until none goes on or it comes round."""
+    walk = [entered]
+    while (following := int(partner[walk[-1] ^ 1])) not in (-1, entered):
+        walk.append(following)
+    return walk
+
+
+def _one(parts: Sequence[Curve], closed: bool) -> Curve:
+    """Return pieces as one curve; each begins where the one before it ended, however little it was off."""
+    xy = np.vstack([parts[0].xy[:1], *(part.xy[1:] for part in parts)])
+    if closed:
+        xy[-1] = xy[0]
+    return Curve(xy, np.concatenate([part.bulge for part in parts]))
+
+
+def _gaps(chains: Sequence[Curve], near_mm: float) -> tuple[Gap, ...]:
+    """Return the gaps between ends, each end in one gap at most."""
+    ends = complex_of(np.array([chain.xy[index] for chain in chains for index in (0, -1)]).reshape(-1, 2))
+    pairs = _close_pairs(ends, near_mm)
+    sizes = np.abs(ends[pairs[:, 0]] - ends[pairs[:, 1]])
+    taken: set[int] = set()
+    gaps = []
+    for row in np.argsort(sizes, kind="stable").tolist():
+        a, b = pairs[row].tolist()
+        if not taken & {a, b} and not _is_whole(chains, a, b, float(sizes[row])):
+            taken |= {a, b}
+            middle = complex(ends[a] + ends[b]) / 2.0
+            gaps.append(Gap((middle.real, middle.imag), float(sizes[row])))
+    return tuple(gaps)
+
+
+def _is_whole(chains: Sequence[Curve], a: int, b: int, size_mm: float) -> bool:
+    """Return whether two ends are those of one short chain, which has its length between them and no gap."""
+    return a // 2 == b // 2 and chains[a // 2].length_mm < 2.0 * size_mm
