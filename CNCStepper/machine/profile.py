@@ -14,13 +14,18 @@ from typing import Any, Literal, TypeVar
 from pydantic import BaseModel, ConfigDict, Field, ValidationError, model_validator
 
 from CNCStepper.errors import JobError, Place
+from CNCStepper.machine.drive import Drive
+from CNCStepper.machine.refusal import refusal_of
+from CNCStepper.machine.signals import Signals
+from CNCStepper.machine.waits import Waits
 
 AXIS_NAMES = ("x", "y", "z")
+CALIBRATED = 0.02  # steps_per_mm, as measured, may differ from what the drive gives by this share
 Model = TypeVar("Model", bound=BaseModel)
 
 
 class _Checked(BaseModel):
-    model_config = ConfigDict(extra="forbid", frozen=True)
+    model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
 
 
 class Motor(_Checked):
@@ -69,16 +74,37 @@ class Motor(_Checked):
 
 
 class Axis(_Checked):
-    """One axis; travel is in machine coordinates. Without its motor the motor's torque is not checked."""
+    """One axis; travel is in machine coordinates. Without its motor the motor's torque is not checked.
+
+    drive: the axis' motor, gear and screw or belt, from which steps_per_mm follows where it is not given.
+    """
 
     steps_per_mm: float = Field(gt=0)
     max_rate_mm_min: float = Field(gt=0)
     acceleration_mm_s2: float = Field(gt=0)
+    jerk_mm_s3: float | None = Field(default=None, gt=0)
     backlash_mm: float = Field(default=0.0, ge=0)
     travel_min_mm: float
     travel_max_mm: float
     homing: Literal["min", "max", "none"] = "none"
     motor: Motor | None = None
+    drive: Drive | None = None
+
+    @model_validator(mode="before")
+    @classmethod
+    def _steps_follow_from_the_drive(cls, content: Any) -> Any:
+        if not isinstance(content, dict) or "drive" not in content or "steps_per_mm" in content:
+            return content
+        try:
+            return {**content, "steps_per_mm": Drive.model_validate(content["drive"]).pulses_per_mm}
+        except ValidationError:  # what is wrong with the drive is told where it stands
+            return {**content, "steps_per_mm": 1.0}
+
+    @model_validator(mode="after")
+    def _steps_agree_with_the_drive(self) -> Axis:
+        if self.drive is not None and abs(self.drive.pulses_per_mm / self.steps_per_mm - 1.0) > CALIBRATED:
+            raise ValueError(f"steps_per_mm is {self.steps_per_mm:g}, but the drive gives {self.drive.pulses_per_mm:g}")
+        return self
 
     @model_validator(mode="after")
     def _travel_is_ordered(self) -> Axis:
@@ -86,12 +112,35 @@ class Axis(_Checked):
             raise ValueError("travel_min_mm must be below travel_max_mm")
         return self
 
+    @model_validator(mode="after")
+    def _backlash_is_small(self) -> Axis:
+        if self.backlash_mm >= self.travel_max_mm - self.travel_min_mm:
+            raise ValueError("backlash_mm must be below the travel of the axis")
+        return self
+
+
+LOOK_AHEAD_BLOCKS = 15  # of grbl as delivered
+
 
 class Planner(_Checked):
-    """What the controller's planner is set to ($11 and $12 of grbl)."""
+    """What the controller's planner is set to ($11 and $12 of grbl), and how it changes speeds.
+
+    look_ahead_blocks: as many moves, chords of arcs included, as it plans ahead.
+    ramp: "trapezoid" (constant acceleration, as grbl), "s_curve" (every axis then has its jerk_mm_s3) or "table" (by
+    the times of `waits`; every move then begins and ends at rest).
+    """
 
     junction_deviation_mm: float = Field(gt=0)
     arc_tolerance_mm: float = Field(gt=0)
+    look_ahead_blocks: int = Field(default=LOOK_AHEAD_BLOCKS, ge=2, le=100_000)
+    ramp: Literal["trapezoid", "s_curve", "table"] = "trapezoid"
+    waits: Waits | None = None
+
+    @model_validator(mode="after")
+    def _table_has_waits(self) -> Planner:
+        if (self.ramp == "table") != (self.waits is not None):
+            raise ValueError('ramp = "table" and planner.waits belong together')
+        return self
 
 
 class Spindle(_Checked):
@@ -110,21 +159,35 @@ class Outputs(_Checked):
 
 
 class Machine(_Checked):
-    """A whole machine profile; the unit of each value stands in its name."""
+    """A whole machine profile; the unit of each value stands in its name.
+
+    tool_change: "pause" (retract, M5, a message, M0), "split" (a file a tool) or "m6". tool_length: what is done about
+    the length of a new tool: "touch_off" (the operator sets the Z zero with it), "table" (its length offset: G43 H, or
+    G43.1 Z) or "none" (all tools stand out equally far).
+    """
 
     name: str
     controller: str
     tool_change: Literal["pause", "split", "m6"] = "pause"
+    tool_length: Literal["touch_off", "table", "none"] = "touch_off"
     planner: Planner
     axis: dict[Literal["x", "y", "z"], Axis]
     spindle: Spindle
     outputs: Outputs = Outputs()
+    signals: Signals = Signals()
 
     @model_validator(mode="after")
     def _has_three_axes(self) -> Machine:
         missing = [name for name in AXIS_NAMES if name not in self.axis]
         if missing:
             raise ValueError(f"axis.{missing[0]} is missing")
+        return self
+
+    @model_validator(mode="after")
+    def _s_curves_have_jerks(self) -> Machine:
+        without = [name for name in AXIS_NAMES if self.axis[name].jerk_mm_s3 is None]  # type: ignore[index]
+        if self.planner.ramp == "s_curve" and without:
+            raise ValueError(f'axis.{without[0]}.jerk_mm_s3 is missing: ramp = "s_curve" needs it')
         return self
 
     @property
@@ -180,22 +243,4 @@ def validated(model: type[Model], content: dict[str, Any], file: str) -> Model:
     try:
         return model.model_validate(content)
     except ValidationError as error:
-        raise _refusal(model, error, file) from error
-
-
-def _refusal(model: type[BaseModel], error: ValidationError, file: str) -> JobError:
-    """Return the first thing that is wrong; a key that nobody knows comes first, for it may be the missing one."""
-    problems = error.errors()
-    unknown = [problem for problem in problems if problem["type"] == "extra_forbidden"]
-    first = (unknown or problems)[0]
-    key = ".".join(str(part) for part in first["loc"])
-    place = Place(file)
-    if unknown:
-        advice = f"correct its spelling or take it out; known are: {', '.join(sorted(model.model_fields))}"
-        return JobError("bad-value", f"there is no key {key}", advice=advice, place=place)
-    what = first["msg"].removeprefix("Value error, ")
-    if not key:
-        return JobError("bad-value", what, advice="correct that", place=place)
-    return JobError(
-        "bad-value", f"{key}: {what}", value=repr(first["input"])[:60], advice="correct that key", place=place
-    )
+        raise refusal_of(model, error, file) from error

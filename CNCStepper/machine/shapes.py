@@ -18,6 +18,7 @@ OWN_KEYS = {  # the keys that say more of a shape than its diameter; no other sh
 }
 
 MILLS = ("flat", "ball", "bullnose")
+BEAMS = ("jet", "wire")  # they turn no teeth and cut through
 MILLS_KEYS = {"core_diameter_mm"}
 
 

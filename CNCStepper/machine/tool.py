@@ -10,6 +10,8 @@
 
 from __future__ import annotations
 
+from typing import Literal
+
 from pydantic import BaseModel, ConfigDict, Field, model_validator
 
 from CNCStepper.errors import JobError
@@ -20,9 +22,11 @@ class Tool(BaseModel):
     """A tool as a job file names it; 0 means "not given" for feeds, speed, lengths, flutes and limits.
 
     The angles are those between the two sides of the tip. flute_length_mm: of the cutting edges; length_mm: from
-    the tip to the holder, whose diameter is holder_diameter_mm. core_diameter_mm: of the middle of a mill's end
-    that does not cut, 0 for one that cuts over its centre; such a mill goes down on ramps and helices of at most
-    ramp_max_deg. chip_load_min_mm, chip_load_max_mm (a tooth) and engagement_max_deg: what tool and material allow.
+    the tip to the holder, whose diameter is holder_diameter_mm. length_offset_mm: what a controller adds to Z for it,
+    where the machine's tool_length is "table". core_diameter_mm: of the middle of a mill's end that does not cut, 0
+    for one that cuts over its centre; such a mill goes down on ramps and helices of at most ramp_max_deg. made_of:
+    the cutter's own material, "hss" is high-speed steel. chip_load_min_mm, chip_load_max_mm (a tooth) and
+    engagement_max_deg: what the tool allows.
     """
 
     model_config = ConfigDict(extra="forbid", frozen=True)
@@ -38,9 +42,11 @@ class Tool(BaseModel):
     flute_length_mm: float = Field(default=0.0, ge=0)
     length_mm: float = Field(default=0.0, ge=0)
     holder_diameter_mm: float = Field(default=0.0, ge=0)
+    length_offset_mm: float | None = Field(default=None, ge=-10_000, le=10_000)
     core_diameter_mm: float = Field(default=0.0, ge=0)
     ramp_max_deg: float = Field(default=10.0, gt=0, lt=90)
     flutes: int = Field(default=0, ge=0)
+    made_of: Literal["carbide", "hss"] = "carbide"
     chip_load_min_mm: float = Field(default=0.0, ge=0)
     chip_load_max_mm: float = Field(default=0.0, ge=0)
     engagement_max_deg: float = Field(default=0.0, ge=0, le=180)

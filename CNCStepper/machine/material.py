@@ -1,0 +1,92 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The table of materials: how fast a cutter's edge may run through each, and how thick a chip a tooth takes.
+
+    speed_m_min      of the cutter's rim         rpm  = 1000 speed / (pi diameter)
+    chip_load_mm     feed a tooth                feed = rpm flutes chip_load
+
+Both are ranges; `materials.toml` names where they were published.
+"""
+
+from __future__ import annotations
+
+import tomllib
+from functools import cache
+from importlib import resources
+from typing import Literal
+
+import numpy as np
+from pydantic import BaseModel, ConfigDict, Field, model_validator
+
+from CNCStepper.errors import JobError
+from CNCStepper.machine.profile import validated
+
+CutterOf = Literal["carbide", "hss"]
+Range = tuple[float, float]
+
+
+class _Checked(BaseModel):
+    model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
+
+
+class Cutting(_Checked):
+    """What one kind of cutter does in a material: surface speeds, and rows of (diameter, least, most) chip load."""
+
+    speed_m_min: Range
+    chip_load_mm: tuple[tuple[float, float, float], ...] = ()
+
+    @model_validator(mode="after")
+    def _is_ordered(self) -> Cutting:
+        diameters = [row[0] for row in self.chip_load_mm]
+        ranges = [self.speed_m_min, *((least, most) for _, least, most in self.chip_load_mm)]
+        if diameters != sorted(set(diameters)) or any(not 0 < least <= most for least, most in ranges):
+            raise ValueError("diameters must rise, and each range lead from its least value above 0 to its most")
+        return self
+
+
+class Material(_Checked):
+    """A material; stepdown and stepover are shares of the tool's diameter, plunge_factor one of the feed."""
+
+    name: str
+    title: str
+    source: str
+    plunge_factor: float = Field(gt=0, le=1)
+    stepdown: float = Field(gt=0)
+    stepover: float = Field(gt=0, le=1)
+    carbide: Cutting
+    hss: Cutting | None = None
+
+    def speed_m_min(self, cutter: CutterOf) -> Range:
+        """Return the least and the most surface speed; raises JobError where such a cutter is of no use."""
+        return self._cutting(cutter).speed_m_min
+
+    def chip_load_mm(self, diameter_mm: float, cutter: CutterOf) -> Range:
+        """Return the least and the most feed a tooth for a tool of that diameter; raises as `speed_m_min` does."""
+        rows = np.array(self._cutting(cutter).chip_load_mm or self.carbide.chip_load_mm)
+        least, most = (float(np.interp(diameter_mm, [0.0, *rows[:, 0]], [0.0, *rows[:, column]])) for column in (1, 2))
+        return least, most
+
+    def _cutting(self, cutter: CutterOf) -> Cutting:
+        if cutter == "hss" and self.hss is None:
+            raise JobError("material-hss", f"{self.title} blunts tools of HSS at once", advice="use one of carbide")
+        return self.carbide if self.hss is None or cutter == "carbide" else self.hss
+
+
+def material_names() -> list[str]:
+    """Return the names that `material` knows."""
+    return list(_materials())
+
+
+def material(name: str) -> Material:
+    """Return a material of the table; raises JobError that names those there are."""
+    if name not in _materials():
+        raise JobError(
+            "material-unknown", f"there is no material '{name}'", advice=f"use one of: {', '.join(material_names())}"
+        )
+    return _materials()[name]
+
+
+@cache
+def _materials() -> dict[str, Material]:
+    text = (resources.files("CNCStepper.machine") / "materials.toml").read_text("utf-8")
+    tables = tomllib.loads(text)
+    return {name: validated(Material, {"name": name, **table}, "materials.toml") for name, table in tables.items()}

@@ -1,0 +1,85 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""How motors and devices are wired: pulse times, the motors of each axis, and the pins of a parallel port.
+
+DB25   2-9   data port, base + 0, bits 0 to 7          outputs
+       1 14 16 17   control port, base + 2, bits 0 to 3   outputs; 1, 14 and 17 are inverted by the port itself
+       10 11 12 13 15   status port, base + 1         inputs
+"""
+
+from __future__ import annotations
+
+from typing import Literal
+
+from pydantic import BaseModel, Field, model_validator
+
+DATA_PINS = (2, 3, 4, 5, 6, 7, 8, 9)
+CONTROL_PINS = (1, 14, 16, 17)
+INVERTED_PINS = (1, 14, 17)
+INPUT_PINS = (10, 11, 12, 13, 15)
+OUTPUT_PINS = (*DATA_PINS, *CONTROL_PINS)
+DEVICES = ("spindle_cw", "spindle_ccw", "mist", "flood", "output_0", "output_1", "output_2", "output_3")
+ENABLE = "enable"
+STANDARD_PINS = {  # as most break-out boards have them
+    **{f"{axis}_{what}": 2 + 2 * n + k for n, axis in enumerate("xyz") for k, what in enumerate(("step", "direction"))},
+    "spindle_cw": 14,
+    "spindle_ccw": 16,
+    "enable": 17,
+    "flood": 1,
+    "mist": 8,
+}
+MOST_MOTORS = 8
+
+Turning = Literal["x", "y", "z", "-x", "-y", "-z"]
+
+
+class Signals(BaseModel, extra="forbid", frozen=True):
+    """The signals of step and direction drives.
+
+    pulse_us: a step pulse is on for at least this. gap_us: and off; also the least between any two edges.
+    direction_setup_us: from a change of direction to the step. enable_lead_us: from switching the drives on to the
+    first edge. motors: the axis that each motor turns, "-y" one that is mounted the other way round; an axis may
+    have several, the second of x is called x2. pins: the pin of the parallel port for each signal (x_step,
+    x_direction, enable, spindle_cw, flood, ...), STANDARD_PINS when left out; a pin below zero is active low. base:
+    address of the data port.
+    """
+
+    pulse_us: float = Field(default=10.0, gt=0, le=1000)
+    gap_us: float = Field(default=10.0, gt=0, le=1000)
+    direction_setup_us: float = Field(default=10.0, ge=0, le=1000)
+    enable_lead_us: float = Field(default=1000.0, ge=0, le=1_000_000)
+    motors: tuple[Turning, ...] = Field(default=("x", "y", "z"), min_length=1, max_length=MOST_MOTORS)
+    pins: dict[str, int] = {}
+    base: int = Field(default=0x378, ge=0, le=0xFFFF)
+
+    @model_validator(mode="after")
+    def _pins_are_outputs_of_known_signals(self) -> Signals:
+        known = self.lines
+        for name, pin in self.pins.items():
+            if name not in known:
+                raise ValueError(f"pins.{name} is no signal; there are {', '.join(known)}")
+            if abs(pin) in INPUT_PINS:
+                raise ValueError(f"pins.{name}: pin {abs(pin)} is an input of the parallel port")
+            if abs(pin) not in OUTPUT_PINS:
+                raise ValueError(f"pins.{name}: pin {abs(pin)} is no output; outputs are 1 to 9, 14, 16 and 17")
+        used = [abs(pin) for pin in self.pins.values()]
+        if len(set(used)) < len(used):
+            raise ValueError("pins: two signals are on one pin")
+        return self
+
+    @property
+    def motor_names(self) -> tuple[str, ...]:
+        """The name of each motor: its axis, and a number from the second one on."""
+        letters = [turning[-1] for turning in self.motors]
+        counts = [letters[: place + 1].count(letter) for place, letter in enumerate(letters)]
+        return tuple(letter + (str(count) if count > 1 else "") for letter, count in zip(letters, counts, strict=True))
+
+    @property
+    def lines(self) -> tuple[str, ...]:
+        """All signals by name: step and direction of each motor, enable, then the devices."""
+        motors = [f"{motor}_{what}" for motor in self.motor_names for what in ("step", "direction")]
+        return (*motors, ENABLE, *DEVICES)
+
+    @property
+    def wired(self) -> dict[str, int]:
+        """The pin of each signal that has one."""
+        return self.pins or {name: pin for name, pin in STANDARD_PINS.items() if name in self.lines}
