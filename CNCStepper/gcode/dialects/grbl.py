@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """grbl 1.1: the language as its documentation and its parser have it."""
 
+from CNCStepper.canned import CYCLE_NAMES
 from CNCStepper.gcode.dialects.form import ArcRule, Dialect, Writing, changed, rs274_codes, same_advice
 from CNCStepper.toolpath import RAPID
 
@@ -15,7 +16,7 @@ GRBL = Dialect(
         "G90 G91 G91.1 G92 G92.1 G93 G94 M0 M1 M2 M3 M4 M5 M7 M8 M9 M30",
         changed("G2", takes="IJKR"),
         changed("G3", takes="IJKR"),
-        changed("G10", axes="must"),
+        changed("G10", takes="LP", needs="LP", axes="must"),
         changed("G43.1", axes="must"),
     ),
     letters="FIJKLNPRSTXYZ",
@@ -27,6 +28,7 @@ GRBL = Dialect(
         **same_advice(("G90.1",), "give I, J and K from the start point of the arc (G91.1)"),
         **same_advice(("G43",), "use G43.1 with the length in Z"),
         **same_advice(("G92.2", "G92.3"), "use G92.1"),
+        **same_advice((*CYCLE_NAMES, "G98", "G99"), "grbl has no canned cycles: write the holes as plain moves"),
         **same_advice(("G59.1", "G59.2", "G59.3"), "grbl has G54 to G59"),
     },
     errors={
@@ -51,7 +53,7 @@ GRBL = Dialect(
         "line-too-long": "error:11",
     },
     writing=Writing(
-        header=("G17", "G90", "G91.1", "G40", "G49", "G80", "G94"),
+        header=("{units} G17 G90 G91.1", "G40 G49 G80 G94"),
         largest_radius_mm=2000.0,
     ),
     line_limit=80,
@@ -64,4 +66,5 @@ GRBL = Dialect(
     first_motion=RAPID,
     arc_needs_plane_axis=True,
     machine_moves_incremental=True,
+    machine_word_alone=True,
 )

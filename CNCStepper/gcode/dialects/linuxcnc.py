@@ -1,30 +1,41 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""LinuxCNC as its stand-alone interpreter `rs274` accepts it (without expressions and O-words for now)."""
+"""LinuxCNC as its stand-alone interpreter `rs274` accepts it."""
 
 from math import sqrt
 
-from CNCStepper.gcode.codes import RS274
+from CNCStepper.canned import CYCLE_NAMES
+from CNCStepper.gcode.codes import CYCLES, MORE_REPEATS, RS274
 from CNCStepper.gcode.dialects.form import ArcRule, Dialect, Writing, same_advice
+from CNCStepper.toolpath import ARC_CCW, ARC_CW, LINE, RAPID
 
 _SLACK_MM, _SLACK_INCH = 0.02 * sqrt(2), 0.002 * sqrt(2)  # as measured on rs274 2.9; they differ by unit
 _SMALLEST_MM, _SMALLEST_INCH = 0.00127, 0.00005
 
 LINUXCNC = Dialect(
     name="linuxcnc",
+    takes_up_play=True,
     title="LinuxCNC",
     codes=RS274,
-    letters="FHIJKLNPQRSTXYZ",
+    letters="ABCDEFHIJKLNPQRSTXYZ@^$",
     arc_rules={
         "mm": ArcRule(_SLACK_MM, 100 * _SLACK_MM, 0.001, _SMALLEST_MM, radius_slack=_SMALLEST_MM),
         "inch": ArcRule(_SLACK_INCH, 100 * _SLACK_INCH, 0.001, _SMALLEST_INCH, radius_slack=_SMALLEST_INCH),
     },
-    refused=same_advice("ABCUVW", "machines with more than three axes are not supported yet"),
+    refused={
+        **same_advice("UVW", "the stand-alone interpreter moves X Y Z A B C only"),
+        **same_advice((f"M{number}" for number in range(100, 200)), "set up a program of that name on the machine"),
+    },
+    repeats=frozenset((RAPID, LINE, ARC_CW, ARC_CCW)) | CYCLES | MORE_REPEATS,
     writing=Writing(
-        header=("G17", "G90", "G91.1", "G40", "G49", "G80", "G94"),
+        header=("{units} G17 G90 G91.1", "G40 G49 G80 G94"),
         tool_change=("m6", "pause", "split"),
+        canned=CYCLE_NAMES,
         work_systems=("G54", "G55", "G56", "G57", "G58", "G59", "G59.1", "G59.2", "G59.3"),
     ),
-    line_limit=256,
+    line_limit=253,  # as measured on rs274 2.9; its documents say 256
+    reads_files=True,
+    expressions=True,
+    o_words=True,
     line_number_first=True,
     strict_comments=True,
     strict_tape=True,
@@ -33,4 +44,5 @@ LINUXCNC = Dialect(
     feed_mode_clears_feed=True,
     suspend_g92=True,
     centre_repeats_arc=True,
+    tool_offsets_sideways=True,
 )
