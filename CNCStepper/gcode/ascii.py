@@ -54,5 +54,5 @@ def ascii_text(text: str) -> str:
 
 
 def comment_lines(text: str) -> list[str]:
-    """Return `text` as comment lines of at most 78 characters."""
-    return [f"({line})" for line in textwrap.wrap(ascii_text(text), COMMENT_WIDTH)]
+    """Return `text` as lines of a comment, without what a dialect encloses them in."""
+    return textwrap.wrap(ascii_text(text), COMMENT_WIDTH)

@@ -7,80 +7,95 @@ words -> Plan (parse.py) -> Execution on a copy -> all good: the copy is the mod
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from math import isnan
-from typing import Any, Protocol
+from typing import Protocol
 
 from CNCStepper.errors import ProgramError
+from CNCStepper.gcode import bare, compensation
 from CNCStepper.gcode.acts import ACTS, SET_FEED
-from CNCStepper.gcode.codes import AXES, MOTION_NAMES, NO_MOTION, Code
+from CNCStepper.gcode.codes import ALL_AXES, ANY_PLANE, MOTION_NAMES, NO_MOTION, Code
 from CNCStepper.gcode.dialects import Dialect
-from CNCStepper.gcode.model import Model, Point
-from CNCStepper.gcode.moves import Arc, arc_of, end_point, inverse_time_feed, machine_end_point
+from CNCStepper.gcode.model import NO_FURTHER, Model, Point
+from CNCStepper.gcode.motions import MOTIONS
+from CNCStepper.gcode.moves import SMALLEST_INVERSE_FEED, Arc, way_length
 from CNCStepper.gcode.parse import Plan
-from CNCStepper.gcode.words import Comment
-from CNCStepper.toolpath import LINE, RAPID, TableBuilder
+from CNCStepper.gcode.spindle import rpm_at
+from CNCStepper.gcode.stored import length_scale
+from CNCStepper.gcode.telling import Canon, Telling
+from CNCStepper.gcode.turned_arcs import chords
+from CNCStepper.gcode.words import Word
+from CNCStepper.state import State
+from CNCStepper.toolpath import RAPID, XY, TableBuilder
 
 
-class Canon(Protocol):
-    """Who wants to hear the canonical calls of a program (`trace.py`)."""
+class ProfileReader(Protocol):
+    """Who runs a subroutine whose blocks somebody else takes (`flow.py`)."""
 
-    def call(self, text: str) -> None:
-        """Hear a call whose arguments are part of its text."""
-
-    def lengths(self, template: str, values: tuple[float, ...], model: Model) -> None:
-        """Hear a call whose arguments, the template's fields, are lengths in mm."""
-
-    def move(self, motion: int, end: Point, arc: Arc | None, model: Model) -> None:
-        """Hear a move."""
+    def __call__(self, number: int, model: Model, take: Callable[[Model, list[Word], list[float]], None]) -> None:
+        """Run the subroutine O<number> from `model`; `take` gets the words of each block, and their values."""
 
 
-class Execution:
-    """One block: `model` is the scratch copy, `actions` what is to be done when all went well."""
+class Execution(Telling):
+    """One block that is checked and executed on `model`, the scratch copy."""
 
     def __init__(self, model: Model, dialect: Dialect, table: TableBuilder, line: int, canon: Canon | None):
-        self.model = model
+        super().__init__(model, table, line, canon)
         self.dialect = dialect
-        self.table = table
-        self.line = line
-        self.canon = canon
-        self.actions: list[tuple[Callable, tuple]] = []
         self.plan: Plan
         self.values: list[float]
-        self.stop_text = ""
-
-    def commit(self) -> None:
-        """Do what was put off; afterwards the table names the model's state."""
-        for action, arguments in self.actions:
-            action(*arguments)
-        self.table.set_state(self.model.state)
-
-    def comments(self, comments: tuple[Comment, ...], stops: bool) -> None:
-        """Turn comments into events, and operation comments into spans; `stops`: an M0 shows the message itself."""
-        spoken = [comment for comment in comments if not comment.to_end]
-        if spoken and (spoken[-1].message or spoken[-1].text):
-            self.call(f'{"MESSAGE" if spoken[-1].message else "COMMENT"}("{spoken[-1].text}")')
-        for comment in comments:
-            if comment.message and stops:
-                self.stop_text = comment.text.strip()
-            elif comment.message:
-                self.event("message", text=comment.text.strip())
-            elif not self._operation(comment.text.strip()):
-                self.event("comment", text=comment.text.strip())
+        self.read_profile: ProfileReader | None = None
+        self.asks_position = False  # afterwards the machine is asked where it is
+        self.turning = "off"  # how the spindle turned when a canned cycle began
+        self.unheard = False  # moves are not told: a call before them stands for all
+        self.next_further: tuple[float, ...] = model.further  # where A B C U V W are after this block's move
 
     def block(self, plan: Plan, values: list[float]) -> None:
         """Execute the words in RS274's order."""
-        self.plan, self.values = plan, values
+        self.plan, self.values = plan, list(values)
+        if self.model.diameter:
+            self.scale_x(0.5)
+        if plan.polar and self.model.plane_code != "G17":
+            what = "@ and ^ lie in the plane XY"
+            value = "@" if "@" in plan.slots else "^"
+            raise ProgramError("polar", what, value=value, advice="write G17 on a line before")
         for code in plan.codes:
             if code.group == "motion" and code.motion is not None:
                 self._motion(code)
                 continue
+            scale = self.model.scale
             changed = self._set(code)
+            if self.model.scale != scale:
+                bare.units_change(self.model, scale)
             if changed or not code.silent:
                 for call in code.calls:
                     self.call(call)
             if code.act:
                 ACTS[code.act](self, code)
+        if self.asks_position:
+            bare.ask_position(self.model)
+            compensation.stands_here(self)
+
+    def _motion(self, code: Code) -> None:
+        self._set(code)
+        motion, before = self.plan.motion, self.model.motion
+        if code.modal:
+            self.model.motion = code.motion if code.motion is not None else NO_MOTION
+        for call in code.calls:
+            self.call(call)
+        if self.model.far_plane and motion != NO_MOTION:
+            self._check_far_plane(self.model.far_plane, motion)
+        if motion != NO_MOTION:
+            MOTIONS[motion](self, motion, before)
+
+    def _check_far_plane(self, plane: str, motion: int) -> None:
+        """Refuse what lies in a plane of U, V and W."""
+        name = MOTION_NAMES[motion]
+        if motion not in ANY_PLANE:
+            what = f"{name} is not read in {plane}, a plane of the axes U, V and W"
+            raise ProgramError("plane", what, value=name, advice="write G17, G18 or G19 before")
+        if compensation.active(self):
+            self.uncompensated(f"nothing moves in the plane {plane}", name)
 
     def _set(self, code: Code) -> bool:
         """Set the code's fields of the modal state; whether that changed any."""
@@ -89,31 +104,9 @@ class Execution:
             self.model.change(**code.sets)
         return self.model.state != before
 
-    # what the table and the trace are told when all went well
-
-    def do(self, action: Callable, *arguments: Any) -> None:
-        """Put an action off until the block is committed."""
-        self.actions.append((action, arguments))
-
-    def event(self, kind: str, value: float = 0.0, text: str = "") -> None:
-        """Add an event to the table."""
-        self.do(self.table.set_state, self.model.state)
-        self.do(self.table.event, kind, value, text, self.line)
-
-    def call(self, text: str) -> None:
-        """Tell a canonical call."""
-        if self.canon:
-            self.do(self.canon.call, text)
-
-    def lengths(self, template: str, *values: float) -> None:
-        """Tell a canonical call whose arguments are lengths in mm."""
-        if self.canon:
-            self.do(self.canon.lengths, template, values, self.model.copy())
-
-    def told(self, motion: int, end: Point, arc: Arc | None = None) -> None:
-        """Tell a move."""
-        if self.canon:
-            self.do(self.canon.move, motion, end, arc, self.model.copy())
+    def flush(self) -> None:
+        """Make the moves that compensation holds back."""
+        compensation.flush(self)
 
     # words
 
@@ -138,87 +131,111 @@ class Execution:
 
     def known(self, axis: int) -> float:
         """Return the machine position along one axis; raises ProgramError when it is unknown."""
-        position = self.model.position[axis]
+        position = (*self.model.position, *(self.model.further or NO_FURTHER))[axis]
         if isnan(position):
-            what = f"the position along {AXES[axis]} is not known here"
-            raise ProgramError("unknown-position", what, value=AXES[axis], advice="move there with G90 first")
+            name = ALL_AXES[axis]
+            what = f"the position along {name} is not known here"
+            raise ProgramError("unknown-position", what, value=name, advice="move there with G90 first")
         return position
 
-    # motion
+    def between(self, letter: str, least: float, most: float) -> float:
+        """Return a word's number; raises ProgramError when it is out of range."""
+        value = self.value(letter)
+        if not least <= value <= most:
+            what, limit = f"{letter} is out of range", f"{least:g} to {most:g}"
+            raise ProgramError("bad-value", what, value=letter, limit=limit, advice=f"correct {letter}")
+        return value
 
-    def rapid(self, end: Point, row: bool = True) -> None:
-        """Rapid to `end`."""
+    def must_have(self, letter: str, name: str) -> None:
+        """Refuse a code without one of its words."""
+        if letter not in self.plan.slots:
+            raise ProgramError("missing-word", f"{name} needs a {letter} word", value=name, advice=f"add {letter}")
+
+    def axis_words(self) -> dict[int, float]:
+        """Return the axis words by axis, mm and degrees."""
+        slots, scale = self.plan.slots, self.model.scale
+        there = {axis: slots[letter] for axis, letter in enumerate(ALL_AXES) if letter in slots}
+        return {axis: self.values[slot] * length_scale(axis, scale) for axis, slot in there.items()}
+
+    def scale_x(self, factor: float) -> None:
+        """Take X for something else than it says: a diameter for a radius."""
+        if "X" in self.plan.slots:
+            self.values[self.plan.slots["X"]] *= factor
+
+    def uncompensated(self, what: str, value: str) -> None:
+        """Refuse something while the radius of the tool is compensated."""
+        if self.model.compensation:
+            what = f"{what} while the tool is compensated"
+            raise ProgramError("compensation", what, value=value, advice="write G40 before")
+
+    def known_position(self, axes: Iterable[int]) -> Point:
+        """Return the machine position; raises ProgramError when one of `axes` is unknown."""
+        for axis in axes:
+            self.known(axis)
+        return self.model.position
+
+    # moves
+
+    def rapid(self, end: Point, further: tuple[float, ...] = (), row: bool = True) -> None:
+        """Rapid to `end`; A B C U V W stay where they are unless `further` says otherwise."""
+        self.move(RAPID, end, None, 0.0, further or self.model.further, row)
+
+    def move(
+        self,
+        motion: int,
+        end: Point,
+        arc: Arc | None,
+        feed: float,
+        further: tuple[float, ...] | None = None,
+        row: bool = True,
+    ) -> None:
+        """Move to `end`, and note that the tool is there."""
+        further = self.model.further if further is None else further
+        self.emit(motion, end, arc, feed, self.line, self.model.state, further, row)
+        self.model.further = further
+        bare.moved(self.model, end)
+
+    def emit(
+        self,
+        motion: int,
+        end: Point,
+        arc: Arc | None,
+        feed: float,
+        line: int,
+        state: State | None,
+        further: tuple[float, ...],
+        row: bool = True,
+    ) -> None:
+        """Make the row of a move and tell it; where the tool is noted to be does not change."""
+        whole = (*end, *further)
         if row:
-            self.do(self.table.set_state, self.model.state)
-            self.do(self.table.rapid, end, self.line)
-        self.told(RAPID, end)
-        self.model.position = end
-
-    def _motion(self, code: Code) -> None:
-        self._set(code)
-        motion = self.plan.motion
-        self.model.motion = code.motion if code.motion is not None else NO_MOTION
-        for call in code.calls:
-            self.call(call)
-        if motion == NO_MOTION:
-            return
-        if self.plan.machine:
-            end = machine_end_point(self.model, self.plan, self.values, self.dialect)
-        else:
-            end = end_point(self.model, self.plan, self.values)
-        if motion == RAPID:
-            self.rapid(end, row=self.plan.moves)
-        else:
-            self._cut(motion, end)
-
-    def _cut(self, motion: int, end: Point) -> None:
-        """A feed move: line or arc."""
-        model = self.model
-        is_line = motion == LINE
-        check_feed(model, motion)
-        arc = None if is_line else arc_of(model, self.plan, self.values, end, motion, self.dialect)
-        feed = model.state.feed_mm_min
-        if not model.plain:
-            feed = self._inverse_feed(motion, end, arc)
-        if self.plan.moves:
-            self.do(self.table.set_state, model.state)
-            if arc is None:
-                self.do(self.table.feed, end, feed, self.line)
+            self.do(self.table.set_state, state)
+            if motion == RAPID:
+                self.do(self.table.rapid, whole, line)
+            elif arc is None:
+                self.do(self.table.feed, whole, feed, line)
+            elif self.model.turn is not None and arc.plane != XY:
+                for point in chords(self.model, motion, arc, end):
+                    self.do(self.table.feed, (*point, *further), feed, line)
             else:
-                self.do(self.table.arc, motion, end, arc.centre, feed, arc.plane, arc.turns, self.line)
-        self.told(motion, end, arc)
-        model.position = end
+                self.do(self.table.arc, motion, whole, arc.centre, feed, arc.plane, arc.turns, line)
+        self.model.stands = end
+        if self.canon and not self.unheard:
+            self.do(self.canon.move, motion, whole, arc, self.model.copy())
 
-    def _inverse_feed(self, motion: int, end: Point, arc: Arc | None) -> float:
-        if "F" not in self.plan.slots or self.value("F") <= 0:
-            what = f"in inverse time every {MOTION_NAMES[motion]} needs its own F above 0"
-            raise ProgramError("no-feed", what, value=MOTION_NAMES[motion], advice="add F, or write G94 before")
-        feed = inverse_time_feed(self.value("F"), self.model.position, end, arc, self.model.scale)
+    def feed_of(
+        self, motion: int, end: Point, arc: Arc | None = None, further: tuple[float, ...] = (), length: float = -1.0
+    ) -> float:
+        """Return the feed in mm/min of the move to `end`, whose length may be given; an inverse time is told."""
+        model = self.model
+        if model.state.feed_mode == "per_minute":
+            return model.state.feed_mm_min
+        if model.state.feed_mode == "per_turn":
+            return model.state.feed_mm_turn * rpm_at(model, end)
+        if length < 0:
+            begin = (*model.machine(model.programmed_work()), *(model.further or (0.0,) * len(further)))
+            length = way_length(begin, (*end, *further), arc)
+        feed = max(SMALLEST_INVERSE_FEED * model.scale, length * self.value("F"))
         self.lengths(SET_FEED, feed)
+        model.feed_number = feed / model.scale
         return feed
-
-    def _operation(self, text: str) -> bool:
-        """Open or close the span of an operation comment; whether it was one."""
-        for mark, opens in (("begin operation:", True), ("finish operation:", False)):
-            if text[: len(mark)].lower() == mark:
-                return self._open(text[len(mark) :].strip()) if opens else self._close(text[len(mark) :].strip())
-        return False
-
-    def _open(self, name: str) -> bool:
-        self.model.operations = (*self.model.operations, name)
-        self.do(self.table.open_span, "operation", name)
-        return True
-
-    def _close(self, name: str) -> bool:
-        if self.model.operations[-1:] != (name,):
-            return False
-        self.model.operations = self.model.operations[:-1]
-        self.do(self.table.close_span)
-        return True
-
-
-def check_feed(model: Model, motion: int) -> None:
-    """Refuse a feed move while no feed is set."""
-    if model.plain and model.state.feed_mm_min <= 0:
-        what = f"{MOTION_NAMES[motion]} has no feed"
-        raise ProgramError("no-feed", what, value=MOTION_NAMES[motion], advice="write an F word above 0 before")

@@ -6,7 +6,9 @@ Nothing here changes the model: a move is worked out whole, and refused whole. P
 
 from __future__ import annotations
 
-from math import atan2, hypot, isnan, pi, sqrt
+from collections.abc import Sequence
+from dataclasses import replace
+from math import hypot, isnan, sqrt
 from typing import NamedTuple
 
 from CNCStepper.errors import ProgramError
@@ -14,13 +16,15 @@ from CNCStepper.gcode.codes import AXES, MOTION_NAMES
 from CNCStepper.gcode.dialects import ArcRule, Dialect
 from CNCStepper.gcode.model import Model, Point
 from CNCStepper.gcode.parse import Plan
+from CNCStepper.gcode.polar import polar_end
+from CNCStepper.gcode.stored import FURTHER, length_scale
+from CNCStepper.scan.arcs import FULL_TURN, centre_by_radius, length, radii_agree, sweep_rad
 from CNCStepper.state import UNKNOWN
 from CNCStepper.toolpath import ARC_CW, PLANE_AXES, PLANE_NAMES
 
 CENTRE_WORDS = "IJK"
 MOST_TURNS = 65_535
 SMALLEST_INVERSE_FEED = 0.1  # units a minute; RS274 never goes below
-FULL_TURN = 2 * pi
 Flat = tuple[float, float]  # a point in the plane of an arc
 
 
@@ -36,6 +40,8 @@ class Arc(NamedTuple):
 
 def end_point(model: Model, plan: Plan, values: list[float]) -> Point:
     """Return where the axis words lead; raises ProgramError for incremental words from an unknown position."""
+    if model.turn is not None or model.compensation is not None or plan.polar:
+        return model.machine(_work_end(model.local(), plan, values))
     x, y, z = model.position
     in_x, in_y, in_z = plan.axes
     scale = model.scale
@@ -57,10 +63,46 @@ def end_point(model: Model, plan: Plan, values: list[float]) -> Point:
     return end[0], end[1], end[2]
 
 
+def _work_end(local: Model, plan: Plan, values: list[float]) -> Point:
+    """Return the end in work coordinates; `local` has them for its machine coordinates."""
+    if not plan.polar:
+        return end_point(local, plan, values)
+    x, y, z = end_point(local, replace(plan, axes=(-1, -1, plan.axes[2]), polar=False), values)
+    return *polar_end(local, plan, values, complex(x, y)), z
+
+
+def further_end(model: Model, plan: Plan, values: list[float]) -> tuple[float, ...]:
+    """Return where A B C U V W lead, machine coordinates; nothing while none of them has been named."""
+    if not plan.further:
+        return model.further
+    end = list(model.further or (0.0,) * len(FURTHER))
+    for index, letter in enumerate(FURTHER):
+        if letter in plan.slots:
+            value = values[plan.slots[letter]] * length_scale(index + 3, model.scale)
+            base = 0.0 if plan.machine else model.further_offset[index] if model.absolute else end[index]
+            end[index] = value + base
+    return tuple(end)
+
+
+def check_feed(model: Model, motion: int, plan: Plan | None = None, values: Sequence[float] = ()) -> None:
+    """Refuse a feed move while no feed is set, or in inverse time without its own F."""
+    name, mode = MOTION_NAMES[motion], model.state.feed_mode
+    if mode == "per_minute" and model.state.feed_mm_min <= 0:
+        raise ProgramError("no-feed", f"{name} has no feed", value=name, advice="write an F word above 0 before")
+    if mode == "per_turn" and (model.state.feed_mm_turn <= 0 or model.state.spindle_rpm <= 0):
+        what = f"{name} has no feed: a feed per turn needs F and a spindle that turns"
+        raise ProgramError("no-feed", what, value=name, advice="write F and S above 0 before")
+    if mode == "inverse_time" and plan and not ("F" in plan.slots and values[plan.slots["F"]] > 0):
+        what = f"in inverse time every {name} needs its own F above 0"
+        raise ProgramError("no-feed", what, value=name, advice="add F, or write G94 before")
+
+
 def machine_end_point(model: Model, plan: Plan, values: list[float], dialect: Dialect) -> Point:
     """Return where a G53 move ends; where the work zero is not known that is an unknown place in the table."""
     if not (model.absolute or dialect.machine_moves_incremental):
         raise ProgramError("machine-move", "G53 takes absolute coordinates only", value="G53", advice="write G90 first")
+    if plan.polar:
+        raise ProgramError("polar", "G53 takes X and Y only", value="G53", advice="write the end point itself")
     end = list(model.position)
     for axis, slot in enumerate(plan.axes):
         if slot >= 0:
@@ -70,24 +112,27 @@ def machine_end_point(model: Model, plan: Plan, values: list[float], dialect: Di
 
 def arc_of(model: Model, plan: Plan, values: list[float], end: Point, motion: int, dialect: Dialect) -> Arc:
     """Return the arc from the model's position to `end`; raises ProgramError when its words make none."""
+    if model.turn is not None:
+        arc = arc_of(model.local(), plan, values, model.work(end), motion, dialect)
+        return arc._replace(centre=model.machine(arc.centre))
     plane = PLANE_NAMES.index(model.state.plane)
     first, second, normal = PLANE_AXES[plane]
     begin, slots = model.position, plan.slots
-    _check_plane_words(plan, plane, dialect)
+    check_arc_words(plan, model, dialect)
     for axis in (first, second):
         if isnan(begin[axis]) or isnan(end[axis]):
             raise _unknown(AXES[axis], "an arc needs a known start point")
     if isnan(begin[normal]) and not isnan(end[normal]):
         raise _unknown(AXES[normal], "a helix needs a known start point")
     turns = _turns(values[slots["P"]]) if "P" in slots else 1
-    rule = dialect.arc_rules[model.state.units]
+    rule = dialect.arc_rules[model.state.units].limits(model.scale)
     flat_begin, flat_end = (begin[first], begin[second]), (end[first], end[second])
     if "R" in slots:
         radius = values[slots["R"]] * model.scale
-        flat = centre_from_radius(flat_begin, flat_end, radius, motion == ARC_CW, rule.radius_slack * model.scale)
+        flat = centre_from_radius(flat_begin, flat_end, radius, motion == ARC_CW, rule.radius_slack)
     else:
         flat = _centre_from_words(model, plan, values, plane)
-    start_radius = _check_radii(flat_begin, flat_end, flat, rule, model.scale, MOTION_NAMES[motion])
+    start_radius = _check_radii(flat_begin, flat_end, flat, rule, MOTION_NAMES[motion])
     swept = sweep(flat_begin, flat_end, flat, motion == ARC_CW)
     if flat_begin != flat_end and min(swept, FULL_TURN - swept) < rule.smallest_angle_rad:
         advice = "write a straight line"
@@ -103,32 +148,26 @@ def sweep(begin: Flat, end: Flat, centre: Flat, clockwise: bool) -> float:
     if begin == end:
         return FULL_TURN
     x1, y1 = begin[0] - centre[0], begin[1] - centre[1]
-    x2, y2 = end[0] - centre[0], end[1] - centre[1]
-    angle = atan2(x1 * y2 - y1 * x2, x1 * x2 + y1 * y2)
-    angle = -angle if clockwise else angle
-    return angle if angle > 0 else angle + FULL_TURN
+    return sweep_rad(x1, y1, end[0] - centre[0], end[1] - centre[1], clockwise)
 
 
-def inverse_time_feed(f_word: float, begin: Point, end: Point, arc: Arc | None, scale: float) -> float:
-    """Return the feed in mm/min of a move that is to take 1/F minutes."""
+def way_length(begin: tuple[float, ...], end: tuple[float, ...], arc: Arc | None) -> float:
+    """Return how far a move leads: along X Y Z, or where these stand U V W, or A B C (degrees for mm)."""
     if any(isnan(value) for value in (*begin, *end)):
         raise _unknown("F", "an inverse-time feed needs a known position")
-    x, y, z = (end[axis] - begin[axis] for axis in range(3))
-    if arc is None:
-        length = sqrt(x * x + y * y + z * z)
-    else:
-        length = hypot(arc.radius * arc.sweep_rad, (x, y, z)[PLANE_AXES[arc.plane][2]])
-    return max(SMALLEST_INVERSE_FEED * scale, length * f_word)
+    way = [there - here for here, there in zip(begin, end, strict=True)]
+    if arc is not None:
+        return hypot(arc.radius * arc.sweep_rad, way[PLANE_AXES[arc.plane][2]])
+    groups = (way[:3], way[6:], way[3:6])
+    return next((sqrt(sum(part * part for part in group)) for group in groups if any(group)), 0.0)
 
 
 def centre_from_radius(begin: Flat, end: Flat, radius: float, clockwise: bool, slack: float) -> Flat:
     """Return the centre of the arc with this radius (R word); a negative one is more than half a circle.
 
-    The centre lies on the perpendicular over the middle of the chord; `slack` is how much too short the
-    radius may be, then the arc is a half circle.
+    `slack` is how much too short the radius may be, then the arc is a half circle.
     """
-    x, y = end[0] - begin[0], end[1] - begin[1]
-    chord = hypot(x, y)
+    chord = length(end[0] - begin[0], end[1] - begin[1])
     if chord == 0:
         what = "an arc by radius may not end where it starts"
         raise ProgramError("arc-ends", what, value="R", advice="give its centre with I, J or K")
@@ -136,9 +175,7 @@ def centre_from_radius(begin: Flat, end: Flat, radius: float, clockwise: bool, s
         what = "the radius is too small to reach the end of the arc"
         limit = f"at least {chord / 2:.4f} mm"
         raise ProgramError("arc-radius", what, value="R", limit=limit, advice="correct R or the end point")
-    height = sqrt(max(0.0, radius * radius - chord * chord / 4))
-    left = -1.0 if clockwise == (radius > 0) else 1.0
-    return begin[0] + x / 2 - left * height * y / chord, begin[1] + y / 2 + left * height * x / chord
+    return centre_by_radius(*begin, *end, radius, clockwise)
 
 
 def _centre_from_words(model: Model, plan: Plan, values: list[float], plane: int) -> Flat:
@@ -149,24 +186,22 @@ def _centre_from_words(model: Model, plan: Plan, values: list[float], plane: int
         if letter in plan.slots:
             origin = model.offset[axis] if absolute else model.position[axis]
             centre.append(values[plan.slots[letter]] * model.scale + origin)
-        elif absolute:
-            what = f"{letter} is missing: absolute arc centres need both words"
-            raise ProgramError("arc-words", what, value=MOTION_NAMES[plan.motion], advice=f"add {letter}")
         else:
             centre.append(model.position[axis])
     return centre[0], centre[1]
 
 
-def _check_plane_words(plan: Plan, plane: int, dialect: Dialect) -> None:
-    """Refuse arc words that do not fit the plane in force."""
-    first, second, normal = PLANE_AXES[plane]
-    name, centre = PLANE_NAMES[plane], CENTRE_WORDS[first] + CENTRE_WORDS[second]
+def check_arc_words(plan: Plan, model: Model, dialect: Dialect) -> None:
+    """Refuse arc words that do not fit the plane in force, whatever their numbers."""
+    name = model.state.plane
+    first, second, normal = PLANE_AXES[PLANE_NAMES.index(name)]
+    centre = CENTRE_WORDS[first] + CENTRE_WORDS[second]
     if CENTRE_WORDS[normal] in plan.slots:
         what = f"{CENTRE_WORDS[normal]} is no centre word in plane {name}"
         raise ProgramError(
             "unused-word", what, value=CENTRE_WORDS[normal], advice="select the plane with G17, G18, G19"
         )
-    in_plane = plan.axes[first] >= 0 or plan.axes[second] >= 0
+    in_plane = plan.axes[first] >= 0 or plan.axes[second] >= 0 or plan.polar
     if not in_plane and (dialect.arc_needs_plane_axis or "R" in plan.slots):
         what = f"the arc needs {AXES[first]} or {AXES[second]} in plane {name}"
         raise ProgramError("arc-plane", what, value=MOTION_NAMES[plan.motion], advice="write its end point")
@@ -176,20 +211,22 @@ def _check_plane_words(plan: Plan, plane: int, dialect: Dialect) -> None:
     if "R" not in plan.slots and not plan.has(centre):
         what = f"the arc has neither {centre[0]} nor {centre[1]} nor R"
         raise ProgramError("arc-words", what, value=MOTION_NAMES[plan.motion], advice="give its centre")
+    missing = next((letter for letter in centre if letter not in plan.slots), "")
+    if missing and "R" not in plan.slots and model.state.arc_centres == "absolute":
+        what = f"{missing} is missing: absolute arc centres need both words"
+        raise ProgramError("arc-words", what, value=MOTION_NAMES[plan.motion], advice=f"add {missing}")
 
 
-def _check_radii(begin: Flat, end: Flat, centre: Flat, rule: ArcRule, scale: float, word: str) -> float:
+def _check_radii(begin: Flat, end: Flat, centre: Flat, rule: ArcRule, word: str) -> float:
     """Return the radius at the start; raises ProgramError where the end does not lie on the same circle."""
-    radius = hypot(begin[0] - centre[0], begin[1] - centre[1])
-    at_end = hypot(end[0] - centre[0], end[1] - centre[1])
-    if min(radius, at_end) < rule.smallest_radius * scale:
-        limit = f"{rule.smallest_radius * scale:g} mm"
+    radius = length(begin[0] - centre[0], begin[1] - centre[1])
+    at_end = length(end[0] - centre[0], end[1] - centre[1])
+    if min(radius, at_end) < rule.smallest_radius:
+        limit = f"{rule.smallest_radius:g} mm"
         raise ProgramError("arc-radius", "the arc has no radius", value=word, limit=limit, advice="write a line")
-    difference = abs(radius - at_end)
-    too_much = difference > rule.gap * scale or difference > rule.relative * max(radius, at_end)
-    if difference > rule.slack * scale and too_much:
+    if not radii_agree(radius, at_end, rule.slack, rule.gap, rule.relative):
         what = f"the radius at the end of the arc is {at_end:.4f} mm and at its start {radius:.4f} mm"
-        limit = f"a difference of {max(rule.slack * scale, min(rule.gap * scale, rule.relative * radius)):.4f} mm"
+        limit = f"a difference of {max(rule.slack, min(rule.gap, rule.relative * radius)):.4f} mm"
         raise ProgramError("arc-ends", what, value=word, limit=limit, advice="correct the centre or the end point")
     return radius
 

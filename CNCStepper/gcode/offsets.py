@@ -1,161 +1,222 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The codes that move coordinates or go to stored positions: G10, G28, G30, G43, G49, G54 to G59.3, G92.
+"""The codes that move coordinates or go to stored positions: G10 L2 L20, G28, G30, G52, G54 to G59.3, G92.
 
-Each function is one act of `codes.Code`; it changes the block's copy of the model only.
+Each function is one act of `codes.Code`; it changes the block's copy of the model only. Offsets have nine axes, mm and
+degrees, and live in the parameters, as those of LinuxCNC do:
+
+    machine = origin + tool + turn (work + G92)      origin, turn: of the work system;  G92: turns with it
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable
+from math import isnan
 from typing import TYPE_CHECKING
 
 from CNCStepper.errors import ProgramError
+from CNCStepper.gcode.bare import goes_on_at, use_system
 from CNCStepper.gcode.codes import Code
-from CNCStepper.gcode.model import HOMES, ZERO, Point
-from CNCStepper.gcode.moves import end_point
-from CNCStepper.state import UNKNOWN, WORK_SYSTEMS
+from CNCStepper.gcode.model import Model, g92_kept
+from CNCStepper.gcode.moves import end_point, further_end
+from CNCStepper.gcode.parameters import FIRST_G92, G92_IN_FORCE, WORK_SYSTEM, offset_number
+from CNCStepper.gcode.stored import ROTATION, store_point, stored_point
+from CNCStepper.gcode.tool_table import set_tool
+from CNCStepper.state import UNKNOWN, WORK_SYSTEMS, ZERO9
 
 if TYPE_CHECKING:
     from CNCStepper.gcode.execute import Execution
 
-SET_G92 = "SET_G92_OFFSET({}, {}, {}, 0.0000, 0.0000, 0.0000)"
-SET_WORK = "SET_G5X_OFFSET(%d, {}, {}, {}, 0.0000, 0.0000, 0.0000)"
-SET_TOOL_LENGTH = "USE_TOOL_LENGTH_OFFSET(0.0000 0.0000 {}, 0.0000 0.0000 0.0000, 0.0000 0.0000 0.0000)"
-
-
-def tool_length(block: Execution, code: Code) -> None:
-    length = 0.0
-    if code.name == "G43.1":
-        length = _dynamic_length(block)
-    elif code.name == "G43":
-        length = _table_length(block)
-    block.model.change_offset(tool_length_mm=length)
-    block.lengths(SET_TOOL_LENGTH, length)
-
-
-def _dynamic_length(block: Execution) -> float:
-    for axis in "XY":
-        if axis in block.plan.slots:
-            raise ProgramError("unused-word", "a tool length lies along Z only", value=axis, advice=f"drop {axis}")
-    return block.value("Z") * block.model.scale if "Z" in block.plan.slots else block.model.state.tool_length_mm
-
-
-def _table_length(block: Execution) -> float:
-    tool = block.whole("H", 0, block.dialect.largest_tool) if "H" in block.plan.slots else block.model.state.tool
-    if tool == 0:
-        return 0.0
-    if tool not in block.model.tool_lengths:
-        what = f"the length of tool {tool} is not known"
-        raise ProgramError("tool-length", what, value="G43", advice="give the tool's length with the start state")
-    return block.model.tool_lengths[tool]
+HOMES = {"G28": 5161, "G30": 5181}  # first parameter of each stored position (machine coordinates)
+SIX = "{}, {}, {}, {}, {}, {}"
+SET_G92 = f"SET_G92_OFFSET({SIX})"
+SET_WORK = f"SET_G5X_OFFSET(%d, {SIX})"
 
 
 def work_system(block: Execution, code: Code) -> None:
+    """G54 to G59.3: the work system that is in force from now on."""
+    block.uncompensated("coordinate systems may not be changed", code.name)
     if code.name == block.model.state.work_system:
         block.call('COMMENT("interpreter: continuing to use same coordinate system")')
         return
-    block.model.change_offset(work_system=code.name)
+    model = block.model
+    model.parameters.set(WORK_SYSTEM, WORK_SYSTEMS.index(code.name) + 1.0)
+    use_system(model, code.name)
     say_work_offset(block)
-    block.lengths(SET_G92, *block.model.state.g92_mm)
-    block.call("SET_XY_ROTATION(0.0000)")
+    block.point(SET_G92, model.g92)
+    say_rotation(block)
 
 
 def say_work_offset(block: Execution) -> None:
+    """Tell the canonical call of the work system in force."""
     number = WORK_SYSTEMS.index(block.model.state.work_system) + 1
-    block.lengths(SET_WORK % number, *block.model.work_offset())
+    block.point(SET_WORK % number, block.model.origin)
 
 
-def set_offset(block: Execution, code: Code) -> None:
-    """G10 L2: the offset itself; G10 L20: the offset at which the position has the given coordinates."""
+def say_rotation(block: Execution) -> None:
+    """Tell the canonical call of its turn about Z."""
+    block.call(f"SET_XY_ROTATION({block.model.state.rotation_deg:.4f})")
+
+
+def set_table(block: Execution, code: Code) -> None:
+    """G10: L2 and L20 set an offset, L1, L10 and L11 a tool."""
     kind = block.whole("L", 0, 20)
+    if kind in (0, 1, 10, 11):
+        set_tool(block, kind)
+        return
     if kind not in (2, 20):
-        what = "G10 is read with L2 and L20 only"
-        raise ProgramError("not-supported", what, value="L", advice="set tool tables on the machine")
+        what = "G10 is read with L1, L2, L10, L11 and L20 only"
+        raise ProgramError("not-supported", what, value="L", advice="correct L")
+    for letter in "IJQ" if kind == 2 else "IJQR":
+        if letter in block.plan.slots:
+            raise ProgramError("unused-word", f"{letter} says nothing with G10 L{kind}", value=letter, advice="drop it")
+    block.must_have("P", "G10")
     number = block.whole("P", 0, block.dialect.work_systems, "work-system")
-    name = WORK_SYSTEMS[number - 1] if number else block.model.state.work_system
-    offset = list(block.model.work_offsets.get(name, ZERO))
-    for axis, slot in enumerate(block.plan.axes):
-        if slot >= 0:
-            value = block.values[slot] * block.model.scale
-            offset[axis] = value if kind == 2 else _without_shifts(block, axis) - value
-    block.model.work_offsets = {**block.model.work_offsets, name: (offset[0], offset[1], offset[2])}
-    if name == block.model.state.work_system:
-        block.model.change_offset()
+    _set_system(block, WORK_SYSTEMS[number - 1] if number else block.model.state.work_system, kind)
+
+
+def _set_system(block: Execution, name: str, kind: int) -> None:
+    """G10 L2: the offset itself; G10 L20: the offset at which the position has the given coordinates."""
+    model = block.model
+    in_force = name == model.state.work_system
+    if in_force:
+        block.uncompensated("the coordinate system in force may not be changed", "G10")
+    words = block.axis_words()
+    first = offset_number(name)
+    if "R" in block.plan.slots:
+        model.parameters.set(first + ROTATION, block.value("R"))
+    if kind == 20:
+        words = _origin_for(block, name, words)
+    store_point(model.parameters, first, [words.get(axis, 0.0) for axis in range(9)], model.unit_mm, words)
+    if in_force:
+        _turn_in_force(model, name)
         say_work_offset(block)
-        block.call("SET_XY_ROTATION(0.0000)")
+        say_rotation(block)
     else:
         block.call('COMMENT("interpreter: setting coordinate system origin")')
 
 
-def _without_shifts(block: Execution, axis: int) -> float:
-    """Return the position along one axis without G92 and tool length."""
-    state = block.model.state
-    length = state.tool_length_mm if axis == 2 else 0.0
-    return block.known(axis) - state.g92_mm[axis] - length
+def _turn_in_force(model: Model, name: str) -> None:
+    """Take the new origin and rotation; as LinuxCNC does, the text goes on as if G92 had not turned with them."""
+    x, y, z = model.work(model.position)
+    before = complex(x, y) * (model.turn or 1.0) + complex(*model.origin[:2])
+    z += model.origin[2]
+    use_system(model, name)
+    if any(model.g92[:2]) and not isnan(before.real):
+        flat = (before - complex(*model.origin[:2])) / (model.turn or 1.0)
+        goes_on_at(model, model.machine((flat.real, flat.imag, z - model.origin[2])))
+
+
+def _origin_for(block: Execution, name: str, words: dict[int, float]) -> dict[int, float]:
+    """Return the origin at which the position has the coordinates `words`, for their axes (X and Y turn together)."""
+    system = block.model.copy()
+    for axis in range(2) if system.parameters.get(offset_number(name) + ROTATION) else words:
+        block.known(axis)
+    system.use_system(name)
+    origin, turn = list(system.origin), system.turn or 1.0
+    here = (*system.work(system.position), *system.further_work())
+    shift = [here[axis] - words.get(axis, here[axis]) for axis in range(9)]
+    if set(words) & {0, 1}:
+        flat = complex(*shift[:2]) * turn
+        shift[:2] = flat.real, flat.imag
+        words = {0: 0.0, 1: 0.0} | words
+    return {axis: origin[axis] + (0.0 if isnan(shift[axis]) else shift[axis]) for axis in words}
 
 
 def set_g92(block: Execution, code: Code) -> None:
-    g92 = list(block.model.state.g92_mm)
-    for axis, slot in enumerate(block.plan.axes):
-        if slot >= 0:
-            # today's work position becomes the given value; what G92 already shifts comes on top
-            work = block.known(axis) - block.model.offset[axis]
-            g92[axis] += work - block.values[slot] * block.model.scale
-    block.model.g92_kept = (g92[0], g92[1], g92[2])
-    _use_g92(block, block.model.g92_kept)
+    """G92: today's work position gets the given coordinates; what G92 shifts already comes on top."""
+    block.uncompensated("axis offsets may not be changed", code.name)
+    model = block.model
+    g92 = list(model.g92)
+    words = block.axis_words()
+    for axis in range(2) if model.turn and words else words:
+        block.known(axis)
+    here = (*model.work(model.position), *model.further_work())
+    for axis, value in words.items():
+        g92[axis] += here[axis] - value
+    _keep_g92(block, g92)
+
+
+def set_g52(block: Execution, code: Code) -> None:
+    """G52: the G92 offset itself."""
+    block.uncompensated("axis offsets may not be changed", code.name)
+    g92 = list(block.model.g92)
+    for axis, value in block.axis_words().items():
+        g92[axis] = value
+    _keep_g92(block, g92)
+
+
+def _keep_g92(block: Execution, g92: list[float]) -> None:
+    model = block.model
+    store_point(model.parameters, FIRST_G92, g92, model.unit_mm, range(9))
+    _use_g92(block, tuple(g92), 1.0)
 
 
 def clear_g92(block: Execution, code: Code) -> None:
-    block.model.g92_kept = ZERO
-    _use_g92(block, ZERO)
+    """G92.1: no shift, and none kept."""
+    block.uncompensated("axis offsets may not be changed", code.name)
+    store_point(block.model.parameters, FIRST_G92, ZERO9, 1.0, range(9))
+    _use_g92(block, ZERO9, 0.0)
 
 
 def suspend_g92(block: Execution, code: Code) -> None:
-    _use_g92(block, ZERO)
+    """G92.2: no shift, but it is kept."""
+    block.uncompensated("axis offsets may not be changed", code.name)
+    _use_g92(block, ZERO9, 0.0)
 
 
 def restore_g92(block: Execution, code: Code) -> None:
-    _use_g92(block, block.model.g92_kept)
+    """G92.3: the shift that is kept."""
+    block.uncompensated("axis offsets may not be changed", code.name)
+    _use_g92(block, g92_kept(block.model), 1.0)
 
 
-def _use_g92(block: Execution, g92: Point) -> None:
-    block.model.change_offset(g92_mm=g92)
-    block.lengths(SET_G92, *g92)
+def _use_g92(block: Execution, g92: tuple[float, ...], in_force: float) -> None:
+    block.model.parameters.set(G92_IN_FORCE, in_force)
+    block.model.g92 = g92
+    block.model.change_offset()
+    block.point(SET_G92, g92)
 
 
 def keep_home(block: Execution, code: Code) -> None:
-    first = HOMES[code.name[:3]]
-    kept = {first + axis: block.known(axis) for axis in range(3)}
-    block.model.homes = {**block.model.homes, **kept}
+    """G28.1, G30.1: store the position."""
+    block.uncompensated("no position may be stored", code.name)
+    model = block.model
+    point = [block.known(axis) for axis in range(3)] + list(model.further or (0.0,) * 6)
+    store_point(model.parameters, HOMES[code.name[:3]], point, model.unit_mm, range(9))
 
 
 def go_home(block: Execution, code: Code) -> None:
     """G28, G30: first to the point given, then the named axes (or all) to the stored position."""
+    block.uncompensated("G28 and G30 may not be used", code.name)
+    model = block.model
+    named = list(block.axis_words())
+    further = further_end(model, block.plan, block.values)
+    block.rapid(end_point(model, block.plan, block.values), further, row=bool(named))
+    home = _home(model, code)
+    end = [home[axis] if axis in named or not named else here for axis, here in enumerate(model.position)]
+    if further or any(home[3:]):
+        more = model.further or (0.0,) * 6
+        further = tuple(home[axis] if axis in named or not named else more[axis - 3] for axis in range(3, 9))
+    block.rapid((end[0], end[1], end[2]), further)
+
+
+def _home(model: Model, code: Code) -> tuple[float, ...]:
     first = HOMES[code.name]
-    named = [axis for axis, slot in enumerate(block.plan.axes) if slot >= 0]
-    home = list(end_point(block.model, block.plan, block.values))
-    block.rapid((home[0], home[1], home[2]), row=bool(named))
-    for axis in named or range(3):
-        home[axis] = _home(block, first + axis, code)
-    block.rapid((home[0], home[1], home[2]))
-
-
-def _home(block: Execution, parameter: int, code: Code) -> float:
-    if parameter not in block.model.homes:
+    if first not in model.parameters:
         what = f"the position stored for {code.name} is not known"
-        advice = f"give parameters {HOMES[code.name]} to {HOMES[code.name] + 2} with the start state, or use G53"
+        advice = f"give parameters {first} to {first + 2} with the start state, or use G53"
         raise ProgramError("unknown-position", what, value=code.name, advice=advice)
     # a machine position has no place in a table whose work zero is not known
-    return block.model.homes[parameter] if block.model.zero_known else UNKNOWN
+    return stored_point(model.parameters, first, model.unit_mm) if model.zero_known else (UNKNOWN,) * 3 + ZERO9[3:]
 
 
 OFFSET_ACTS: dict[str, Callable[[Execution, Code], None]] = {
     act.__name__: act
     for act in (
-        tool_length,
         work_system,
-        set_offset,
+        set_table,
         set_g92,
+        set_g52,
         clear_g92,
         suspend_g92,
         restore_g92,

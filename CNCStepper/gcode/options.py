@@ -15,6 +15,14 @@ class WriteOptions:
     spin_up_s: dwell after the spindle starts. tool_change: "pause" (M5, message, M0), "m6", or "split"
     (`write_split`, one program a tool). coolant: switched on with the spindle, beside what the table says.
     tools: description by number. flat_mm: an arc flatter than this is written as a line (0: half a last digit).
+    tool_length: "touch_off" (the operator is told to set the Z zero with each new tool), "table" (each tool's length
+    offset is selected: G43 H, or G43.1 Z where the controller has no table) or "none" (all tools are equally long).
+    tool_lengths_mm: length offsets by number, where they are known. Lengths that the table itself has are kept by words
+    where the dialect has them, else in the coordinates; with "touch_off" they are left out.
+    retract: Z goes to clearance first, before tool changes and at the end; without it the program holds the table's
+    moves only. leave_out: what may be missing where the dialect lacks it: "spindle", "coolant", "dwell", "pause" and
+    "tool" (it is refused otherwise). chord_mm: how far lines may be from an arc that the dialect lacks. rapid_mm_min:
+    the F of rapids where they heed it (0: the last one). An empty work_offset is the table's own.
     """
 
     units: Literal["mm", "inch"] = "mm"
@@ -27,3 +35,9 @@ class WriteOptions:
     comments: tuple[str, ...] = ()
     tools: dict[int, str] = field(default_factory=dict)
     flat_mm: float = 0.0
+    tool_length: Literal["touch_off", "table", "none"] = "none"
+    tool_lengths_mm: dict[int, float] = field(default_factory=dict)
+    retract: bool = True
+    leave_out: tuple[str, ...] = ()
+    chord_mm: float = 0.002
+    rapid_mm_min: float = 0.0

@@ -13,22 +13,27 @@ from dataclasses import dataclass, replace
 
 from CNCStepper.errors import ProgramError
 from CNCStepper.gcode.codes import (
+    ALL_AXES,
     ARC_WORDS,
     AXES,
+    FLOW,
     MOTION_NAMES,
     NO_MOTION,
-    NOT_YET,
     ORDER,
+    POLAR,
     RS274,
+    SPINDLE,
     WORDS_THAT_ACT,
     Code,
 )
 from CNCStepper.gcode.dialects import Dialect
-from CNCStepper.gcode.words import NUMBER, Word, words_of
+from CNCStepper.gcode.words import NUMBER, Word
 from CNCStepper.toolpath import ARC_CCW, ARC_CW, LINE, RAPID
 
 PLAIN_NUMBER = re.compile(f"(?<=[A-FH-LN-Z]){NUMBER}")  # the number of any word but G and M
 ALWAYS_ALLOWED = frozenset("FSTN")
+NEVER_SIMPLE = frozenset(("S", "T", *ALL_AXES[3:], *POLAR))  # words with which a line takes the general way
+SIMPLE_MOTIONS = (RAPID, LINE, ARC_CW, ARC_CCW)
 MOST_PLANS = 4096  # hostile text can have endless shapes; then the plans are forgotten
 
 
@@ -38,7 +43,8 @@ class Plan:
 
     slots: letter -> place among the line's plain numbers. codes: in order of execution, the motion's own code
     included. motion: the kind of move made, or NO_MOTION. moves: it has axis (or arc) words for that motion.
-    axes: places of X, Y, Z, -1 where absent. machine: G53. simple: nothing but a motion, its words, F and N.
+    axes: places of X, Y, Z, -1 where absent. further: some of A B C U V W are there. polar: @ or ^ are. machine: G53.
+    simple: nothing but a motion, its words, F and N.
     """
 
     slots: dict[str, int]
@@ -50,6 +56,8 @@ class Plan:
     simple: bool
     feed: int
     number: int
+    further: bool = False
+    polar: bool = False
 
     def has(self, letters: str) -> bool:
         """Whether one of `letters` is among the words."""
@@ -61,24 +69,21 @@ class Grammar:
 
     def __init__(self, dialect: Dialect):
         self.dialect = dialect
-        self._plans: dict[int, dict[str, Plan]] = {motion: {} for motion in range(NO_MOTION + 1)}
+        self._plans: dict[int, dict[str, Plan]] = {motion: {} for motion in range(len(MOTION_NAMES))}
 
     def plans(self, motion: int) -> dict[str, Plan]:
         """Return the plans by shape that hold while `motion` is modal."""
         return self._plans[motion]
 
-    def read(self, code: str, motion: int) -> tuple[Plan, list[float], list[Word]]:
-        """Return plan, plain numbers and words of a line without comments; raises ProgramError."""
-        words = words_of(code)
-        text = "".join(word.text for word in words)
-        values = [float(word.number) for word in words if word.letter not in "GM"]
-        shape = PLAIN_NUMBER.sub("", text)
+    def plan(self, words: list[Word], motion: int) -> Plan:
+        """Return the plan of a line's words while `motion` is modal; raises ProgramError."""
+        shape = "".join(word.text if word.letter in "GM" else word.letter for word in words)
         plans = self._plans[motion]
         if shape not in plans:
             if len(plans) >= MOST_PLANS:
                 plans.clear()
             plans[shape] = self._plan(words, motion)
-        return plans[shape], values, words
+        return plans[shape]
 
     def _plan(self, words: list[Word], motion: int) -> Plan:
         slots = self._slots(words)
@@ -96,14 +101,16 @@ class Grammar:
             moves=moves,
             axes=tuple(slots.get(axis, -1) for axis in AXES),  # type: ignore[arg-type]
             machine=machine,
-            simple=moves and not machine and all(self._is_simple(code) for code in codes) and not {"S", "T"} & {*slots},
+            simple=moves and not machine and all(map(self._is_simple, codes)) and not NEVER_SIMPLE & {*slots},
             feed=slots.get("F", -1),
             number=slots.get("N", -1),
+            further=not {*ALL_AXES[3:]}.isdisjoint(slots),
+            polar=not {*POLAR}.isdisjoint(slots),
         )
 
     @staticmethod
     def _is_simple(code: Code) -> bool:
-        return code.group == "motion" and not code.sets and not code.act
+        return code.group == "motion" and not code.sets and not code.act and code.motion in SIMPLE_MOTIONS
 
     def _slots(self, words: list[Word]) -> dict[str, int]:
         """Return letter -> place among the plain numbers, each letter known and once."""
@@ -135,9 +142,8 @@ class Grammar:
 
     def _unknown(self, name: str) -> Code:
         """Say why a code is refused."""
-        if name in NOT_YET and name not in self.dialect.refused:
-            what = f"{name} ({NOT_YET[name]}) is not read yet"
-            raise ProgramError("not-supported", what, value=name, advice="expand it into plain moves")
+        if name in FLOW and name not in self.dialect.refused:
+            raise ProgramError("not-supported", f"{name} {FLOW[name]}", value=name, advice="expand it into plain moves")
         what = f"{self.dialect.title} does not accept {name}"
         raise self._refused(name, what, "refused-code" if name in RS274 else "unknown-code")
 
@@ -152,7 +158,7 @@ class Grammar:
             what = f"{users[0].name} and {users[1].name} would both use the axis words"
             raise ProgramError("axis-conflict", what, value=users[1].name, advice="write them on two lines")
         explicit = next((code for code in codes if code.motion is not None), None)
-        has_axes = any(axis in slots for axis in AXES)
+        has_axes = any(axis in slots for axis in ALL_AXES + POLAR)
         has_centre = any(letter in slots for letter in ARC_WORDS)
         if users and users[0].group != "motion":
             return codes, NO_MOTION, False
@@ -166,7 +172,8 @@ class Grammar:
         repeats_arc = has_centre and modal in (ARC_CW, ARC_CCW) and self.dialect.centre_repeats_arc
         if has_axes or repeats_arc:
             return [*codes, self._repeated(slots, modal)], modal, True
-        return codes, modal if any(code.name == "G53" for code in codes) else NO_MOTION, False
+        machine = self.dialect.machine_word_alone and any(code.name == "G53" for code in codes)
+        return codes, modal if machine else NO_MOTION, False
 
     def _repeated(self, slots: dict[str, int], modal: int) -> Code:
         """Return the code of the modal motion that coordinates alone repeat."""
@@ -177,17 +184,17 @@ class Grammar:
         if modal not in self.dialect.repeats:
             what = f"coordinates alone may not follow {MOTION_NAMES[modal]}"
             raise ProgramError("no-motion", what, value=_first_axis(slots), advice="write the motion word again")
-        return replace(code, sets={})  # only the word itself, not its repetition, sets modes
+        return replace(code, sets={}, needs="")  # only the word itself, not its repetition, sets modes
 
     def _check_words(self, codes: list[Code], slots: dict[str, int]) -> None:
         """Refuse missing and unused words."""
-        allowed = set(ALWAYS_ALLOWED)
+        allowed = set(ALWAYS_ALLOWED) | ({SPINDLE} if "S" in slots else set())
         for code in codes:
-            allowed |= set(code.takes) | (set(AXES) if code.axes else set())
+            allowed |= set(code.takes) | _axis_letters(code)
             for letter in code.needs:
                 if letter not in slots:
                     raise ProgramError("missing-word", f"{code.name} needs a {letter} word", value=code.name)
-            if code.axes == "must" and not any(axis in slots for axis in AXES):
+            if code.axes == "must" and not any(axis in slots for axis in ALL_AXES + POLAR):
                 raise ProgramError("missing-axis", f"{code.name} needs X, Y or Z", value=code.name)
         for letter in slots:
             if letter not in allowed:
@@ -195,5 +202,10 @@ class Grammar:
                 raise ProgramError("unused-word", what, value=letter, advice="take it out or add its code")
 
 
+def _axis_letters(code: Code) -> set[str]:
+    """Return the axis words that a code takes; polar ones are for motion only."""
+    return set(ALL_AXES + POLAR * (code.group == "motion")) if code.axes else set()
+
+
 def _first_axis(slots: dict[str, int]) -> str:
-    return next((letter for letter in slots if letter in AXES + ARC_WORDS), "")
+    return next((letter for letter in slots if letter in ALL_AXES + POLAR + ARC_WORDS), "")

@@ -3,12 +3,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from dataclasses import replace
+from itertools import repeat
 
-from CNCStepper.errors import ProgramError
+import numpy as np
+
+from CNCStepper.errors import Place, ProgramError
 from CNCStepper.gcode.dialects import Dialect
+from CNCStepper.gcode.expand import expanded, is_expanded
+from CNCStepper.gcode.flow import refusals, run_whole
 from CNCStepper.gcode.interpret import Interpreter, interpret
-from CNCStepper.gcode.prepare import WireText, prepare
+from CNCStepper.gcode.prepare import prepare
+from CNCStepper.gcode.subprograms import library_of
+from CNCStepper.gcode.wire_text import WireText
 from CNCStepper.gcode.words import program_lines
 from CNCStepper.state import Start
 from CNCStepper.toolpath import Toolpath
@@ -17,22 +25,96 @@ MOST_REFUSALS = 50
 
 
 def read_back(
-    wire: WireText, text: str, start: Start | None = None, dialect_name: str | Dialect = "grbl", file: str = ""
+    wire: WireText,
+    text: str,
+    start: Start | None = None,
+    dialect_name: str | Dialect = "grbl",
+    file: str = "",
+    progress: Callable[[float], None] = lambda share: None,
 ) -> Toolpath:
     """Return the moves of `wire`, which was prepared from `text`; rows name the file's lines.
 
     Every word comes from the wire text; the lines that it left out bring only their comments (operations).
-    Raises ProgramError naming line and column in the file.
+    progress: called with the share of the lines that is reached, from 0 to 1. Raises ProgramError naming line and
+    column in the file.
     """
-    sent = dict(zip(wire.file_lines.tolist(), wire.lines, strict=True))
     reader = Interpreter(start, dialect_name, file)
+    library = library_of(file, start)
     try:
-        for number, line in enumerate(program_lines(text), start=1):
-            reader.line(sent.get(number, line))
+        if is_expanded(text, reader.dialect):
+            _read_expanded(reader, wire, text, start)
+        elif wire.leads is not None:
+            numbers, joined = _joined(wire, text, file)
+            run_whole(reader, joined, library, progress)
+            return _with_lines_of(reader.toolpath(), numbers)
+        else:
+            run_whole(reader, _with_wire_lines(wire, text, file), library, progress)
         return reader.toolpath()
     except ProgramError:
         interpret(text, start, dialect_name, file)  # refuses the same line, naming the column in the file
         raise
+
+
+def _read_expanded(reader: Interpreter, wire: WireText, text: str, start: Start | None) -> None:
+    """Read the lines that are sent, in their order, and the comments that stand between them."""
+    sent = _groups(wire)
+    for line, words, comments in expanded(text, reader.dialect, start, reader.file):
+        place = Place(reader.file, line)
+        for comment in comments:
+            reader.line_at(f"({'MSG,' * comment.message}{comment.text})", line, place)
+        if any(word.letter != "N" for word in words):
+            group = next(sent, None)
+            if group is None:
+                raise _of_another_program(place)
+            for one in group:
+                reader.line_at(one, line, place)
+    if next(sent, None) is not None:
+        raise _of_another_program(Place(reader.file))
+
+
+def _groups(wire: WireText) -> Iterator[list[str]]:
+    """Yield the lines that are sent for each line of the program, nearly always one."""
+    group: list[str] = []
+    leads = repeat(False) if wire.leads is None else iter(wire.leads.tolist())
+    for line, leads_on in zip(wire.lines, leads, strict=False):
+        group.append(line)
+        if not leads_on:
+            yield group
+            group = []
+
+
+def _joined(wire: WireText, text: str, file: str) -> tuple[np.ndarray, str]:
+    """Return a program some of whose lines are several on the wire, and the file's line of each of them, from 1."""
+    instead: dict[int, list[str]] = {}
+    for number, line in zip(wire.file_lines.tolist(), wire.lines, strict=True):
+        instead.setdefault(number, []).append(line)
+    lines = program_lines(text)
+    if max(instead, default=0) > len(lines):
+        raise _of_another_program(Place(file))
+    joined = [(number, line) for number, raw in enumerate(lines, 1) for line in instead.get(number, [raw])]
+    return np.array([0, *(number for number, _ in joined)], np.int32), "".join(f"{line}\n" for _, line in joined)
+
+
+def _with_lines_of(path: Toolpath, numbers: np.ndarray) -> Toolpath:
+    """Return a table with other numbers for its lines."""
+    path.chunks = [replace(chunk, line=numbers[chunk.line]) for chunk in path.chunks]
+    path.events = [replace(event, line=int(numbers[event.line])) for event in path.events]
+    return path
+
+
+def _of_another_program(place: Place) -> ProgramError:
+    what = "the lines to send were made from another program"
+    return ProgramError("other-program", what, advice="prepare this program's own", place=place)
+
+
+def _with_wire_lines(wire: WireText, text: str, file: str) -> str:
+    """Return the program with the lines that are sent in place of those that they were made from."""
+    lines = program_lines(text)
+    if len(wire.file_lines) and wire.file_lines.max() > len(lines):
+        raise _of_another_program(Place(file))
+    for number, line in zip(wire.file_lines.tolist(), wire.lines, strict=True):
+        lines[number - 1] = line
+    return "".join(f"{line}\n" for line in lines)
 
 
 def refused_lines(
@@ -40,21 +122,19 @@ def refused_lines(
 ) -> Iterator[ProgramError]:
     """Yield why lines of a program are refused, each with its place, at most MOST_REFUSALS; nothing for a good one.
 
-    A refused line changes nothing, so reading goes on after it; what only fails in the wire text comes last.
+    A refused line changes nothing, so reading goes on after it, up to the first that leads elsewhere; what only fails
+    in the wire text comes last.
     """
     reader = Interpreter(start, dialect_name, file)
     count = 0
-    for line in program_lines(text):
-        try:
-            reader.line(line)
-        except ProgramError as error:
-            count += 1
-            yield error
-            if count == MOST_REFUSALS:
-                return
+    for error in refusals(reader, text, library_of(file, start)):
+        count += 1
+        yield error
+        if count == MOST_REFUSALS:
+            return
     if not count:
         try:
             reader.toolpath()
-            prepare(text, dialect_name, file)
+            prepare(text, dialect_name, file, start)
         except ProgramError as error:
             yield error

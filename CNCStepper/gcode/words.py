@@ -13,16 +13,18 @@ from typing import NamedTuple
 from CNCStepper.errors import Place, ProgramError
 
 NUMBER = r"[+-]?(?:[0-9]{1,15}(?:\.[0-9]*)?|\.[0-9]+)(?![0-9])"
-_WORD = re.compile(f"([A-Z])({NUMBER})")
+SIGNS = "@^$"  # polar distance and angle, and the number of a spindle, are words too
+_WORD = re.compile(rf"([A-Z@^]|(?<!^)\$)({NUMBER})")  # a line that begins with $ is no program's
 _BLANKS = " \t\r\n"
 _RUN = re.compile(r"[^A-Z]?[^A-Z]*")  # what stands up to the next letter
 
-_NOT_YET = {
-    "#": "parameters (#) are not read yet",
-    "[": "expressions in brackets are not read yet",
-    "<": "named parameters are not read yet",
-    "O": "O-words (subroutines and loops) are not read yet",
+_COMPUTED = {
+    "#": "parameters (#) are not part of this dialect",
+    "[": "expressions in brackets are not part of this dialect",
+    "<": "named parameters are not part of this dialect",
+    "O": "an O-word begins a line of a whole program, in dialects that have them: here it is not read",
 }
+_SPEECH = ("MSG", "DEBUG", "PRINT", "LOG", "LOGOPEN", "LOGAPPEND", "PY")
 _MISPLACED = {
     "$": "a line that begins with $ is a setting or command for the controller, not part of a program",
     "%": "% may stand only alone on a line",
@@ -54,12 +56,17 @@ class Word(NamedTuple):
 
 
 class Comment(NamedTuple):
-    """What stands between parentheses, or (`to_end`) after a semicolon; `message` is set for (MSG, ...)."""
+    """What stands between parentheses, or (`to_end`) after a semicolon; `kind` is "msg" for (MSG, ...), "" for most."""
 
     text: str
     column: int
-    message: bool
+    kind: str
     to_end: bool
+
+    @property
+    def message(self) -> bool:
+        """Whether the operator shall see it."""
+        return self.kind in ("msg", "debug")
 
 
 class Line(NamedTuple):
@@ -72,10 +79,16 @@ class Line(NamedTuple):
 
 def program_lines(text: str) -> list[str]:
     """Return the lines of a program as an editor counts them: LF, CRLF or CR end a line, nothing else does."""
-    lines = text.removeprefix("\ufeff").replace("\r\n", "\n").replace("\r", "\n").split("\n")
+    lines = with_line_feeds(text).split("\n")
     if not lines[-1]:
         lines.pop()
     return lines
+
+
+def with_line_feeds(text: str) -> str:
+    """Return the text of a program with LF alone between lines and no byte order mark."""
+    text = text.removeprefix("\ufeff")
+    return text.replace("\r\n", "\n").replace("\r", "\n") if "\r" in text else text
 
 
 def split_line(text: str, strict_comments: bool = False) -> Line:
@@ -90,17 +103,22 @@ def is_tape_mark(text: str) -> bool:
     return text.strip(_BLANKS) == "%"
 
 
+def pack(code: str) -> tuple[str, list[int]]:
+    """Return a line without its blanks, in capitals, and the column of each character left."""
+    columns = [column for column, character in enumerate(code, 1) if character not in _BLANKS]
+    packed = "".join(character for character in code if character not in _BLANKS)
+    return packed.upper() if packed.isascii() else packed, columns
+
+
 def words_of(code: str) -> list[Word]:
     """Return the words of a line without comments; raises ProgramError (with its column) where there is none."""
-    packed = "".join(character for character in code if character not in _BLANKS)
-    packed = packed.upper() if packed.isascii() else packed
-    columns = [column for column, character in enumerate(code, 1) if character not in _BLANKS]
+    packed, columns = pack(code)
     words: list[Word] = []
     position = 0
     while position < len(packed):
         match = _WORD.match(packed, position)
         if match is None or match[1] == "O":
-            raise _not_a_word(packed, position, columns)
+            raise not_a_word(packed, position, columns)
         words.append(Word(match[1], match[2], columns[position]))
         position = match.end()
     return words
@@ -115,7 +133,8 @@ def _without_comments(text: str, strict: bool) -> tuple[str, list[Comment]]:
         if begin < 0:
             break
         end = _comment_end(text, begin, strict)
-        comments.append(_comment(text[begin + 1 : end], begin + 1, text[begin] == ";"))
+        if end > begin + 1:
+            comments.append(_comment(text[begin + 1 : end], begin + 1, text[begin] == ";"))
         code += text[position:begin] + " " * (min(end + 1, len(text)) - begin)
         position = end + 1
     return code + text[position:], comments
@@ -137,22 +156,23 @@ def _comment_end(text: str, begin: int, strict: bool) -> int:
 
 def _comment(inner: str, column: int, to_end: bool) -> Comment:
     stripped = inner.lstrip(" \t")
-    for mark in ("MSG,", "DEBUG,"):
-        if stripped[: len(mark)].upper() == mark:
-            return Comment(stripped[len(mark) :], column, True, to_end)
-    return Comment(stripped, column, False, to_end)
+    mark, comma, text = stripped.partition(",")
+    if comma and mark.upper() in _SPEECH:
+        return Comment(text, column, mark.lower(), to_end)
+    if stripped.upper() == "LOGCLOSE":
+        return Comment("", column, "logclose", to_end)
+    return Comment(stripped, column, "", to_end)
 
 
-def _not_a_word(packed: str, position: int, columns: list[int]) -> ProgramError:
+def not_a_word(packed: str, position: int, columns: list[int]) -> ProgramError:
     """Say what stands at `position` instead of a word."""
     letter = packed[position]
     run = letter + (_RUN.match(packed, position + 1) or [""])[0]
     after = packed[position + 1 : position + 2]
     for character in (letter, after if letter.isascii() and letter.isalpha() else ""):
-        if character in _NOT_YET:
-            return _error(
-                "not-supported", _NOT_YET[character], columns[position], run, "write the words with plain numbers"
-            )
+        if character in _COMPUTED:
+            advice = "write the words with plain numbers"
+            return _error("not-supported", _COMPUTED[character], columns[position], run, advice)
     if letter in _MISPLACED:
         return _error("misplaced", _MISPLACED[letter], columns[position], run)
     if letter.isascii() and letter.isalpha():

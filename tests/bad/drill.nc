@@ -1,2 +1,2 @@
 G81 X1 Z-5 R2 F50
-; expect not-supported 1:1
+; expect refused-code 1:1

@@ -1,2 +1,2 @@
 G38.2 Z-5 F50
-; expect not-supported 1:1
+; expect refused-code 1:1

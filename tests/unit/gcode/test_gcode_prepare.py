@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 from CNCStepper.errors import ProgramError
 from CNCStepper.gcode.interpret import interpret
 from CNCStepper.gcode.prepare import check_wire_line, prepare
+from CNCStepper.gcode.read_back import read_back
 from CNCStepper.state import Start
 
 FILE = """%
@@ -26,6 +27,35 @@ M2
 %
 not a program any more
 """
+
+
+@pytest.mark.parametrize(
+    ("text", "sent"),
+    [
+        ("X10\nG1 X2 F100\nM2\n", ("G0X10", "G1X2F100", "M2")),
+        ("G21 G90\nG92 X0\nF100\nN5 (there) z5\nX2\n", ("G21G90", "G92X0", "F100", "G0Z5", "X2")),
+        ("G90\nG53 Z0\nG1 X2 F100\n", ("G90", "G0G53Z0", "G1X2F100")),
+        ("G1 F100\nX2\n", ("G1F100", "X2")),
+        ("G4 P1\nM2\n", ("G4P1", "M2")),
+    ],
+)
+@pytest.mark.parametrize("dialect", ["grbl", "fluidnc", "grblhal"])
+def test_the_first_move_on_the_wire_names_its_motion(text, sent, dialect):
+    long = text + 3000 * "(so that a kernel writes it)\n"
+    start = Start.at_zero()
+    for program in (text, long):
+        wire = prepare(program, dialect, "a.nc", start)
+        assert wire.lines == sent
+        back, read = (read_back(wire, program, start, dialect), interpret(program, start, dialect))
+        assert np.array_equal(back.table().end, read.table().end, equal_nan=True)
+        assert np.array_equal(back.table().kind, read.table().kind)
+
+
+def test_a_first_move_that_does_not_fit_with_its_motion_is_refused():
+    line = "".join(f"{axis}1.{23 * '1'}" for axis in "XYZ")
+    with pytest.raises(ProgramError) as refused:
+        prepare(f"G21\n{line}\n", "grbl", "a.nc")
+    assert refused.value.code == "line-too-long" and refused.value.place.line == 2
 
 
 def test_the_wire_and_its_map():
@@ -61,6 +91,47 @@ def test_a_refusal_names_its_place():
     with pytest.raises(ProgramError) as caught:
         prepare("G0 X1\nG0 X[1]", file="f.nc")
     assert str(caught.value).startswith("f.nc:2:4: expressions")
+
+
+MACRO = """(begin operation: slots)
+G21 G90
+#1 = 2.5
+o1 sub
+G1 X[#1 * #5] (a slot)
+o1 endsub
+o2 repeat [2]
+#5 = [#5 + 1]
+o1 call [#1]
+o2 endrepeat
+(finish operation: slots)
+G1 Y[1 / 3] F100
+M2
+"""
+
+
+@pytest.mark.parametrize("name", ["grblhal", "fluidnc"])
+def test_loops_and_expressions_are_written_out_where_lines_are_sent(name):
+    text = MACRO.replace("G1 X[#1 * #5] (a slot)", "G1 X[#1 * #<_n>] F50").replace("#5", "#<_n>")
+    text = text.replace("#1 = 2.5", "#1 = 2.5 #<_n> = 0")
+    wire = prepare(text, name)
+    assert wire.lines == ("G21G90", "G1X2.5F50", "G1X5F50", "G1Y0.333333F100", "M2")
+    assert wire.file_lines.tolist() == [2, 5, 5, 12, 13]
+    back, of_file = read_back(wire, text, Start.at_zero(), name), interpret(text, Start.at_zero(), name)
+    assert np.allclose(back.table().end, of_file.table().end, atol=1e-6)
+    assert back.table().line.tolist() == of_file.table().line.tolist() == [5, 5, 12]
+    assert [(span.name, span.first, span.last) for span in back.spans] == [("slots", 0, 2)]
+
+
+def test_a_controller_that_reads_the_file_keeps_its_loops():
+    text = MACRO.replace("#5", "#<_n>").replace("#1 = 2.5", "#1 = 2.5 #<_n> = 0").replace("M2", "(the end)\nM2")
+    text = text.replace("G1 X[#1 * #<_n>] (a slot)", "G1 X[#1 * #<_n>] F50 (a slot)")
+    wire = prepare(text, "linuxcnc")
+    assert "o2 repeat [2]" in wire.lines and not any("(" in line for line in wire.lines)
+    back, of_file = (
+        each.table()
+        for each in (read_back(wire, text, Start.at_zero(), "linuxcnc"), interpret(text, Start.at_zero(), "linuxcnc"))
+    )
+    assert np.array_equal(back.end, of_file.end) and len(back) == 3
 
 
 NUMBERS = st.decimals(min_value=-999, max_value=999, places=4).map(str)

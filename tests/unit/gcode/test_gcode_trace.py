@@ -3,17 +3,17 @@
 
 from __future__ import annotations
 
-import re
-import subprocess
 from pathlib import Path
 
 import pytest
+from rs274_runs import rs274_calls as rs274
+from rs274_runs import run_rs274
+from rs274_runs import same_call as same
 
 from CNCStepper.errors import ProgramError
 from CNCStepper.gcode.trace import canonical_calls, motion_calls, traced_path
 
 PROGRAMS = sorted((Path(__file__).parents[2] / "data" / "ngc").glob("*.ngc"))
-NUMBER = re.compile(r"-?\d+\.\d+")
 
 REFUSED = [
     "G1 X1\nM2",
@@ -34,38 +34,34 @@ REFUSED = [
     "M3 M4\nM2",
     "G0 X1",
     "% G0 X1\nM2",
+    "F9 G81 X1 R2\nM2",
+    "F9 G81 X1 Z-5\nM2",
+    "F9 G81 X1 Z-5 R-6\nM2",
+    "F9 G81 X1 Z-5 R2 L0\nM2",
+    "F9 G81 X1 Z-5 R2 L1.5\nM2",
+    "F9 G81 X1 Z-5 R2 P1\nM2",
+    "F9 G81 X1 Z-5 R2\nG81 R3\nM2",
+    "F9 G81 X1 Z-5 R2\nG80\nG81 X2\nM2",
+    "F9 G82 X1 Z-5 R2\nM2",
+    "F9 G82 X1 Z-5 R2 P1\nG81 X2\nM2",
+    "F9 G83 X1 Z-5 R2\nM2",
+    "F9 G83 X1 Z-5 R2 Q0\nM2",
+    "F9 G83 X1 Z-5 R2 Q1\nG73 X2 Z-5 R2\nM2",
+    "F9 G93 G81 X1 Z-5 R2\nM2",
+    "F9 G98 G99 G81 X1 Z-5 R2\nM2",
+    "G81 X1 Z-5 R2\nM2",
 ]
-
-
-def rs274(text: str, folder: Path) -> tuple[list[str], bool]:
-    """Return what the real interpreter prints, and whether it accepted the program."""
-    (folder / "program.ngc").write_text(text, "ascii")
-    command = ["rs274", "-g", "program.ngc"]
-    run = subprocess.run(command, cwd=folder, capture_output=True, text=True, timeout=20)
-    return [line.rstrip() for line in run.stdout.splitlines() if line.strip()], run.returncode == 0
-
-
-def comparable(line: str) -> str:
-    """Return a call with its numbers rounded, so that the 4th decimal may differ by one and -0 is 0."""
-    return NUMBER.sub(lambda match: f"{float(match[0]) + 0.0:.4f}".replace("-0.0000", "0.0000"), line.rstrip())
-
-
-def same(ours: str, theirs: str) -> bool:
-    mine, real = NUMBER.findall(ours), NUMBER.findall(theirs)
-    if NUMBER.sub("#", ours) != NUMBER.sub("#", theirs) or len(mine) != len(real):
-        return False
-    return all(abs(float(a) - float(b)) < 1.01e-4 for a, b in zip(mine, real, strict=True))
 
 
 @pytest.mark.parametrize("path", PROGRAMS, ids=lambda path: path.stem)
 def test_every_call_is_the_one_of_rs274(path, tmp_path):
-    text = path.read_text("ascii")
-    theirs, accepted = rs274(text, tmp_path)
-    assert accepted
-    ours = list(canonical_calls(text))
+    run = run_rs274(tmp_path, str(path), folder_of_program=path.parent)
+    assert run.returncode == 0, run.stderr
+    theirs = [line.rstrip() for line in run.stdout.splitlines() if line.strip()]
+    ours = list(canonical_calls(path.read_text("ascii"), file=str(path)))
     assert len(ours) == len(theirs)
     for mine, real in zip(ours, theirs, strict=True):
-        assert same(comparable(mine), comparable(real)), f"ours {mine}\nreal {real}"
+        assert same(mine, real), f"ours {mine}\nreal {real}"
 
 
 @pytest.mark.parametrize("text", REFUSED)

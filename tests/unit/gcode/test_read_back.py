@@ -35,3 +35,18 @@ def test_an_error_names_the_column_in_the_file() -> None:
     with pytest.raises(ProgramError) as caught:
         read_back(prepare(text, "grbl", "part.nc"), text, None, "grbl", "part.nc")
     assert caught.value.place and (caught.value.place.file, caught.value.place.line) == ("part.nc", 3)
+
+
+LOOP = "G21 G90 F100\no1 repeat [{0}]\nG1 X1\no1 endrepeat\nM2\n"
+
+
+@pytest.mark.parametrize(("sent", "times"), [(2, 3), (3, 2)])
+def test_lines_of_another_program_that_is_written_out_are_refused(sent: int, times: int) -> None:
+    wire = prepare(LOOP.format(sent), "grblhal")
+    with pytest.raises(ProgramError, match="another program"):
+        read_back(wire, LOOP.format(times), None, "grblhal", "part.nc")
+
+
+def test_lines_of_a_longer_program_are_refused() -> None:
+    with pytest.raises(ProgramError, match="another program"):
+        read_back(prepare(TEXT), "G21\nM2\n")

@@ -1,0 +1,82 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Writes a program with parameters, expressions, loops and subroutines out as plain lines, in the order of their run.
+
+    #1 = 3                          G1 X6 F100
+    o1 repeat [2]          ->       G1 X6
+    G1 X[#1 * 2] F100
+    o1 endrepeat
+
+For controllers that are sent lines: they cannot jump back in what they have forgotten. What a program computes from the
+position is computed from the start state, so that the lines are right for that start only.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from CNCStepper.gcode.dialects import Dialect
+from CNCStepper.gcode.flow import run
+from CNCStepper.gcode.flow_lines import is_plain
+from CNCStepper.gcode.interpret import Interpreter
+from CNCStepper.gcode.items import Items
+from CNCStepper.gcode.parse import Plan
+from CNCStepper.gcode.subprograms import library_of
+from CNCStepper.gcode.words import Comment, Word
+from CNCStepper.state import Start
+
+DECIMALS = 6  # of computed numbers: far below a step, and within what controllers count with
+
+
+class Block(NamedTuple):
+    """A block as it was run: the line of the program, its words with plain numbers, its comments."""
+
+    line: int
+    words: list[Word]
+    comments: tuple[Comment, ...]
+
+
+def is_expanded(text: str, dialect: Dialect) -> bool:
+    """Whether a program's lines must be written out before they are sent."""
+    computes = dialect.expressions or dialect.o_words
+    return computes and not dialect.reads_files and not is_plain(text)
+
+
+def expanded(text: str, dialect: Dialect, start: Start | None = None, file: str = "") -> Iterator[Block]:
+    """Yield the blocks of a program in the order in which they are run; raises ProgramError as the interpreter does."""
+    reader = _Recorder(start, dialect, file)
+    for _ in run(reader, text, library_of(file, start)):
+        yield from reader.taken()
+
+
+class _Recorder(Interpreter):
+    """Reads every line the general way and keeps its block."""
+
+    def __init__(self, start: Start | None, dialect: Dialect, file: str):
+        super().__init__(start, dialect, file)
+        self._blocks: list[Block] = []
+
+    @property
+    def runs(self) -> bool:
+        """Never: a run of lines is read without its words."""
+        return False
+
+    def taken(self) -> list[Block]:
+        """Return and forget the blocks since last time."""
+        blocks, self._blocks = self._blocks, []
+        return blocks
+
+    def _line(self, text: str) -> None:
+        self._any_line(text)
+
+    def _block(self, plan: Plan, items: Items, comments: tuple[Comment, ...]) -> None:
+        super()._block(plan, items, comments)
+        words = [word._replace(number=_plain(word)) for word in items.words]
+        self._blocks.append(Block(self.line_number, words, comments))
+
+
+def _plain(word: Word) -> str:
+    """Return a word's number without an exponent."""
+    if "e" not in word.number and len(word.number.partition(".")[2]) <= DECIMALS:
+        return word.number
+    return f"{float(word.number):.{DECIMALS}f}"

@@ -1,0 +1,122 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A program read from its file piece by piece, so that neither its text nor its table need be held whole."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+from CNCStepper.errors import Place, ProgramError
+from CNCStepper.gcode.dialects import Dialect
+from CNCStepper.gcode.flow import run_on
+from CNCStepper.gcode.interpret import Interpreter
+from CNCStepper.gcode.read_runs import BYTE_ORDER_MARK, PIECE, compiled_reader
+from CNCStepper.gcode.subprograms import library_of
+from CNCStepper.gcode.words import program_lines
+from CNCStepper.state import Start
+from CNCStepper.toolpath import Chunk, Toolpath
+
+_MARK = BYTE_ORDER_MARK.encode("utf-8")
+
+
+def interpret_file(
+    path: Path,
+    start: Start | None = None,
+    dialect: str | Dialect = "grbl",
+    *,
+    progress: Callable[[float], None] | None = None,
+    cancelled: Callable[[], bool] | None = None,
+) -> Toolpath:
+    """Return the table of moves of a program's file, as `interpret` does for its text.
+
+    progress: called with the share that is read, from 0 to 1. cancelled: asked between pieces; once it says so,
+    ProgramError with the code "cancelled" is raised.
+    """
+    reading = FileReading(path, start, dialect, progress=progress, cancelled=cancelled)
+    chunks = list(reading.chunks())
+    table = reading.interpreter.table
+    return Toolpath(table.start, chunks, table.states, table.events, table.spans)
+
+
+class FileReading:
+    """One reading of a program's file; `chunks` hands its table on as it grows, `interpreter` knows the rest."""
+
+    def __init__(
+        self,
+        path: Path,
+        start: Start | None = None,
+        dialect: str | Dialect = "grbl",
+        *,
+        progress: Callable[[float], None] | None = None,
+        cancelled: Callable[[], bool] | None = None,
+    ):
+        self.path = path
+        self.interpreter = Interpreter(start, dialect, str(path))
+        self._library = library_of(str(path), start)
+        self._progress = progress or (lambda share: None)
+        self._cancelled = cancelled or (lambda: False)
+
+    def chunks(self) -> Iterator[Chunk]:
+        """Read the file and yield its chunks, each when it is whole; raises ProgramError, also where there is no end.
+
+        When the last one is out, the states, events and spans of `interpreter.table` are complete.
+        """
+        encoding = "utf-8" if all(map(_is_utf_8, self._pieces())) else "latin-1"
+        table = self.interpreter.table
+        for _ in self._read(encoding):
+            yield from table.take_whole()
+        yield from self.interpreter.toolpath().chunks
+
+    def _read(self, encoding: str) -> Iterator[None]:
+        """Read the file in pieces up to the first line that leads elsewhere, and then whole; yield now and then."""
+        size, read, mark = self.path.stat().st_size, 0, _MARK if encoding == "utf-8" else b""
+        reader = compiled_reader(self.interpreter, size)
+        for piece in self._pieces(mark):
+            if not (reader.read(piece, encoding) if reader else self._lines(piece.decode(encoding))):
+                text = b"".join(self._pieces(mark)).decode(encoding)
+                yield from run_on(self.interpreter, text, self._library)
+                break
+            read += len(piece)
+            self._progress(min(1.0, read / size))
+            yield
+        self._progress(1.0)
+
+    def _lines(self, text: str) -> bool:
+        """Read lines up to the first that leads elsewhere; return whether there was none."""
+        for line in program_lines(text):
+            if self.interpreter.leads(line):
+                return False
+            self.interpreter.line(line)
+        return True
+
+    def _pieces(self, mark: bytes = b"") -> Iterator[bytes]:
+        """Yield the file as pieces of whole lines, without the byte-order mark; raises ProgramError when cancelled."""
+        rest = b""
+        with self.path.open("rb") as file:
+            while piece := file.read(PIECE):
+                if self._cancelled():
+                    place = Place(str(self.path), self.interpreter.line_number)
+                    raise ProgramError("cancelled", "reading was cancelled", place=place)
+                rest = (rest + piece).removeprefix(mark)
+                mark = b""
+                end = _end_of_lines(rest)
+                if end:
+                    yield rest[:end]
+                rest = rest[end:]
+        if rest:
+            yield rest
+
+
+def _end_of_lines(data: bytes) -> int:
+    """Return where the last whole line of `data` ends; a CR at the very end may belong to a LF that follows."""
+    return data.rfind(b"\n") + 1 or data.rfind(b"\r", 0, -1) + 1
+
+
+def _is_utf_8(piece: bytes) -> bool:
+    if piece.isascii():
+        return True
+    try:
+        piece.decode("utf-8")
+    except UnicodeDecodeError:
+        return False
+    return True

@@ -1,0 +1,3 @@
+G0 X1
+G98
+; expect refused-code 2:1

@@ -1,0 +1,2 @@
+G02 X1. Z1. #
+; expect refused-code 1:1 mini-lathe | mini-lathe B does not accept G2 (value G02); this lathe moves in straight lines: write the arc as lines

@@ -1,0 +1,4 @@
+G21 G90 G0 X0 Y0 Z10 F100
+G81 X1 Z-5 R2
+G81 R3
+; expect missing-axis 3:1 linuxcnc

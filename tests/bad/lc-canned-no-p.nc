@@ -1,0 +1,3 @@
+G21 G90 G0 X0 Y0 Z10 F100
+G82 X1 Z-5 R2
+; expect missing-word 2:1 linuxcnc

@@ -1,0 +1,6 @@
+G21 G90 G0 X0 Y0 Z0 F100
+G41.1 D2
+G1 X10
+G61
+M2
+; expect compensation 4:1 linuxcnc | the path mode may not be changed while the tool is compensated (value G61); write G40 before

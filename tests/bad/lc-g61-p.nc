@@ -1,0 +1,4 @@
+G21 G90 G0 X0 Y0 Z0 F100
+G61 P1
+M2
+; expect unused-word 2:5 linuxcnc | no code on this line uses the word P (value P1); take it out or add its code

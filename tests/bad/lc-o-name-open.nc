@@ -1,0 +1,4 @@
+o<a sub
+o<a> endsub
+m2
+; expect parameter 1:2 linuxcnc | the name is not closed (value <); close it with >

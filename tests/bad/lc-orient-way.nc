@@ -1,0 +1,4 @@
+G21 G90 G0 X0 Y0 Z0 F100
+M19 P3
+M2
+; expect bad-value 2:5 linuxcnc | P must be a whole number (value P3, limit 0 to 2); correct P

@@ -1,0 +1,4 @@
+G21 G90 G0 X0 Y0 Z0 F100
+G95 F1 G1 X1
+M2
+; expect no-feed 2:8 linuxcnc | G1 has no feed: a feed per turn needs F and a spindle that turns (value G1); write F and S above 0 before
