@@ -3,14 +3,35 @@
 
 from __future__ import annotations
 
+from pydantic import BaseModel
+
+from CNCStepper.cycles.bore import Bore
+from CNCStepper.cycles.circular_pocket import CircularPocket
+from CNCStepper.cycles.contour import Contour
+from CNCStepper.cycles.drill import Drill
 from CNCStepper.cycles.elliptical_pocket import EllipticalPocket
 from CNCStepper.cycles.engrave import Engrave
+from CNCStepper.cycles.face import Face
+from CNCStepper.cycles.pocket import Pocket
+from CNCStepper.cycles.rectangular_pocket import RectangularPocket
+from CNCStepper.cycles.thread import Thread
 from CNCStepper.errors import JobError
 
-CYCLES: dict[str, type[EllipticalPocket] | type[Engrave]] = {"elliptical_pocket": EllipticalPocket, "engrave": Engrave}
+CYCLES: dict[str, type[BaseModel]] = {
+    "bore": Bore,
+    "circular_pocket": CircularPocket,
+    "contour": Contour,
+    "drill": Drill,
+    "elliptical_pocket": EllipticalPocket,
+    "engrave": Engrave,
+    "face": Face,
+    "pocket": Pocket,
+    "rectangular_pocket": RectangularPocket,
+    "thread": Thread,
+}
 
 
-def cycle_class(name: str) -> type[EllipticalPocket] | type[Engrave]:
+def cycle_class(name: str) -> type[BaseModel]:
     """Return the parameter model of a cycle; raises JobError for a name that is none."""
     if name not in CYCLES:
         raise JobError(

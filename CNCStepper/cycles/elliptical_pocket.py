@@ -31,6 +31,7 @@ from CNCStepper.cycles.elliptical_rings import (
 )
 from CNCStepper.cycles.entry import Entry, entry_of
 from CNCStepper.cycles.form import Answer, Coordinate, Removal, Setup
+from CNCStepper.cycles.limits import require_flat, require_stepover
 from CNCStepper.cycles.moves import Moves, point_of, require_setup
 from CNCStepper.cycles.passes import require_few_blocks, whole_passes
 from CNCStepper.errors import CycleError
@@ -45,7 +46,8 @@ class EllipticalPocket(BaseModel):
     """Parameters of the elliptical pocket, named as in a job file.
 
     depth_mm is ap_total, stepdown_mm ap, stepover_mm ae, finish_stepdown_mm ap_acab and
-    finish_stepover_mm ae_acab; rotation_deg turns the ellipse counter-clockwise about its centre.
+    finish_stepover_mm ae_acab; rotation_deg turns the ellipse counter-clockwise about its centre. stock_to_leave_mm
+    stays on the wall all round.
     """
 
     model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
@@ -62,6 +64,7 @@ class EllipticalPocket(BaseModel):
     finish_stepdown_mm: float = Field(default=0.0, ge=0)
     finish_stepover_mm: float = Field(default=0.0, ge=0)
     finish_feed_mm_min: float = Field(default=0.0, ge=0)
+    stock_to_leave_mm: float = Field(default=0.0, ge=0, le=10_000)
     method: Literal["tolerance", "dda"] = "tolerance"
     tolerance_mm: float = Field(default=0.01, ge=0.003, le=1.0)
     resolution_mm: float = Field(default=0.05, ge=0.001)
@@ -94,7 +97,7 @@ class EllipticalPocket(BaseModel):
         thick_mm = plan.figures.get("unreachable_mm", 0.0)
         if thick_mm <= self.tolerance_mm:
             return Answer([Removal(plan.region, 0.0, bottom_mm, plan.promise_mm)], plan.figures)
-        reachable = plan.region.buffer(-tool_mm, quad_segs=FINE).buffer(tool_mm, quad_segs=FINE)
+        reachable = _inner(plan.region, tool_mm).buffer(tool_mm, quad_segs=FINE)
         long_mm, short_mm = sorted((self.radius_x_mm, self.radius_y_mm), reverse=True)
         warning = (
             f"{thick_mm:.3f} mm of material stays at each end of the long axis, where the ellipse is tighter than "
@@ -119,9 +122,9 @@ class EllipticalPocket(BaseModel):
     def _plan(self, setup: Setup) -> _Plan:
         self._check(setup)
         ellipse = Ellipse.of_radii(self.centre_mm, self.radius_x_mm, self.radius_y_mm, self.rotation_deg)
-        region = Polygon(ellipse.points(OUTLINE_ERROR_MM))
+        region = _inner(Polygon(ellipse.points(OUTLINE_ERROR_MM)), self.stock_to_leave_mm)
         levels = whole_passes(self.depth_mm, self.stepdown_mm, self.finish_stepdown_mm, "stepdown_mm")
-        way, promise_mm, figures = self._way(ellipse, setup.tool.radius_mm)
+        way, promise_mm, figures = self._way(ellipse, setup.tool.radius_mm + self.stock_to_leave_mm)
         finish_mm = self.finish_stepover_mm
         rings = rings_along(way, self.centre_mm, setup.tool.radius_mm, self.stepover_mm, finish_mm, len(levels))
         curves = rings.curves if self.direction == "climb" else [ring.reversed() for ring in rings.curves]
@@ -135,9 +138,8 @@ class EllipticalPocket(BaseModel):
 
     def _check(self, setup: Setup) -> None:
         tool = setup.tool
-        narrowest_mm = 2.0 * min(self.radius_x_mm, self.radius_y_mm)
-        if tool.shape != "flat":
-            raise CycleError("tool-shape", f"a {tool.shape} tool leaves no flat floor", advice="use a flat tool")
+        narrowest_mm = 2.0 * (min(self.radius_x_mm, self.radius_y_mm) - self.stock_to_leave_mm)
+        require_flat(tool)
         if tool.diameter_mm >= narrowest_mm:
             raise CycleError(
                 "tool-wide",
@@ -146,39 +148,35 @@ class EllipticalPocket(BaseModel):
                 limit=f"below {narrowest_mm:g} mm",
                 advice="choose a smaller tool",
             )
-        if self.stepover_mm > tool.diameter_mm:
-            raise CycleError(
-                "stepover-wide",
-                "stepover_mm (ae) is larger than the tool",
-                value=f"{self.stepover_mm:g} mm",
-                limit=f"{tool.diameter_mm:g} mm",
-                advice="make it smaller, or islands remain",
-            )
+        require_stepover(self.stepover_mm, tool)
         require_setup(setup)
 
-    def _way(self, ellipse: Ellipse, tool_mm: float) -> tuple[Way, float, dict[str, float]]:
-        """Return the curves to run along, how far off the wanted wall they promise to be, and the method's figure."""
+    def _way(self, ellipse: Ellipse, wall_mm: float) -> tuple[Way, float, dict[str, float]]:
+        """Return the curves to run along, how far off the wanted wall they promise to be, and the method's figure.
+
+        wall_mm: how far the tool's centre keeps from the ellipse.
+        """
         if self.method == "tolerance":
-            figures = {"unreachable_mm": ellipse.unreachable_mm(tool_mm)}
+            figures = {"unreachable_mm": ellipse.unreachable_mm(wall_mm)}
             return (
-                parallel_way(ellipse, tool_mm, self.finish_stepover_mm, self.tolerance_mm),
+                parallel_way(ellipse, wall_mm, self.stepover_mm, self.finish_stepover_mm, self.tolerance_mm),
                 self.tolerance_mm,
                 figures,
             )
         error_mm = self.resolution_mm * max(1.0, self.radius_x_mm / self.radius_y_mm)
-        self._check_dda(ellipse, tool_mm, error_mm)
+        self._check_dda(ellipse, wall_mm, error_mm)
         radii_mm = (self.radius_x_mm, self.radius_y_mm)
-        off_mm = offset_deviation_mm(ellipse, tool_mm)
-        way = similar_way(self.centre_mm, radii_mm, self.rotation_deg, tool_mm, self.resolution_mm, error_mm)
+        off_mm = offset_deviation_mm(ellipse, wall_mm)
+        way = similar_way(self.centre_mm, radii_mm, self.rotation_deg, wall_mm, self.resolution_mm, error_mm)
         return way, off_mm + error_mm, {"offset_deviation_mm": off_mm}
 
-    def _check_dda(self, ellipse: Ellipse, tool_mm: float, error_mm: float) -> None:
-        tightest_mm = ellipse.minor_mm**2 / ellipse.major_mm
-        if tool_mm > tightest_mm:
+    def _check_dda(self, ellipse: Ellipse, wall_mm: float, error_mm: float) -> None:
+        tightest_mm, tool_mm = ellipse.minor_mm**2 / ellipse.major_mm, wall_mm - self.stock_to_leave_mm
+        if wall_mm > tightest_mm:
             raise CycleError(
                 "dda-tight",
                 "the ellipse's ends are tighter than the tool, where similar ellipses would cut into the wall",
-                value=f"{tool_mm:g} mm radius",
+                value=f"{wall_mm:g} mm radius",
                 limit=f"{tightest_mm:.3f} mm",
                 advice='use method "tolerance" or a smaller tool',
             )
@@ -200,3 +198,8 @@ class _Plan:
     entry: Entry
     figures: dict[str, float]
     promise_mm: float
+
+
+def _inner(region: Polygon, by_mm: float) -> Polygon:
+    """Return a convex region shrunk."""
+    return region.buffer(-by_mm, quad_segs=FINE) if by_mm else region

@@ -57,11 +57,15 @@ class Rings:
     stepover_mm: float
 
 
-def parallel_way(ellipse: Ellipse, tool_mm: float, finish_mm: float, tolerance_mm: float) -> Way:
-    """Return the true parallel curves of the wall; `tool_mm` is the tool's radius."""
-    fit_mm = min(0.8 * (tolerance_mm - ROUNDING_MM), tool_mm / 4.0)
-    rough_mm = max(fit_mm, 0.2 * finish_mm)  # stays clear of the wall by four fifths of the stock
+def parallel_way(ellipse: Ellipse, tool_mm: float, stepover_mm: float, finish_mm: float, tolerance_mm: float) -> Way:
+    """Return the true parallel curves of the wall; `tool_mm` is the tool's radius.
+
+    Only the wall's keeps to the tolerance. The others stay clear of it by four fifths of the finishing step; without
+    one they step unevenly by a fiftieth.
+    """
     reach_mm = ellipse.minor_mm - tool_mm
+    fit_mm = min(0.8 * (tolerance_mm - ROUNDING_MM), tool_mm / 4.0)
+    rough_mm = max(fit_mm, 0.2 * finish_mm if finish_mm else 0.02 * min(stepover_mm, reach_mm))
 
     def ring(out_mm: float, is_wall: bool) -> Curve:
         if is_wall:

@@ -17,6 +17,7 @@ from typing import Annotated, Protocol
 from pydantic import Field
 from shapely.geometry.base import BaseGeometry
 
+from CNCStepper.geometry.curve import Curve
 from CNCStepper.machine.tool import Tool
 from CNCStepper.toolpath import TableBuilder
 
@@ -25,11 +26,21 @@ Coordinate = Annotated[float, Field(ge=-100_000, le=100_000)]  # mm
 
 @dataclass(frozen=True)
 class Setup:
-    """What the job gives every cycle; heights are above the stock's top, feeds are the tool's."""
+    """What the job gives every cycle; heights are above the stock's top, feeds are the tool's.
+
+    stock, thickness_mm: the outline of the raw material seen from above and its thickness, where they are known. keep:
+    closed outlines of the parts that the job's other operations leave standing, which leads must not cut into. parts:
+    of those, for each contour that runs outside, the outlines of the part, which no cut beside it may enter. Curves are
+    in work coordinates.
+    """
 
     tool: Tool
     clearance_mm: float
     retract_mm: float
+    stock: Curve | None = None
+    keep: tuple[Curve, ...] = ()
+    thickness_mm: float | None = None
+    parts: tuple[tuple[Curve, ...], ...] = ()
 
 
 @dataclass(frozen=True)
@@ -50,12 +61,25 @@ class Removal:
 
 
 @dataclass(frozen=True)
+class RestCorner:
+    """A place that the tool cannot reach: how thick the material is that stays there, where, and its area."""
+
+    thick_mm: float
+    place_mm: tuple[float, float]
+    area_mm2: float
+
+
+@dataclass(frozen=True)
 class Answer:
-    """What a cycle reports: the wanted removals, its figures (recalculated ae, ap, passes) by name, and warnings."""
+    """What a cycle reports: the wanted removals, its figures (recalculated ae, ap, passes) by name, and warnings.
+
+    corners: all places that the tool cannot reach, the worst first.
+    """
 
     removals: list[Removal]
     figures: dict[str, float] = field(default_factory=dict)
     warnings: list[str] = field(default_factory=list)
+    corners: list[RestCorner] = field(default_factory=list)
 
 
 class Cycle(Protocol):

@@ -10,15 +10,39 @@ z = 0      ========  the stock's top
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 
 import numpy as np
 
 from CNCStepper.cycles.form import Setup
 from CNCStepper.errors import CycleError
 from CNCStepper.geometry.curve import Curve
-from CNCStepper.toolpath import ARC_CCW, ARC_CW, TableBuilder
+from CNCStepper.machine.tool import Tool
+from CNCStepper.toolpath import ARC_CCW, ARC_CW, LINE, TableBuilder
 
 Point = tuple[float, float]
+
+
+class Track:
+    """Curves that are run along one after the other, as columns of a table: made once, for all levels.
+
+    kind: uint8[n], xy: float64[n, 2], centre: float64[n, 3], as those of a Chunk. rows: how many there are up to the
+    end of each curve. Lines of no length are left out.
+    """
+
+    def __init__(self, curves: Sequence[Curve]):
+        whole = Curve.trusted(
+            np.concatenate([curves[0].xy[:1], *(curve.xy[1:] for curve in curves)]),
+            np.concatenate([curve.bulge for curve in curves]),
+        )
+        moves = (whole.bulge != 0.0) | (whole.xy[1:] != whole.xy[:-1]).any(axis=1)
+        bulge = whole.bulge[moves]
+        self.kind = np.where(bulge > 0.0, ARC_CCW, np.where(bulge < 0.0, ARC_CW, LINE)).astype(np.uint8)
+        self.xy = whole.xy[1:][moves]
+        self.centre = np.zeros((len(bulge), 3))
+        self.centre[bulge != 0.0, :2] = whole.centres[moves][bulge != 0.0]
+        self.rows = np.cumsum(moves)[np.cumsum([len(curve) for curve in curves]) - 1].tolist()
+        self.end = point_of(whole.xy[-1])
 
 
 class Moves:
@@ -63,12 +87,39 @@ class Moves:
             else:
                 self._feed((x, y, z_mm), feed_mm_min)
 
-    def turn(self, centre: Point, z_mm: float, feed_mm_min: float) -> None:
-        """Run one full counter-clockwise turn about `centre`, ending at height `z_mm`."""
+    def run(self, track: Track, feed_mm_min: float) -> None:
+        """Run along a track, which begins where the tool stands, at this height."""
+        z_mm = self.z_mm
+        self._table.add_cuts(
+            track.kind, np.column_stack([track.xy, np.full(len(track.xy), z_mm)]), track.centre, feed_mm_min
+        )
+        self.position = (*track.end, z_mm)
+
+    def slope(self, curve: Curve, z_mm: float, feed_mm_min: float) -> None:
+        """Run along `curve`, which begins where the tool stands, with even fall to `z_mm` (as slowly as it must)."""
+        top_mm, length_mm = self.z_mm, curve.length_mm
+        feed_mm_min = self.sinking_feed(feed_mm_min, length_mm, top_mm - z_mm)
+        heights = (top_mm + (z_mm - top_mm) * curve.before_mm[1:] / length_mm).tolist()
+        heights[-1] = z_mm
+        rows = zip(curve.xy[1:].tolist(), heights, curve.bulge.tolist(), curve.centres.tolist(), strict=True)
+        for (x, y), height, bulge, (i, j) in rows:
+            if bulge:
+                self._arc((x, y, height), bulge, (i, j), feed_mm_min)
+            else:
+                self._feed((x, y, height), feed_mm_min)
+
+    def hop(self, curve: Curve, lift_mm: float) -> None:
+        """Go up and by rapids along straight lines, there to stay; `curve` begins where the tool stands."""
+        z_mm = self.z_mm + lift_mm
+        for xy in curve.xy.tolist():
+            self._rapid((*xy, z_mm))
+
+    def turn(self, centre: Point, z_mm: float, feed_mm_min: float, *, clockwise: bool = False) -> None:
+        """Run one full turn about `centre`, counter-clockwise unless told, ending at height `z_mm`."""
         radius_mm = math.dist(centre, self.position[:2])
         feed_mm_min = self.sinking_feed(feed_mm_min, 2.0 * math.pi * radius_mm, self.z_mm - z_mm)
         end = (*self.position[:2], z_mm)
-        self._table.arc(ARC_CCW, end, (*centre, 0.0), feed_mm_min)
+        self._table.arc(ARC_CW if clockwise else ARC_CCW, end, (*centre, 0.0), feed_mm_min)
         self.position = end
 
     def sinking_feed(self, feed_mm_min: float, run_mm: float, fall_mm: float) -> float:
@@ -95,15 +146,20 @@ class Moves:
 def require_setup(setup: Setup) -> None:
     """Raise CycleError when the tool has no feed or no plunge feed; a job has checked its heights."""
     for name in ("feed_mm_min", "plunge_mm_min"):
-        feed_mm_min = getattr(setup.tool, name)
-        if not 0 < feed_mm_min < math.inf:
-            raise CycleError(
-                "feed-missing",
-                f"tool {setup.tool.number} has no {name}",
-                value=f"{feed_mm_min:g} mm/min",
-                limit="above 0 mm/min",
-                advice=f"give the tool a {name}",
-            )
+        require_feed(setup.tool, name)
+
+
+def require_feed(tool: Tool, name: str) -> None:
+    """Raise CycleError when the tool does not have the feed of that name."""
+    feed_mm_min = getattr(tool, name)
+    if not 0 < feed_mm_min < math.inf:
+        raise CycleError(
+            "feed-missing",
+            f"tool {tool.number} has no {name}",
+            value=f"{feed_mm_min:g} mm/min",
+            limit="above 0 mm/min",
+            advice=f"give the tool a {name}",
+        )
 
 
 def point_of(row: np.ndarray) -> Point:

@@ -5,10 +5,14 @@ from __future__ import annotations
 
 import math
 
+import numpy as np
+
 from CNCStepper.errors import CycleError
+from CNCStepper.machine.tool import Tool
 
 MOST_PASSES = 10_000
 MOST_BLOCKS = 1_000_000  # of one operation
+MOST_TOLD = 1e9  # larger numbers say no more to a person
 THINNEST_MM = 1e-6  # what is left to rough below this is rounding
 
 
@@ -27,6 +31,12 @@ def whole_passes(total_mm: float, step_mm: float, finish_mm: float, name: str) -
             limit=f"below {total_mm:g} mm",
             advice=f"make finish_{name} smaller",
         )
+    require_few_passes(rough_mm, step_mm, name)
+    return equal_passes(rough_mm, max(math.ceil(rough_mm / step_mm - 1e-9), 1), finish_mm)
+
+
+def require_few_passes(rough_mm: float, step_mm: float, name: str) -> None:
+    """Raise CycleError when more than MOST_PASSES steps would fill `rough_mm`; `name` is that of the step's key."""
     if rough_mm > MOST_PASSES * step_mm:
         raise CycleError(
             "passes-many",
@@ -35,7 +45,6 @@ def whole_passes(total_mm: float, step_mm: float, finish_mm: float, name: str) -
             limit=f"at least {rough_mm / MOST_PASSES:.3g} mm",
             advice=f"make {name} larger",
         )
-    return equal_passes(rough_mm, max(math.ceil(rough_mm / step_mm - 1e-9), 1), finish_mm)
 
 
 def equal_passes(rough_mm: float, count: int, finish_mm: float) -> list[float]:
@@ -43,13 +52,28 @@ def equal_passes(rough_mm: float, count: int, finish_mm: float) -> list[float]:
     return [rough_mm / count] * count + ([finish_mm] if finish_mm else [])
 
 
-def require_few_blocks(blocks: int) -> None:
-    """Raise CycleError when an operation would have more than MOST_BLOCKS blocks."""
+def whole_steps(total_mm: float, step_mm: float) -> float:
+    """Return how many equal steps of at most `step_mm` fill `total_mm`: a whole number, or inf for a step too small."""
+    return float(np.ceil(total_mm / step_mm - 1e-9))
+
+
+def deep_pass_warnings(deepest_mm: float, tool: Tool) -> list[str]:
+    """Return a warning when one pass is deeper than a rotating tool is wide."""
+    if tool.shape in ("jet", "wire") or deepest_mm <= tool.diameter_mm * (1.0 + 1e-9):
+        return []
+    return [
+        f"one pass is {deepest_mm:g} mm deep, deeper than the tool's diameter of {tool.diameter_mm:g} mm; "
+        f"give stepdown_mm"
+    ]
+
+
+def require_few_blocks(blocks: float) -> None:
+    """Raise CycleError when an operation would have more than MOST_BLOCKS blocks; they may be inf."""
     if blocks > MOST_BLOCKS:
         raise CycleError(
             "blocks-many",
             "the operation is too long for one program",
-            value=f"{blocks} blocks",
+            value=f"{min(blocks, MOST_TOLD):.0f} blocks",
             limit=f"{MOST_BLOCKS} blocks",
             advice="make the passes, the levels, the resolution or the entry angle larger",
         )

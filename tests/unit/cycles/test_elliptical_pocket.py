@@ -12,8 +12,11 @@ from functools import cache
 
 import numpy as np
 import pytest
-from pocket_sweep import cut, gouge_mm, left_over, runs, spans, tool, unreachable_mm
+from cases import SEEDS
+from judged import cut, judged, tool
+from pocket_sweep import runs, spans, unreachable_mm, wanted
 from shapely import LinearRing, LineString, Point, Polygon, points, prepare
+from swept import Wanted, band, gouge_mm, left_by_level
 
 from CNCStepper.cycles.elliptical_pocket import EllipticalPocket
 from CNCStepper.cycles.form import Answer
@@ -30,7 +33,7 @@ EXAMPLE = EllipticalPocket(
     finish_stepdown_mm=0.2,
     finish_stepover_mm=0.3,
 )
-SEEDS = range(1, 31)
+JUDGE_MM = 1e-3  # to which the independent judge is good
 
 
 @dataclass(frozen=True)
@@ -84,6 +87,10 @@ def random_case(seed: int) -> Case:
 CASES = {seed: random_case(seed) for seed in SEEDS}
 
 
+def gouge(path: Toolpath, pocket: EllipticalPocket, radius_mm: float) -> float:
+    return gouge_mm(path, radius_mm, [Wanted(wanted(pocket), -pocket.depth_mm)])
+
+
 @cache
 def made(case: Case) -> tuple[Case, Toolpath, Answer]:
     """Return the program of a case; where there is no room for its entry it plunges."""
@@ -95,6 +102,7 @@ def made(case: Case) -> tuple[Case, Toolpath, Answer]:
         return case, *cut(case.pocket, tool(2 * case.radius_mm))
 
 
+@pytest.mark.slow
 def test_the_generator_makes_what_is_hard() -> None:
     cases, pockets = list(CASES.values()), [case.pocket for case in CASES.values()]
     aspects = [max(p.radius_x_mm, p.radius_y_mm) / min(p.radius_x_mm, p.radius_y_mm) for p in pockets]
@@ -116,14 +124,17 @@ def test_the_generator_makes_what_is_hard() -> None:
     assert refused <= 0.3 * len(cases)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", SEEDS)
 def test_a_random_pocket_is_cut_exactly(seed: int) -> None:
     case, path, answer = made(CASES[seed])
     pocket, radius_mm = case.pocket, case.radius_mm
     promise_mm = answer.removals[0].tolerance_mm
-    assert gouge_mm(path, pocket, radius_mm) <= promise_mm + 2e-4
-    left = left_over(path, pocket, radius_mm, promise_mm)
-    assert len(left) == answer.figures["levels"] and max(left.values()) < 1e-6, left
+    assert gouge(path, pocket, radius_mm) <= promise_mm + JUDGE_MM
+    left = left_by_level(path, radius_mm, wanted(pocket))
+    assert len(left) == answer.figures["levels"] and max(left.values()) <= promise_mm + JUDGE_MM, left
+    found = judged(pocket, tool(2 * radius_mm))
+    assert not found.faults and max(found.gouge_mm, found.left_mm) <= promise_mm
     if pocket.method == "tolerance":
         assert answer.figures["unreachable_mm"] == pytest.approx(unreachable_mm(pocket, radius_mm), abs=4e-3)
     check_recalculation(pocket, answer, radius_mm)
@@ -193,6 +204,7 @@ def check_steps(path: Toolpath, pocket: EllipticalPocket) -> None:
         assert math.dist(level[-1][0], level[-2][0]) == pytest.approx(pocket.finish_stepover_mm, abs=1e-6)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", [seed for seed in SEEDS if CASES[seed].pocket.method == "dda"])
 def test_every_dda_ring_keeps_to_its_own_ellipse(seed: int) -> None:
     case, path, answer = made(CASES[seed])
@@ -226,6 +238,12 @@ def test_the_job_example_has_part_c_s_numbers() -> None:
     assert len(finishing) == 6 and max(finishing) <= 32
 
 
+@pytest.mark.parametrize("units", ["mm", pytest.param("inch", marks=pytest.mark.slow)])
+def test_the_job_example_is_clean_on_its_way_through_text(units: str) -> None:
+    found = judged(EXAMPLE, units=units)
+    assert not found.faults and max(found.gouge_mm, found.left_mm) <= 0.01
+
+
 def test_an_ae_of_the_whole_tool_takes_more_passes_only_where_islands_would_stay() -> None:
     round_pocket = EXAMPLE.model_copy(update={"radius_x_mm": 25.0, "stepover_mm": 5.9, "finish_stepover_mm": 0.0})
     assert cut(round_pocket)[1].figures["passes"] == 4
@@ -256,19 +274,20 @@ def test_the_judge_sees_a_shifted_ring() -> None:
     def shift(column: np.ndarray, first: int, last: int) -> None:
         column[first:last, 0] += 0.03
 
-    assert gouge_mm(path, EXAMPLE, 3.0) <= 0.0102
-    assert gouge_mm(changed(path, shift, -1), EXAMPLE, 3.0) > 0.02
+    assert gouge(path, EXAMPLE, 3.0) <= 0.01 + JUDGE_MM
+    assert gouge(changed(path, shift, -1), EXAMPLE, 3.0) > 0.02
 
 
 def test_the_judge_sees_two_hundredths() -> None:
     path, _ = cut(EXAMPLE, tool(5.96))
-    assert gouge_mm(path, EXAMPLE, 3.0) > 0.0102
+    assert gouge(path, EXAMPLE, 3.0) > 0.01 + JUDGE_MM
 
 
+@pytest.mark.slow
 def test_the_judge_sees_a_missing_pass_and_a_missing_finish() -> None:
     path, _ = cut(EXAMPLE.model_copy(update={"stepover_mm": 5.0}))
     per_level = len(spans(path, "pass")) // 6
-    assert max(left_over(path, EXAMPLE, 3.0, 0.01).values()) < 1e-6
+    assert max(left_by_level(path, 3.0, wanted(EXAMPLE)).values()) <= 0.01 + JUDGE_MM
     for number in (1, per_level - 1):
         rows, span = path.table(), spans(path, "pass")[number]
         keep = np.r_[0 : span.first, span.last : len(path)]
@@ -277,7 +296,7 @@ def test_the_judge_sees_a_missing_pass_and_a_missing_finish() -> None:
             for name in ("kind", "end", "centre", "plane", "turns", "feed", "state", "line")
         }
         broken = replace(path, chunks=[replace(rows, **columns)])
-        assert max(left_over(broken, EXAMPLE, 3.0, 0.01).values()) > 0.1
+        assert max(left_by_level(broken, 3.0, wanted(EXAMPLE)).values()) > 0.1
 
 
 def test_levels_repeat_the_same_path() -> None:
@@ -285,3 +304,27 @@ def test_levels_repeat_the_same_path() -> None:
     level = rings(path)
     for first, second in itertools.pairwise(range(0, len(level), 11)):
         assert np.array_equal(level[first], level[second])
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("method", "stock_mm"), [("tolerance", 0.3), ("tolerance", 2.0), ("dda", 0.3)])
+def test_stock_stays_on_the_wall_all_round(method: str, stock_mm: float) -> None:
+    keys = {
+        "stock_to_leave_mm": stock_mm,
+        "method": method,
+        "rotation_deg": 25.0,
+        "depth_mm": 3.0,
+        "resolution_mm": 0.2,
+    }
+    pocket = EXAMPLE.model_copy(update=keys)
+    found = judged(pocket, tool(6.0))
+    assert found.clean, found.faults
+    inner = wanted(pocket).difference(band(wanted(pocket), stock_mm))
+    promise_mm = found.answer.removals[0].tolerance_mm + JUDGE_MM
+    assert gouge_mm(found.toolpath, 3.0, [Wanted(inner, -3.0)]) <= promise_mm
+    assert max(left_by_level(found.toolpath, 3.0, inner).values()) <= promise_mm
+
+
+def test_more_stock_than_the_pocket_is_wide_is_refused() -> None:
+    with pytest.raises(CycleError, match="wider than the pocket"):
+        cut(EXAMPLE.model_copy(update={"stock_to_leave_mm": 23.0}), tool(6.0))

@@ -1,0 +1,51 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The pocket: any region with islands, cleared level by level by one of several patterns."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import partial
+from typing import Literal
+
+from pydantic import Field
+
+from CNCStepper.cycles.area_cycle import AreaCycle
+from CNCStepper.cycles.clearing.engagement import engagement_pattern
+from CNCStepper.cycles.clearing.form import Pattern
+from CNCStepper.cycles.clearing.offset import offset
+from CNCStepper.cycles.clearing.spiral import spiral
+from CNCStepper.cycles.clearing.zigzag import zigzag
+from CNCStepper.cycles.fields import CurveField
+from CNCStepper.cycles.form import Answer, Setup
+from CNCStepper.toolpath import TableBuilder
+
+PatternName = Literal["offset", "zigzag", "spiral", "engagement"]
+PATTERNS: dict[PatternName, Callable[[PocketCycle], Pattern]] = {
+    "offset": lambda pocket: offset,
+    "zigzag": lambda pocket: partial(zigzag, angle_deg=pocket.angle_deg),
+    "spiral": lambda pocket: spiral,
+    "engagement": lambda pocket: engagement_pattern(pocket.engagement_max_deg),
+}
+
+
+class PocketCycle(AreaCycle):
+    """The keys of every pocket that a pattern clears.
+
+    angle_deg: of the rows of the pattern "zigzag". engagement_max_deg: of the pattern "engagement".
+    """
+
+    pattern: PatternName = "offset"
+    angle_deg: float = Field(default=0.0, ge=-360.0, le=360.0)
+    engagement_max_deg: float = Field(default=60.0, ge=20.0, le=180.0)
+
+
+class Pocket(PocketCycle):
+    """Parameters of the pocket, named as in a job file: what lies in any outline and in no island is cut."""
+
+    cycle: Literal["pocket"] = "pocket"
+    outlines: tuple[CurveField, ...] = Field(min_length=1)
+    islands: tuple[CurveField, ...] = ()
+
+    def cut(self, setup: Setup, table: TableBuilder) -> Answer:
+        """Append the pocket to `table`; raises CycleError before any row when it cannot be cut safely."""
+        return self._clear(self.outlines, self.islands, PATTERNS[self.pattern](self), setup, table)
