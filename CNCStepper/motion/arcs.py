@@ -12,7 +12,8 @@ import math
 
 import numpy as np
 
-from CNCStepper.kernels import njit
+from CNCStepper.kernels import njit_inline
+from CNCStepper.motion.memory import copy_axes
 from CNCStepper.toolpath import ARC_CW, PLANE_AXES
 
 FULL_CIRCLE_BELOW_RAD = 5e-7
@@ -61,7 +62,7 @@ def arc_points(
     return points
 
 
-@njit
+@njit_inline
 def start_arc(arc, begin, end, centre, kind, plane, turns, tolerance):
     """Prepare the splitting of an arc; returns its number of chords, at least 1."""
     axis_0, axis_1, _ = PLANE_AXES[plane]
@@ -81,7 +82,7 @@ def start_arc(arc, begin, end, centre, kind, plane, turns, tolerance):
     return arc.chords
 
 
-@njit
+@njit_inline
 def _sweep(arc, end, clockwise, turns):
     """Return the signed angle of the arc, in the firmware's 32-bit precision."""
     begin_0, begin_1 = np.float32(arc.begin_0), np.float32(arc.begin_1)
@@ -96,20 +97,21 @@ def _sweep(arc, end, clockwise, turns):
     return (angle if angle > FULL_CIRCLE_BELOW_RAD else angle + 2.0 * math.pi) + extra
 
 
-@njit
+@njit_inline
 def next_point(arc, begin, end, point):
     """Write the end of the next chord to `point`; the axes outside the plane move in proportion."""
     arc.done += 1
     if arc.done == arc.chords:
-        point[:] = end
+        copy_axes(end, point)
         return
     _turn(arc)
-    point[:] = begin + (end - begin) * (arc.done / arc.chords)
+    for axis in range(len(point)):
+        point[axis] = begin[axis] + (end[axis] - begin[axis]) * (arc.done / arc.chords)
     point[arc.axis_0] = arc.centre_0 + arc.now_0
     point[arc.axis_1] = arc.centre_1 + arc.now_1
 
 
-@njit
+@njit_inline
 def _turn(arc):
     """Turn the radius vector by one chord."""
     from_0, from_1 = arc.now_0, arc.now_1
@@ -126,7 +128,7 @@ def _turn(arc):
     arc.now_1 = from_0 * sine + from_1 * cosine
 
 
-@njit
+@njit_inline
 def _fill(arc, begin, end, points):
     for row in range(len(points)):
         next_point(arc, begin, end, points[row])

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from CNCStepper.machine.profile import Machine
+from CNCStepper.machine.profile import LOOK_AHEAD_BLOCKS, Machine
 from CNCStepper.units import mm_s_from_mm_min
 
 STEP_IDLE_DELAY_S = 0.025
@@ -17,6 +17,10 @@ class Limits:
 
     idle_delay_s: how long the drivers stay under current after the last step ($1 of grbl). The
     firmware waits it out inside its step interrupt, so no motion can follow sooner.
+    look_ahead_blocks: how many blocks are planned ahead at most, any number.
+    ramp: how speeds change: "trapezoid", "s_curve" (needs jerk_mm_s3) or "table" (needs waits_s, the times before the
+    first, second ... step of a ramp). pull_in_s: the time from step to step at which motors start and stop at once, the
+    table's first when left out.
     """
 
     steps_per_mm: tuple[float, ...]
@@ -26,11 +30,16 @@ class Limits:
     arc_tolerance_mm: float
     laser: bool = False
     idle_delay_s: float = STEP_IDLE_DELAY_S
+    look_ahead_blocks: int = LOOK_AHEAD_BLOCKS
+    ramp: str = "trapezoid"
+    jerk_mm_s3: tuple[float, ...] = ()
+    waits_s: tuple[float, ...] = ()
+    pull_in_s: float = 0.0
 
     @classmethod
     def of(cls, machine: Machine) -> Limits:
         """Return the limits that a machine profile states."""
-        axes = machine.axes
+        axes, waits = machine.axes, machine.planner.waits
         return cls(
             tuple(axis.steps_per_mm for axis in axes),
             tuple(axis.max_rate_mm_min for axis in axes),
@@ -38,6 +47,11 @@ class Limits:
             machine.planner.junction_deviation_mm,
             machine.planner.arc_tolerance_mm,
             machine.spindle.laser,
+            look_ahead_blocks=machine.planner.look_ahead_blocks,
+            ramp=machine.planner.ramp,
+            jerk_mm_s3=tuple(axis.jerk_mm_s3 or 0.0 for axis in axes),
+            waits_s=waits.waits_s if waits else (),
+            pull_in_s=waits.pull_in_s if waits else 0.0,
         )
 
     @property

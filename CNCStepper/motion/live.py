@@ -15,8 +15,9 @@ import numpy as np
 from CNCStepper.errors import MachineRefusal
 from CNCStepper.motion import run
 from CNCStepper.motion.limits import Limits
-from CNCStepper.motion.memory import BLOCKS, TICKS_PER_S, new_planner
-from CNCStepper.motion.planner import count_blocks, is_full, push_line, set_overrides
+from CNCStepper.motion.memory import TICKS_PER_S, new_planner
+from CNCStepper.motion.planner import push_line, set_overrides
+from CNCStepper.motion.ring import count_blocks, is_full
 from CNCStepper.motion.timeline import ends, step_table
 from CNCStepper.units import mm_min_from_mm_s, mm_s_from_mm_min
 
@@ -24,7 +25,7 @@ RECORD_ROWS = 1024
 
 
 class Motion:
-    """A planner of 15 blocks and the axes behind it.
+    """A planner and the axes behind it.
 
     position_steps: where the axes stand at the begin (0 when left out), one value an axis.
     record: keep the path that the axes take, for `path()` and `step_path()`.
@@ -50,7 +51,7 @@ class Motion:
     @property
     def room(self) -> int:
         """Blocks that can be queued now."""
-        return BLOCKS - 1 - self.blocks
+        return self.limits.look_ahead_blocks - self.blocks
 
     @property
     def blocks(self) -> int:
@@ -125,9 +126,8 @@ class Motion:
         MachineRefusal, and queues nothing, when there is no room or the target or feed is not a finite number.
         """
         if is_full(self._runner.planner):
-            raise MachineRefusal(
-                "planner-full", "the planner has no free block", limit=f"{BLOCKS - 1} blocks", advice="wait for room"
-            )
+            limit = f"{self.limits.look_ahead_blocks} blocks"
+            raise MachineRefusal("planner-full", "the planner has no free block", limit=limit, advice="wait for room")
         target = np.array(target_mm, float)
         if not (np.isfinite(target).all() and math.isfinite(feed_mm_min)):
             raise MachineRefusal(

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The memory of planner and step generator, laid out as arrays so that compiled kernels share it.
 
-    line ──► Blocks: a ring of 16, 15 usable ──► Ramp: the block being cut ──► Segments ──► steps
+    line ──► Blocks: a ring, grbl's of 15   ──► Ramp: the block being cut ──► Segments ──► steps
              tail = block being cut               into pieces of about 10 ms
              head = next free place
 
@@ -15,20 +15,34 @@ from typing import NamedTuple
 
 import numpy as np
 
+from CNCStepper.kernels import njit_inline
 from CNCStepper.motion.limits import Limits
 
 TICKS_PER_S = 16_000_000
-BLOCKS = 16  # places in the ring; one stays free, so that full and empty differ
 EIGHTHS = 8  # parts of one step event: the finest that slow moves are smoothed to
 SEGMENT_PLACES = 5  # segments ready at most, the running one included
 
-_SETTINGS = np.dtype([("junction_deviation", "f8"), ("arc_tolerance", "f8")])
+TRAPEZOID, S_CURVE, TABLE = 0, 1, 2  # ramps
+RAMPS = ("trapezoid", "s_curve", "table")  # their names in `Limits`
+UNLIMITED = 1e38  # more than any speed, acceleration or jerk
+PHASES = 8  # of a jerk-limited profile at most
+
+_SETTINGS = np.dtype(
+    [
+        ("junction_deviation", "f8"),
+        ("arc_tolerance", "f8"),
+        ("ramp", "i8"),
+        ("exact_stop", "?"),  # the blocks that come now begin at rest
+        ("pull_in", "i8"),  # ticks from step to step: at this pace and slower the motors start and stop at once
+    ]
+)
 
 _QUEUE = np.dtype(
     [
         ("head", "i8"),  # next free place
         ("tail", "i8"),  # block being cut into segments
         ("planned", "i8"),  # up to here the plan can no longer improve
+        ("fresh", "i8"),  # S-curves: the first place whose entry is not planned yet
         ("previous_nominal", "f8"),  # speed of the newest block
         ("feed_override", "f8"),  # 1.0 = as programmed
         ("rapid_override", "f8"),
@@ -55,6 +69,12 @@ _RAMP = np.dtype(
         ("least_mm", "f8"),  # a segment holds at least this much, so that it has a step
         ("time_left", "f8"),  # s, of a step that the last segment began and did not finish
         ("eighths", "i8"),  # of step events already in segments
+        ("acceleration", "f8"),  # S-curves: at the end of the last segment, negative while it brakes
+        ("phase", "i8"),  # S-curves: the one that the profile is in
+        ("span", "f8"),  # S-curves: mm from here to the end of the profile, which may lie some blocks ahead
+        ("span_acceleration", "f8"),  # the least of those blocks
+        ("span_jerk", "f8"),
+        ("place", "i8"),  # tables: entry of the last wait, -1 at rest
     ]
 )
 
@@ -69,12 +89,15 @@ def _block(axes: int) -> np.dtype:
             ("tag", "i8"),  # the caller's own number of the line
             ("length", "f8"),  # mm not yet cut into segments
             ("acceleration", "f8"),
+            ("jerk", "f8"),
             ("rapid_speed", "f8"),  # the greatest that the axes allow along the block
             ("programmed_speed", "f8"),
             ("entry_sqr", "f8"),
             ("max_entry_sqr", "f8"),
             ("max_junction_sqr", "f8"),
             ("rapid", "i8"),  # 1 or 0
+            ("looks_to", "i8"),  # S-curves: the last place whose entry its own follows from
+            ("farthest", "i8"),  # S-curves: the last place to which it or any block before it looks
         ]
     )
 
@@ -106,13 +129,17 @@ class Planner(NamedTuple):
     max_speed: np.ndarray
     max_acceleration: np.ndarray
     settings: np.ndarray
-    blocks: np.recarray  # BLOCKS places
+    blocks: np.recarray  # the ring; one place stays free, so that full and empty differ
     queue: np.ndarray
     ramp: np.ndarray
     position: np.ndarray  # int64[axes], where the newest block ends
     known: np.ndarray  # bool[axes], false until the axis' position is known
     previous_unit: np.ndarray  # direction of the newest block
     unit: np.ndarray  # direction of the block in the making
+    turn: np.ndarray  # from the newest block's direction into it
+    max_jerk: np.ndarray  # float64[axes], mm/s³, for S-curves
+    phases: np.ndarray  # float64[PHASES, 2]: jerk along the path and duration of each phase of an S-curve
+    waits: np.ndarray  # int64[n]: ticks before the first, second ... step of a ramp by table
 
 
 def new_segments(rows: int, axes: int) -> np.recarray:
@@ -127,18 +154,32 @@ def new_planner(limits: Limits, position_mm: tuple[float, ...]) -> Planner:
     known = ~np.isnan(np.array(position_mm, float))
     position = np.rint(np.nan_to_num(np.array(position_mm, float)) * steps_per_mm).astype(np.int64)
     settings, queue, ramp = (np.zeros(1, kind).view(np.recarray) for kind in (_SETTINGS, _QUEUE, _RAMP))
-    settings[0] = (limits.junction_deviation_mm, limits.arc_tolerance_mm)
+    kind = RAMPS.index(limits.ramp)
+    pull_in = round((limits.pull_in_s or max(limits.waits_s, default=0.0)) * TICKS_PER_S)
+    settings[0] = (limits.junction_deviation_mm, limits.arc_tolerance_mm, kind, False, pull_in)
+    ramp.place = -1
     queue.feed_override = queue.rapid_override = 1.0
     return Planner(
         steps_per_mm,
         np.array(limits.max_speed_mm_s, float),
         np.array(limits.acceleration_mm_s2, float),
         settings,
-        np.zeros(BLOCKS, _block(axes)).view(np.recarray),
+        np.zeros(limits.look_ahead_blocks + 1, _block(axes)).view(np.recarray),
         queue,
         ramp,
         position,
         known,
         np.zeros(axes),
         np.zeros(axes),
+        np.zeros(axes),
+        np.array(limits.jerk_mm_s3 or (0.0,) * axes, float),
+        np.zeros((PHASES, 2)),
+        np.rint(np.array(limits.waits_s) * TICKS_PER_S).astype(np.int64),
     )
+
+
+@njit_inline
+def copy_axes(source, target):
+    """Write the values of all axes from `source` to `target`; a slice would make an array of its own."""
+    for axis in range(len(target)):
+        target[axis] = source[axis]

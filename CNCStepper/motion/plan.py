@@ -8,37 +8,45 @@ the moment at which the first move begins.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import replace
-from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
 
 from CNCStepper.machine.profile import Machine
+from CNCStepper.motion.corners import path_modes, reaches
 from CNCStepper.motion.limits import Limits
 from CNCStepper.motion.memory import EIGHTHS, TICKS_PER_S, new_planner, new_segments
 from CNCStepper.motion.rows import Course, Rows, new_course, run_empty, run_rows, stand_still
+from CNCStepper.motion.stops import Stops
 from CNCStepper.motion.timeline import positions_at, step_table
-from CNCStepper.state import State
-from CNCStepper.toolpath import Chunk, Event, Toolpath
+from CNCStepper.toolpath import LINE, Chunk, Toolpath, require_straight_axes
 from CNCStepper.units import S_PER_MIN
 
 SEGMENT_ROWS = 4096
-DWELL_STEP_S = 0.05
-RUNNING_EVENTS = ("message", "comment", "tool_select", "optional_pause")  # the rest stop the motion
 
 
-def times_s(toolpath: Toolpath, machine: Machine | Limits) -> np.ndarray:
-    """Return the time in s at which every row ends, float64[n]; dwells before a row are included."""
-    return Run(toolpath, machine).times_s()
+def times_s(
+    toolpath: Toolpath, machine: Machine | Limits, progress: Callable[[float], None] = lambda share: None
+) -> np.ndarray:
+    """Return the time in s at which every row ends, float64[n]; dwells before a row are included.
+
+    progress: called with the share that is planned, from 0 to 1.
+    """
+    return Run(toolpath, machine).times_s(progress)
 
 
-def duration_s(toolpath: Toolpath, machine: Machine | Limits) -> float:
-    """Return the time in s that the whole table takes, dwells included."""
+def duration_s(
+    toolpath: Toolpath, machine: Machine | Limits, progress: Callable[[float], None] = lambda share: None
+) -> float:
+    """Return the time in s that the whole table takes, dwells included.
+
+    progress: called with the share that is planned, from 0 to 1.
+    """
     run = Run(toolpath, machine)
     for _ in run.segments():
-        pass
+        progress(run.share)
     return run.clock / TICKS_PER_S
 
 
@@ -79,9 +87,18 @@ def step_events(toolpath: Toolpath, machine: Machine | Limits) -> Iterator[tuple
 
 def begun(toolpath: Toolpath) -> Toolpath:
     """Return the table begun at the work zero on the axes whose position is unknown, so that it has a duration."""
+    require_straight_axes(toolpath)
     pairs = zip(toolpath.start.position_mm, toolpath.states[0].offset_mm, strict=True)
     position = tuple(zero if math.isnan(known) else known for known, zero in pairs)
     return replace(toolpath, start=replace(toolpath.start, position_mm=position))
+
+
+def _without_empty_chunks(toolpath: Toolpath) -> Toolpath:
+    """Return the table without chunks that hold no row: a corner looks to the first row of the next chunk."""
+    chunks = toolpath.chunks
+    if not isinstance(chunks, list) or all(map(len, chunks)):
+        return toolpath
+    return replace(toolpath, chunks=[chunk for chunk in chunks if len(chunk)])
 
 
 class Mark(NamedTuple):
@@ -97,7 +114,7 @@ class Run:
     """One pass through a table, piece by piece."""
 
     def __init__(self, toolpath: Toolpath, machine: Machine | Limits):
-        self.toolpath = toolpath
+        self.toolpath = _without_empty_chunks(toolpath)
         self.limits = machine if isinstance(machine, Limits) else Limits.of(machine)
         start_mm = toolpath.start.position_mm
         idle_ticks = round(self.limits.idle_delay_s * TICKS_PER_S)
@@ -113,6 +130,11 @@ class Run:
     def clock(self) -> int:
         """Ticks from the begin to the end of what has been yielded."""
         return int(self.course.cursor[0].clock)
+
+    @property
+    def share(self) -> float:
+        """The share of the chunks that is planned, from 0 to 1."""
+        return self._chunk / max(1, len(self.toolpath.chunks))
 
     def segments(self) -> Iterator[np.recarray]:
         """Yield all segments, at most SEGMENT_ROWS at a time; each is valid until the next is asked for."""
@@ -152,12 +174,13 @@ class Run:
             self._rows_in_hand().dwell[row : row + 1] = mark.dwell
             self.course.cursor[0].row = row
 
-    def times_s(self) -> np.ndarray:
-        """Return the end time of every row in s."""
+    def times_s(self, progress: Callable[[float], None] = lambda share: None) -> np.ndarray:
+        """Return the end time of every row in s; progress: called with the share that is planned."""
         self.ends = np.zeros(len(self.toolpath), np.int64)
         for segments in self.segments():
             ends = segments.start + segments.ticks * segments.cycles
             np.maximum.at(self.ends, segments.tag - self.first, ends)
+            progress(self.share)
         return np.maximum.accumulate(self.ends) / TICKS_PER_S
 
     @property
@@ -170,7 +193,7 @@ class Run:
         """All arrays that a piece changes."""
         planner, course = self.course.planner, self.course
         known = (planner.blocks, planner.queue, planner.ramp, planner.position, planner.known)
-        return [*known, planner.previous_unit, planner.unit, *course[1:]]
+        return [*known, planner.previous_unit, planner.unit, planner.phases, *course[1:]]
 
     def _rows_in_hand(self) -> Rows:
         """Return the rows of the chunk in hand; a chunk that is taken up is begun at its first row."""
@@ -182,69 +205,23 @@ class Run:
 
     def _rows_of(self, chunk: Chunk) -> Rows:
         kind, plane, turns = (column.astype(np.int64) for column in (chunk.kind, chunk.plane, chunk.turns))
+        exact, allowed_mm = path_modes(self.toolpath.states, np.append(self.stops.state, chunk.state))
         dwell = self.stops.before(chunk)
         speed = chunk.feed / S_PER_MIN
-        return Rows(kind, chunk.end, chunk.centre, plane, turns, speed, dwell, np.zeros_like(dwell), chunk.first)
+        reach, after = self._corners_of(chunk, dwell, allowed_mm[1:])
+        columns = kind, chunk.end, chunk.centre, plane, turns, speed, dwell, np.zeros_like(dwell)
+        return Rows(*columns, chunk.first, exact[:-1], reach, after)
 
-
-class Stops:
-    """Where the firmware lets the axes come to rest: dwells, pauses and changes of spindle, coolant or offset.
-
-    A change of spindle state always waits for the motion to end, in laser mode too; a change of speed alone
-    does so unless it is a laser. A change of the work offset waits as well (grbl's
-    FORCE_BUFFER_SYNC_DURING_WCO_CHANGE, on as delivered).
-    """
-
-    def __init__(self, states: list[State], events: list[Event], laser: bool):
-        self.states = states
-        self.laser = laser
-        self.state = 0
-        self.events = [event for event in events if event.kind not in RUNNING_EVENTS]
-        self.next_event = 0
-
-    @property
-    def place(self) -> tuple[int, int]:
-        """How far it has come: the last state and the next event."""
-        return self.state, self.next_event
-
-    @place.setter
-    def place(self, place: tuple[int, int]) -> None:
-        self.state, self.next_event = place
-
-    def before(self, chunk: Chunk) -> np.ndarray:
-        """Return the ticks of standstill before each row, int64[n]; -1 where the motion goes on."""
-        dwell = np.full(len(chunk), -1, np.int64)
-        changes = np.flatnonzero(np.diff(chunk.state, prepend=self.state))
-        for change in changes:
-            if self._stops(self.state, int(chunk.state[change])):
-                dwell[change] = 0
-            self.state = int(chunk.state[change])
-        while self.next_event < len(self.events) and self.events[self.next_event].index < chunk.first + len(chunk):
-            event = self.events[self.next_event]
-            row = event.index - chunk.first
-            dwell[row] = max(0, dwell[row]) + _dwell_ticks(event)
-            self.next_event += 1
-        return dwell
-
-    def last(self) -> list[int]:
-        """Return the ticks of the standstills after the last row."""
-        return [_dwell_ticks(event) for event in self.events[self.next_event :] if event.kind == "dwell"]
-
-    def _stops(self, before: int, after: int) -> bool:
-        """Return whether any change of state from `before` to `after` stops the motion."""
-        passed = self.states[before : after + 1] if before < after else [self.states[before], self.states[after]]
-        return any(self._differ(one, other) for one, other in pairwise(passed))
-
-    def _differ(self, one: State, other: State) -> bool:
-        kept = ("spindle", "mist", "flood", "offset_mm")
-        if any(getattr(one, name) != getattr(other, name) for name in kept):
-            return True
-        return one.spindle_rpm != other.spindle_rpm and other.spindle != "off" and not self.laser
-
-
-def _dwell_ticks(event: Event) -> int:
-    """Return how long the firmware waits: a dwell in whole steps of 50 ms, rounded up in 32-bit floats."""
-    if event.kind != "dwell":
-        return 0
-    steps = math.ceil(np.float32(1.0 / DWELL_STEP_S) * np.float32(event.value))
-    return round(steps * DWELL_STEP_S * TICKS_PER_S)
+    def _corners_of(self, chunk: Chunk, dwell: np.ndarray, allowed_mm: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Return how far the arcs of the rows' corners reach, and where the row behind each ends."""
+        if not allowed_mm.any():
+            return allowed_mm, chunk.end
+        begin = self.toolpath.chunks[self._chunk - 1].end[-1] if self._chunk else self.toolpath.start.position_mm
+        free = np.append((chunk.kind[1:] == LINE) & (dwell[1:] < 0) & (allowed_mm[1:] > 0), False)
+        after = np.vstack([chunk.end[1:], chunk.end[-1:]])
+        if self._chunk + 1 < len(self.toolpath.chunks):
+            follows = self.toolpath.chunks[self._chunk + 1]
+            _, allowed_next_mm = path_modes(self.toolpath.states, follows.state[:1])
+            free[-1] = follows.kind[0] == LINE and allowed_next_mm[0] > 0 and not self.stops.stop_before(follows)
+            after[-1] = follows.end[0]
+        return reaches(chunk, np.array(begin, float), after, allowed_mm, free, self.limits), after

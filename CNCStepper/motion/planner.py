@@ -18,35 +18,16 @@ import math
 
 import numpy as np
 
-from CNCStepper.kernels import njit
-from CNCStepper.motion.memory import BLOCKS
+from CNCStepper.kernels import njit_inline
+from CNCStepper.motion.memory import S_CURVE, TABLE, UNLIMITED, copy_axes
+from CNCStepper.motion.ring import next_place, place_before
+from CNCStepper.motion.smooth_entries import plan_when_due
 
 MINIMUM_FEED_MM_S = 1.0 / 60.0
 STRAIGHT_ON = 0.999999  # cosine beyond which two directions count as the same, or as opposite
-UNLIMITED = 1e38
 
 
-@njit
-def next_place(place):
-    """Return the ring's place after `place`."""
-    return (place + 1) % BLOCKS
-
-
-@njit
-def is_full(planner):
-    """Return whether no further block can be queued."""
-    queue = planner.queue[0]
-    return next_place(queue.head) == queue.tail
-
-
-@njit
-def count_blocks(planner):
-    """Return how many blocks are queued, the one being cut included."""
-    queue = planner.queue[0]
-    return (queue.head - queue.tail) % BLOCKS
-
-
-@njit
+@njit_inline
 def limit_along(unit, axis_limits):
     """Return the greatest value along direction `unit` that keeps every axis within its own limit."""
     limit = UNLIMITED
@@ -56,7 +37,7 @@ def limit_along(unit, axis_limits):
     return limit
 
 
-@njit
+@njit_inline
 def push_line(planner, target_mm, speed_mm_s, rapid, tag):
     """Queue a straight move to `target_mm`; returns whether it has any step. The ring must have room."""
     queue = planner.queue[0]
@@ -65,21 +46,22 @@ def push_line(planner, target_mm, speed_mm_s, rapid, tag):
         return False
     unit = planner.unit
     block.acceleration = limit_along(unit, planner.max_acceleration)
+    block.jerk = limit_along(unit, planner.max_jerk)
     block.rapid_speed = limit_along(unit, planner.max_speed)
     block.programmed_speed = block.rapid_speed if rapid else speed_mm_s
     block.rapid = rapid
     block.tag = tag
     block.entry_sqr = 0.0
-    at_rest = queue.head == queue.tail
+    at_rest = queue.head == queue.tail or planner.settings[0].exact_stop
     block.max_junction_sqr = 0.0 if at_rest else _junction_sqr(planner)
     queue.previous_nominal = _limit_entry(block, queue, queue.previous_nominal)
-    planner.previous_unit[:] = unit
-    queue.head = next_place(queue.head)
+    copy_axes(unit, planner.previous_unit)
+    queue.head = next_place(planner, queue.head)
     recalculate(planner)
     return True
 
 
-@njit
+@njit_inline
 def _set_course(planner, target_mm, block):
     """Set steps, length and direction of the move; an axis whose place is unknown does not move."""
     events = 0
@@ -100,11 +82,12 @@ def _set_course(planner, target_mm, block):
         return False
     block.events = events
     block.length = math.sqrt(length_sqr)
-    planner.unit[:] /= block.length
+    for axis in range(len(target_mm)):
+        planner.unit[axis] /= block.length
     return True
 
 
-@njit
+@njit_inline
 def _nearest_step(place_mm, steps_per_mm):
     """Return the nearest step, halves away from zero, as the firmware's 32-bit floats round it."""
     exact = float(np.float32(place_mm) * np.float32(steps_per_mm))
@@ -112,12 +95,12 @@ def _nearest_step(place_mm, steps_per_mm):
     return nearest if exact >= 0.0 else -nearest
 
 
-@njit
+@njit_inline
 def _junction_sqr(planner):
     """Return the greatest speed squared from the newest block's direction into `planner.unit`."""
     cosine = 0.0  # of the angle between the two edges: -1 straight on, +1 straight back
     square = 0.0
-    turn = np.empty_like(planner.unit)
+    turn = planner.turn
     for axis in range(len(turn)):
         before, after = planner.previous_unit[axis], planner.unit[axis]
         cosine -= before * after
@@ -127,13 +110,15 @@ def _junction_sqr(planner):
         return 0.0
     if cosine < -STRAIGHT_ON:
         return UNLIMITED
-    turn /= math.sqrt(square)
+    size = math.sqrt(square)
+    for axis in range(len(turn)):
+        turn[axis] /= size
     acceleration = limit_along(turn, planner.max_acceleration)
     sine_half = math.sqrt(0.5 * (1.0 - cosine))
     return acceleration * planner.settings[0].junction_deviation * sine_half / (1.0 - sine_half)
 
 
-@njit
+@njit_inline
 def nominal_speed(block, queue):
     """Return the block's cruising speed under the overrides in force."""
     if block.rapid:
@@ -142,7 +127,7 @@ def nominal_speed(block, queue):
     return max(MINIMUM_FEED_MM_S, speed)
 
 
-@njit
+@njit_inline
 def _limit_entry(block, queue, previous_nominal):
     """Limit the entry by both nominal speeds and the junction; returns the block's own nominal speed."""
     nominal = nominal_speed(block, queue)
@@ -151,34 +136,41 @@ def _limit_entry(block, queue, previous_nominal):
     return nominal
 
 
-@njit
+@njit_inline
 def recalculate(planner):
     """Improve the entry speeds: backwards by braking distance, then forwards by what can be reached."""
     queue = planner.queue[0]
-    if (queue.head - 1) % BLOCKS != queue.planned:
+    ramp = planner.settings[0].ramp
+    if ramp == S_CURVE:
+        reload_running_block(planner)
+        plan_when_due(planner)
+        queue.planned = place_before(planner, queue.head)
+    elif ramp == TABLE:  # every block begins and ends at rest
+        queue.planned = place_before(planner, queue.head)
+    elif place_before(planner, queue.head) != queue.planned:
         _reverse_pass(planner)
         _forward_pass(planner)
 
 
-@njit
+@njit_inline
 def _reverse_pass(planner):
     queue = planner.queue[0]
-    place = (queue.head - 1) % BLOCKS
+    place = place_before(planner, queue.head)
     exit_sqr = 0.0
     while place != queue.planned:
         block = planner.blocks[place]
         block.entry_sqr = min(block.max_entry_sqr, exit_sqr + 2.0 * block.acceleration * block.length)
         exit_sqr = block.entry_sqr
-        place = (place - 1) % BLOCKS
+        place = place_before(planner, place)
         if place == queue.tail:
             reload_running_block(planner)
 
 
-@njit
+@njit_inline
 def _forward_pass(planner):
     queue = planner.queue[0]
     place = queue.planned
-    after = next_place(place)
+    after = next_place(planner, place)
     while after != queue.head:
         block, next_block = planner.blocks[place], planner.blocks[after]
         reachable = block.entry_sqr + 2.0 * block.acceleration * block.length
@@ -188,10 +180,10 @@ def _forward_pass(planner):
         if next_block.entry_sqr == next_block.max_entry_sqr:
             queue.planned = after
         place = after
-        after = next_place(after)
+        after = next_place(planner, after)
 
 
-@njit
+@njit_inline
 def reload_running_block(planner):
     """Let the block being cut go on, with a new profile, from the speed that its segments already fix."""
     ramp = planner.ramp[0]
@@ -201,17 +193,17 @@ def reload_running_block(planner):
         planner.blocks.entry_sqr[planner.queue[0].tail] = ramp.speed**2
 
 
-@njit
+@njit_inline
 def plan_again(planner):
     """Plan all queued blocks anew from the speed that the running block has now."""
     queue = planner.queue[0]
     reload_running_block(planner)
-    queue.planned = queue.tail
+    queue.planned = queue.fresh = queue.tail
     if queue.head != queue.tail:
         recalculate(planner)
 
 
-@njit
+@njit_inline
 def set_overrides(planner, feed, rapid):
     """Let all queued and coming blocks run at these factors of their programmed speeds."""
     queue = planner.queue[0]
@@ -221,28 +213,29 @@ def set_overrides(planner, feed, rapid):
     place = queue.tail
     while place != queue.head:
         previous = _limit_entry(planner.blocks[place], queue, previous)
-        place = next_place(place)
+        place = next_place(planner, place)
     queue.previous_nominal = previous
     plan_again(planner)
 
 
-@njit
-def discard_block(planner):
-    """Free the place of the block that has been cut up."""
-    queue = planner.queue[0]
-    after = next_place(queue.tail)
-    if queue.planned == queue.tail:
-        queue.planned = after
-    queue.tail = after
+@njit_inline
+def write_course(segment, block):
+    """Write to a segment of the block where it goes."""
+    segment.events = block.events
+    copy_axes(block.steps, segment.steps)
+    copy_axes(block.begin, segment.begin)
+    segment.tag = block.tag
 
 
-@njit
+@njit_inline
 def empty_planner(planner, position_steps):
     """Forget all blocks and any hold, and stand at `position_steps`; overrides stay."""
     queue = planner.queue[0]
     ramp = planner.ramp[0]
-    queue.head = queue.tail = queue.planned = 0
+    queue.head = queue.tail = queue.planned = queue.fresh = 0
     ramp.loaded = ramp.replan = ramp.over_speed = ramp.hold = ramp.ended = False
-    ramp.speed = 0.0
-    planner.position[:] = position_steps
-    planner.known[:] = True
+    ramp.speed = ramp.acceleration = 0.0
+    ramp.place = -1
+    copy_axes(position_steps, planner.position)
+    for axis in range(len(planner.known)):
+        planner.known[axis] = True

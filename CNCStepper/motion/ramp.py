@@ -18,9 +18,11 @@ from __future__ import annotations
 
 import math
 
-from CNCStepper.kernels import njit
-from CNCStepper.motion.memory import EIGHTHS, TICKS_PER_S
-from CNCStepper.motion.planner import discard_block, next_place, nominal_speed
+from CNCStepper.kernels import njit_inline
+from CNCStepper.motion import s_curve, wait_table
+from CNCStepper.motion.memory import EIGHTHS, S_CURVE, TABLE, TICKS_PER_S, TRAPEZOID
+from CNCStepper.motion.planner import nominal_speed, write_course
+from CNCStepper.motion.ring import discard_block, next_place
 
 SEGMENT_S = 0.01  # a hundredth: the firmware changes its speed a hundred times a second
 LEAST_STEPS = 1.25  # in a segment
@@ -31,20 +33,23 @@ MAX_CYCLES = 65_535  # the timer's 16 bits: the slowest pace there is
 TIMER_RESTART = 1  # the timer counts from 0 up to its limit: every tick is one cycle longer than was asked for
 
 
-@njit
+@njit_inline
 def next_segment(planner, segment):
     """Cut the next segment into `segment`; returns whether there was one."""
     queue = planner.queue[0]
     ramp = planner.ramp[0]
     if ramp.ended or (not ramp.loaded and queue.head == queue.tail):
         return False
+    kind = planner.settings[0].ramp
     if not ramp.loaded:
         _load_block(planner)
-        if ramp.hold:
-            _shape_hold(planner)
-        else:
-            _shape_profile(planner)
-    duration = _advance_ramp(planner)
+        if kind == S_CURVE:
+            s_curve.shape(planner)
+        elif kind == TRAPEZOID:
+            _shape_trapezoid(planner)
+    if kind == TABLE:
+        return wait_table.next_wait(planner, segment)
+    duration = s_curve.advance(planner, SEGMENT_S) if kind == S_CURVE else _advance_ramp(planner)
     if not _emit(planner, segment, duration):
         ramp.ended = True
         return False
@@ -52,7 +57,7 @@ def next_segment(planner, segment):
     return True
 
 
-@njit
+@njit_inline
 def _load_block(planner):
     """Take up the oldest block, or go on with it when only its profile is to be made anew."""
     ramp = planner.ramp[0]
@@ -66,13 +71,25 @@ def _load_block(planner):
     ramp.least_mm = LEAST_STEPS / ramp.steps_per_mm
     ramp.time_left = 0.0
     ramp.eighths = 0
+    if planner.settings[0].ramp == S_CURVE:
+        s_curve.take_up(planner)
+        return
     if ramp.hold or ramp.over_speed:
         block.entry_sqr = ramp.exit_speed**2
         ramp.over_speed = False
     ramp.speed = math.sqrt(block.entry_sqr)
 
 
-@njit
+@njit_inline
+def _shape_trapezoid(planner):
+    """Choose the shape of what remains of the block."""
+    if planner.ramp[0].hold:
+        _shape_hold(planner)
+    else:
+        _shape_profile(planner)
+
+
+@njit_inline
 def _shape_hold(planner):
     """Brake from the start of what remains, to a stop or into the next block."""
     ramp = planner.ramp[0]
@@ -85,7 +102,7 @@ def _shape_hold(planner):
         ramp.exit_speed = math.sqrt(max(0.0, entry_sqr - 2.0 * block.acceleration * length))
 
 
-@njit
+@njit_inline
 def _shape_profile(planner):
     """Choose the shape of what remains of the block, from its entry speed to the next block's."""
     ramp = planner.ramp[0]
@@ -93,7 +110,7 @@ def _shape_profile(planner):
     block = planner.blocks[queue.tail]
     length, entry_sqr = block.length, block.entry_sqr
     acceleration = block.acceleration
-    after = next_place(queue.tail)
+    after = next_place(planner, queue.tail)
     exit_sqr = 0.0 if after == queue.head else planner.blocks[after].entry_sqr
     nominal = nominal_speed(block, queue)
     brake_sqr = entry_sqr - 2.0 * acceleration * length  # speed squared at the end after full braking
@@ -118,7 +135,7 @@ def _shape_profile(planner):
         _meet_ramps(ramp, crossing, entry_sqr, exit_sqr, acceleration)
 
 
-@njit
+@njit_inline
 def _meet_ramps(ramp, crossing, entry_sqr, exit_sqr, acceleration):
     """Let the profile accelerate to its nominal speed, to a peak below it, or all the way."""
     if crossing <= 0.0:
@@ -133,7 +150,7 @@ def _meet_ramps(ramp, crossing, entry_sqr, exit_sqr, acceleration):
         ramp.cruise_speed = math.sqrt(2.0 * acceleration * crossing + exit_sqr)
 
 
-@njit
+@njit_inline
 def _advance_ramp(planner):
     """Move `ramp.remaining` and `ramp.speed` on by one segment; returns its duration in s."""
     ramp = planner.ramp[0]
@@ -156,7 +173,7 @@ def _advance_ramp(planner):
     return duration
 
 
-@njit
+@njit_inline
 def _advance_piece(ramp, acceleration, span):
     """Move on for `span` s, or to the ramp's next bend if that comes sooner; returns the time taken."""
     change = acceleration * span
@@ -189,7 +206,7 @@ def _advance_piece(ramp, acceleration, span):
     return span
 
 
-@njit
+@njit_inline
 def _decelerate_piece(ramp, change, span):
     """Brake for `span` s, or to the end of the ramp."""
     begin = ramp.remaining
@@ -208,7 +225,7 @@ def _decelerate_piece(ramp, change, span):
     return min(longest, 2.0 * (begin - ramp.stop_at) / both) if both > 0.0 else 0.0
 
 
-@njit
+@njit_inline
 def _emit(planner, segment, duration):
     """Write the segment with the whole steps that were passed; returns False when there are none."""
     ramp = planner.ramp[0]
@@ -216,7 +233,7 @@ def _emit(planner, segment, duration):
     steps_to_go = ramp.steps_per_mm * ramp.remaining
     whole_to_go = math.ceil(steps_to_go)
     steps = int(ramp.steps_left - whole_to_go)
-    if steps == 0:
+    if steps <= 0:  # below 0 where the length, in steps again, is a crumb more than the steps
         return False
     s_per_step = (duration + ramp.time_left) / (ramp.steps_left - steps_to_go)
     cycles = math.ceil(TICKS_PER_S * s_per_step)
@@ -227,17 +244,14 @@ def _emit(planner, segment, duration):
     segment.cycles = min(cycles >> level, MAX_CYCLES) + TIMER_RESTART
     segment.unit = EIGHTHS >> level
     segment.eighths = ramp.eighths
-    segment.events = block.events
-    segment.steps[:] = block.steps
-    segment.begin[:] = block.begin
-    segment.tag = block.tag
+    write_course(segment, block)
     ramp.eighths += steps * EIGHTHS
     ramp.steps_left = whole_to_go
     ramp.time_left = (whole_to_go - steps_to_go) * s_per_step
     return True
 
 
-@njit
+@njit_inline
 def _close(planner):
     """Note what is left of the block; free its place when that is nothing."""
     ramp = planner.ramp[0]

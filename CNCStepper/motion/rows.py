@@ -3,7 +3,8 @@
 
 The firmware has one processor: while it reads and plans a line it cuts no segments, and when it comes back it
 first fills every place that the step interrupt has freed. A block may so be begun while the ring is not full,
-which is felt where braking takes the whole of the look-ahead.
+which is felt where braking takes the whole of the look-ahead. A ring longer than the firmware's belongs to a faster
+processor: it takes no longer to plan again.
 
     processor  ─ line ─┬ segments ┬─ line ─┬ segments ┬── waits for a free place ──┬ segment ┬─ line ─
     step interrupt     └─ runs up to SEGMENT_PLACES segments behind ──────────────────────────────────
@@ -18,11 +19,14 @@ from typing import NamedTuple
 
 import numpy as np
 
-from CNCStepper.kernels import njit
+from CNCStepper.kernels import njit_inline
+from CNCStepper.machine.profile import LOOK_AHEAD_BLOCKS
 from CNCStepper.motion.arcs import new_arc, next_point, start_arc
-from CNCStepper.motion.memory import BLOCKS, SEGMENT_PLACES, TICKS_PER_S, Planner
-from CNCStepper.motion.planner import is_full, push_line
+from CNCStepper.motion.corners import next_corner_point, start_corner
+from CNCStepper.motion.memory import SEGMENT_PLACES, TICKS_PER_S, Planner, copy_axes
+from CNCStepper.motion.planner import push_line
 from CNCStepper.motion.ramp import next_segment
+from CNCStepper.motion.ring import is_full, places_from
 from CNCStepper.toolpath import ARC_CW, RAPID
 
 LINE_TICKS = round(0.0031 * TICKS_PER_S)  # to read and queue a line, fitted to the recording with a dwell
@@ -58,6 +62,9 @@ class Rows(NamedTuple):
     dwell: np.ndarray  # int64, ticks of standstill before the row; -1: none, 0: stop and go on
     not_before: np.ndarray  # int64, written: the clock after that standstill
     first: int
+    exact: np.ndarray  # bool, the row begins at rest
+    reach: np.ndarray  # float64, mm of the row's end, and of the next row's begin, that a corner's arc takes; 0: none
+    after: np.ndarray  # float64[n, axes], end of the next row, where reach is above 0
 
 
 class Course(NamedTuple):
@@ -79,7 +86,7 @@ def new_course(planner: Planner, position_mm: tuple[float, ...], idle_delay_tick
     return Course(planner, cursor, new_arc(), place, np.zeros(len(place)), np.zeros(SEGMENT_PLACES, np.int64))
 
 
-@njit
+@njit_inline
 def run_rows(course, rows, segments):
     """Plan rows until the chunk is queued or `segments` is full; returns the segments written.
 
@@ -101,6 +108,9 @@ def run_rows(course, rows, segments):
             kind, plane, turns = rows.kind[row], rows.plane[row], rows.turns[row]
             start_arc(course.arc[0], course.place, rows.end[row], rows.centre[row], kind, plane, turns, tolerance)
             cursor.inside = True
+        if rows.reach[row] > 0.0 and not cursor.inside:
+            start_corner(course, rows, row)
+            cursor.inside = True
         count = _make_room(course, segments, count)
         if is_full(course.planner) or count == len(segments):
             return count
@@ -108,7 +118,7 @@ def run_rows(course, rows, segments):
     return count
 
 
-@njit
+@njit_inline
 def _make_room(course, segments, count):
     """Cut segments as their places fall free, until a block can be queued or `segments` is full."""
     cursor = course.cursor[0]
@@ -122,36 +132,42 @@ def _make_room(course, segments, count):
         cursor.processor = course.ends[cursor.cut % SEGMENT_PLACES]
 
 
-@njit
+@njit_inline
 def _queue_next(course, rows, row):
     """Queue the next straight piece of the row, and step to the next row after the last piece."""
     cursor = course.cursor[0]
     arc = course.arc[0]
     end = rows.end[row]
-    _work(course, CHORD_TICKS if cursor.inside and arc.done else LINE_TICKS)
-    if cursor.inside:
+    begins = not cursor.inside or arc.done == 0
+    speed = rows.speed[row]
+    _work(course, LINE_TICKS if begins else CHORD_TICKS)
+    if rows.reach[row] > 0.0:
+        speed = next_corner_point(course, rows, row)
+        cursor.inside = arc.done < arc.chords
+    elif cursor.inside:
         next_point(arc, course.place, end, course.point)
         cursor.inside = arc.done < arc.chords
     else:
-        course.point[:] = end
-    push_line(course.planner, course.point, rows.speed[row], rows.kind[row] == RAPID, rows.first + row)
+        copy_axes(end, course.point)
+    course.planner.settings[0].exact_stop = begins and rows.exact[row]
+    push_line(course.planner, course.point, speed, rows.kind[row] == RAPID, rows.first + row)
     if not cursor.inside:
-        course.place[:] = end
+        copy_axes(course.point, course.place)
         cursor.row += 1
 
 
-@njit
+@njit_inline
 def _work(course, ticks):
     """Let the processor read and plan, `ticks` of its own time, between the step interrupts."""
     cursor = course.cursor[0]
     queue = course.planner.queue[0]
-    ticks += REPLAN_TICKS * ((queue.head - queue.planned) % BLOCKS)
+    ticks += REPLAN_TICKS * min(LOOK_AHEAD_BLOCKS, places_from(course.planner, queue.planned, queue.head))
     if cursor.clock > cursor.processor:
         ticks = ticks * cursor.cycles // (cursor.cycles - INTERRUPT_TICKS)
     cursor.processor += ticks
 
 
-@njit
+@njit_inline
 def run_empty(course, segments, count):
     """Cut all that is queued, from row `count` of `segments` on; full before the end when all rows are used."""
     while count < len(segments) and _cut(course, segments, count):
@@ -159,7 +175,7 @@ def run_empty(course, segments, count):
     return count
 
 
-@njit
+@njit_inline
 def stand_still(course, ticks):
     """Let the axes come to rest, the drivers' idle delay pass, and then `ticks`."""
     cursor = course.cursor[0]
@@ -170,7 +186,7 @@ def stand_still(course, ticks):
     cursor.processor = cursor.clock
 
 
-@njit
+@njit_inline
 def _cut(course, segments, row):
     """Cut one segment and set it on the clock; a segment that comes too late finds the drivers idle."""
     cursor = course.cursor[0]

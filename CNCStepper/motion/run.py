@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from CNCStepper.kernels import njit
+from CNCStepper.kernels import njit_inline
 from CNCStepper.motion.memory import SEGMENT_PLACES, Planner, new_segments
 from CNCStepper.motion.planner import empty_planner, plan_again, reload_running_block
 from CNCStepper.motion.ramp import next_segment
@@ -52,7 +52,7 @@ def new_runner(planner: Planner, idle_delay_ticks: int, record_rows: int) -> Run
     return Runner(planner, ring, clockwork, planner.position.copy(), record)
 
 
-@njit
+@njit_inline
 def run_until(runner, until):
     """Run to clock `until`; stops short, at the end of a segment, when the record is full."""
     clockwork = runner.clockwork[0]
@@ -74,20 +74,20 @@ def run_until(runner, until):
         place_in(segment, _ticks_done(clockwork, segment), runner.position)
 
 
-@njit
+@njit_inline
 def _ticks_done(clockwork, segment):
     """Return how many ticks of the running segment are over."""
     return (clockwork.clock - segment.start) // segment.cycles
 
 
-@njit
+@njit_inline
 def record_full(runner):
     """Return whether the record must be emptied before anything more is run."""
     rows = len(runner.record)
     return rows > 0 and runner.clockwork[0].recorded == rows
 
 
-@njit
+@njit_inline
 def _refill(runner):
     """Cut segments into the free places of the ring."""
     clockwork = runner.clockwork[0]
@@ -98,7 +98,7 @@ def _refill(runner):
         clockwork.waiting += 1
 
 
-@njit
+@njit_inline
 def _finish(runner, ticks):
     """Take the running segment out of the ring after `ticks` of it, and record it."""
     clockwork = runner.clockwork[0]
@@ -116,7 +116,7 @@ def _finish(runner, ticks):
         clockwork.ready_at = clockwork.clock + clockwork.idle_delay
 
 
-@njit
+@njit_inline
 def _stand(runner, until):
     """Let the time pass without a move; a hold is complete once the drivers' idle delay is over."""
     clockwork = runner.clockwork[0]
@@ -126,7 +126,7 @@ def _stand(runner, until):
     clockwork.clock = until
 
 
-@njit
+@njit_inline
 def hold(runner):
     """Begin to brake behind the segments that are already cut; at once held when nothing moves."""
     planner = runner.planner
@@ -142,7 +142,7 @@ def hold(runner):
         plan_again(planner)
 
 
-@njit
+@njit_inline
 def resume(runner):
     """Go on after a completed hold; returns False, and changes nothing, while there is none."""
     clockwork = runner.clockwork[0]
@@ -153,7 +153,7 @@ def resume(runner):
     return True
 
 
-@njit
+@njit_inline
 def stop_dead(runner):
     """Forget segments, blocks and hold at once; returns whether the axes were moving."""
     clockwork = runner.clockwork[0]

@@ -13,18 +13,23 @@ from __future__ import annotations
 
 import numpy as np
 
-from CNCStepper.kernels import njit
+from CNCStepper.kernels import njit, njit_inline
 from CNCStepper.motion.memory import EIGHTHS
 
 
-@njit
+@njit_inline
+def steps_made(steps, whole, parts):
+    """Return how many of its steps an axis has made after so many of the `whole` parts of a block."""
+    return (whole // 2 + parts * steps - 1) // whole
+
+
+@njit_inline
 def place_in(segment, ticks, position):
     """Write to `position` where the axes stand after `ticks` of the segment's ticks."""
     eighths = segment.eighths + ticks * segment.unit
-    events = segment.events
     for axis in range(len(position)):
         steps = segment.steps[axis]
-        made = (EIGHTHS // 2 * events + eighths * abs(steps) - 1) // (EIGHTHS * events)
+        made = steps_made(abs(steps), EIGHTHS * segment.events, eighths)
         position[axis] = segment.begin[axis] + (made if steps > 0 else -made)
 
 

@@ -50,7 +50,7 @@ def test_it_takes_the_time_that_the_planner_states():
     assert run(Motion(LIMITS), TARGETS) == pytest.approx(duration_s(table.toolpath(), LIMITS) + 0.025, abs=0.05)
 
 
-@pytest.mark.parametrize("dt_s", [0.0007, 0.0173, 30.0])
+@pytest.mark.parametrize("dt_s", [*(pytest.param(dt_s, marks=pytest.mark.slow) for dt_s in (0.0007, 0.0173)), 30.0])
 def test_the_length_of_the_time_steps_does_not_matter(dt_s):
     motions = [Motion(LIMITS, record=True) for _ in range(2)]
     for motion, step_s in zip(motions, (0.003, dt_s), strict=True):

@@ -189,9 +189,9 @@ def test_the_way_along_an_unknown_axis_counts_as_nothing():
 def test_a_chunk_of_100_000_short_blocks_is_planned_within_a_second():
     toolpath = random_table(100_000)
     duration_s(random_table(50), MACHINE)
-    begin = time.perf_counter()
+    begin = time.process_time()
     assert duration_s(toolpath, MACHINE) > 1000
-    assert time.perf_counter() - begin < 1.0
+    assert time.process_time() - begin < 1.0
 
 
 SMALL = """

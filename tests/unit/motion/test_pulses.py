@@ -58,7 +58,7 @@ def test_going_forwards_and_backwards_gives_every_pulse_of_the_run(toolpath: Too
         back.append(pulse)
         time_s = pulse.time_s
     assert back == wanted[::-1]
-    assert len(pulses._marks) > 8
+    assert len(pulses._pieces) > 8
 
 
 def test_any_moment_in_any_order(toolpath: Toolpath) -> None:
