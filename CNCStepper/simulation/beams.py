@@ -9,8 +9,8 @@ import numpy as np
 import shapely
 
 from CNCStepper.simulation.cutter import BEAM, Tools, tool_numbered
+from CNCStepper.simulation.edge_tree import flat_edges
 from CNCStepper.simulation.finding import Finding
-from CNCStepper.simulation.region import flat_edges
 from CNCStepper.simulation.segments import Segments, segments
 from CNCStepper.simulation.stock import Stock
 from CNCStepper.simulation.subject import Subject

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 
 from CNCStepper.cycles.form import Removal
 from CNCStepper.machine.profile import Machine
-from CNCStepper.simulation import load_checks, machine_checks, motor_checks, stock_checks, tool_checks
+from CNCStepper.simulation import corner_checks, load_checks, machine_checks, motor_checks, stock_checks, tool_checks
 from CNCStepper.simulation.beams import beams
 from CNCStepper.simulation.clamps import Clamp, clamps, sheet_edge
 from CNCStepper.simulation.cutter import Tools
@@ -26,6 +26,7 @@ MACHINE_CHECKS = (
     machine_checks.spin_up,
     machine_checks.tool_changes,
     motor_checks.motors,
+    corner_checks.blended,
 )
 
 
@@ -40,6 +41,8 @@ def check(
     judgement: Judgement | None = None,
     keep_out: Sequence[Clamp] = (),
     edge_mm: float | None = None,
+    cut: Toolpath | None = None,
+    motors: Toolpath | None = None,
 ) -> list[Finding]:
     """Return what is wrong with a program, in the order of its lines; an empty list is a clean program.
 
@@ -47,11 +50,31 @@ def check(
     every number. Checks that need a stock, tools or removals are left out where these are not given; a
     `judgement` already made is used instead of judging again. How deep a gouge and how thick a rest are
     allowed say the removals. keep_out: the clamps. edge_mm: how far from the sheet's edge cuts must stay, None for
-    no matter how near.
+    no matter how near. cut: the moves after those of the programs that have cut the same stock before (`followed`);
+    what is wrong with these, on no line, is not told again. motors: the same rows as the motors go them, where their
+    axes have play: travel, rates and torque are theirs.
     """
     subject = Subject.of(toolpath, machine, file)
-    found = [finding for one in MACHINE_CHECKS for finding in one(subject)]
+    of_motors = subject if motors is None or motors is toolpath else Subject.of(motors, machine, file)
+    found = [finding for one in MACHINE_CHECKS for finding in one(of_motors)]
     found += clamps(subject, tools, keep_out)
+    if cut is not None and cut is not toolpath:
+        subject = Subject.of(cut, machine, file)
+    found += [
+        finding for finding in _in_stock(subject, stock, tools, removals, judgement, edge_mm) if finding.place.line
+    ]
+    return sorted(found, key=lambda finding: (finding.place.line, SEVERITIES.index(finding.severity), finding.code))
+
+
+def _in_stock(
+    subject: Subject,
+    stock: Stock | None,
+    tools: Tools | None,
+    removals: Sequence[Removal] | None,
+    judgement: Judgement | None,
+    edge_mm: float | None,
+) -> list[Finding]:
+    found: list[Finding] = []
     if tools is not None:
         found += stock_checks.tools_known(subject, tools)
         if stock is not None:
@@ -59,10 +82,10 @@ def check(
             if edge_mm is not None:
                 found += sheet_edge(subject, tools, stock, edge_mm)
         if judgement is None and removals:
-            judgement = judge(toolpath, tools, removals, stock)
+            judgement = judge(subject.toolpath, tools, removals, stock)
     if judgement is not None:
         found += stock_checks.verdict(subject, judgement)
-    return sorted(found, key=lambda finding: (finding.place.line, SEVERITIES.index(finding.severity), finding.code))
+    return found
 
 
 def _at_stock(subject: Subject, stock: Stock, tools: Tools) -> Iterator[Finding]:

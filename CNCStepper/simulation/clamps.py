@@ -13,9 +13,9 @@ from CNCStepper.errors import JobError
 from CNCStepper.machine.tool import Tool
 from CNCStepper.simulation.beams import beam_cuts, through
 from CNCStepper.simulation.cutter import BEAM, POINT, Cutter, Tools, tool_numbered
+from CNCStepper.simulation.edge_tree import flat_edges
 from CNCStepper.simulation.finding import Finding
 from CNCStepper.simulation.form import Form, form_of
-from CNCStepper.simulation.region import flat_edges
 from CNCStepper.simulation.segments import Segments, clipped_below, segments, split_ramps
 from CNCStepper.simulation.stock import Stock
 from CNCStepper.simulation.subject import Subject

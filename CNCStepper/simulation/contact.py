@@ -2,7 +2,7 @@
 """Whether a move touches stock that the moves before it have left.
 
 A point of the tool at height z touches when it lies inside the stock and no earlier move has cut it
-down to z. The points lie on the tool's rims, along the move, close together, and RUB_MM inside the
+down to z. The points lie on the front of the tool's rim, along the move, close together, and RUB_MM inside the
 tool, so that a tool that only rubs along a wall it has cut itself touches nothing. To them come the
 corners of what the move and the stock share, so that a corner of the stock between the points is met too.
 """
@@ -12,8 +12,9 @@ from __future__ import annotations
 import numpy as np
 import shapely
 
+from CNCStepper.kernels import njit
 from CNCStepper.simulation.cutter import Cutter
-from CNCStepper.simulation.region import EdgeTree
+from CNCStepper.simulation.edge_tree import EdgeTree, flat_edges, square_from
 from CNCStepper.simulation.segments import Segments, clipped_below
 from CNCStepper.simulation.stock import Stock
 
@@ -27,7 +28,8 @@ DISCS = 9  # of a cutter that is not flat are looked at, spread over what is bel
 RIM_STEP_MM = 0.25  # between the points of a disc's rim, at most; the places of a move close the gaps
 ALONE_STEP_MM = 0.02  # between those of a disc that has one place only
 FEWEST_POINTS = 64
-SHARES = (1.0, 0.7, 0.4, 0.1)  # of the radius, at which points lie
+MISSES = 64  # as many places that no edge has cut are looked at one by one; an index finds the others faster
+INNER = (0.7, 0.4, 0.1)  # of the radius, at which points lie inside a rim
 
 
 class Remaining:
@@ -87,11 +89,33 @@ class Remaining:
                 near &= np.maximum(pieces.begin[:, axis], pieces.end[:, axis]) >= low[axis]
             pieces = pieces[near]
             for level_mm in _levels_of(cutter, pieces, z_mm):
-                open_ = np.flatnonzero(~cut)
-                tree = EdgeTree.of_pieces(clipped_below(pieces, level_mm))
+                edges = flat_edges(clipped_below(pieces, level_mm))
                 radius = cutter.radius_at(np.array([z_mm - level_mm]))[0]
-                cut[open_] = tree.distance(points[open_]) <= radius
+                _find_cut(points, edges, radius * radius, cut)
+                open_ = np.flatnonzero(~cut)
+                if len(open_):
+                    cut[open_] = EdgeTree(edges).distance(points[open_]) <= radius
         return cut
+
+
+@njit
+def _find_cut(points, edges, square, cut):
+    """Mark points within a squared distance of an edge: most are near the one that the point before is near to.
+
+    After MISSES points that are near to none the rest is left as it is.
+    """
+    last, misses = 0, 0
+    for k in range(len(points)):
+        if misses == MISSES:
+            break
+        if cut[k]:
+            continue
+        for step in range(len(edges)):
+            edge = (last + step) % len(edges)
+            if square_from(edges[edge], points[k, 0], points[k, 1]) <= square:
+                cut[k], last = True, edge
+                break
+        misses += not cut[k]
 
 
 def _levels_of(cutter: Cutter, pieces: Segments, z_mm: float) -> np.ndarray:
@@ -124,10 +148,15 @@ def _runs(keys: np.ndarray) -> list[tuple[int, int]]:
 
 
 def _disc_points(centres: np.ndarray, radius_mm: float) -> np.ndarray:
-    """Return points on the discs about the centres: on the rim, and on rings inside."""
+    """Return points on the discs about centres one after another: all over the first, on the others' front rims.
+
+    What lies inside a later disc has lain on the front rim of one before, or inside the first.
+    """
     step_mm = RIM_STEP_MM if len(centres) > 1 else ALONE_STEP_MM
-    rings = np.vstack([_ring(radius_mm * share, step_mm) for share in SHARES])
-    return (centres[:, None, :] + rings[None, :, :]).reshape(-1, 2)
+    rim = _ring(radius_mm, step_mm)
+    first = np.vstack([rim, *(_ring(radius_mm * share, step_mm) for share in INNER)])
+    ahead = np.diff(centres, axis=0) @ rim.T >= 0.0
+    return np.vstack([centres[0] + first, (centres[1:, None, :] + rim)[ahead]])
 
 
 def _ring(radius_mm: float, step_mm: float) -> np.ndarray:

@@ -87,15 +87,21 @@ class Cutter:
         return np.where(beside_mm <= self.radius_mm, height, np.inf)
 
     def gap(self, beside_mm: np.ndarray, drop_mm: float) -> np.ndarray:
-        """Return the distance to the cutter from points `drop_mm` (not negative) below its tip, beside its axis."""
+        """Return the distance to the cutter from points beside its axis, `drop_mm` below its tip.
+
+        Negative: above its tip; there a round corner counts as if the point lay at the tip's height.
+        """
         beyond = np.maximum(beside_mm - self.floor_mm, 0.0)
         if self.is_flat:
-            return np.hypot(beyond, drop_mm)
+            return np.hypot(beyond, max(drop_mm, 0.0))
         if self.form.corner_mm:
-            return np.maximum(np.hypot(beyond, self.form.corner_mm + drop_mm) - self.form.corner_mm, 0.0)
+            corner_mm = self.form.corner_mm
+            return np.maximum(np.hypot(beyond, corner_mm + max(drop_mm, 0.0)) - corner_mm, 0.0)
         wide, high = self.radius_mm - self.floor_mm, self.rise_mm
+        drop_mm = max(drop_mm, -high)
         share = np.clip((beyond * wide - drop_mm * high) / (wide**2 + high**2), 0.0, 1.0)
-        return np.hypot(beyond - share * wide, drop_mm + share * high)
+        beside_cone = np.hypot(beyond - share * wide, drop_mm + share * high)
+        return np.where(beyond * high <= -drop_mm * wide, 0.0, beside_cone)
 
 
 POINT = Cutter(Form(0.0, 0.0))

@@ -39,7 +39,9 @@ class Finding:
         ]
         more = [f"{self.count} moves"] if self.count > 1 else []
         if self.place_mm is not None:
-            numbers.insert(0, "at " + " ".join(f"{n}{v + 0.0:.7g}" for n, v in zip("XYZ", self.place_mm, strict=False)))
+            numbers.insert(
+                0, "at " + " ".join(f"{n}{v + 0.0:.7g}" for n, v in zip("XYZ", self.place_mm, strict=False)) + " mm"
+            )
         brackets = f" ({', '.join(numbers + more)})" if numbers or more else ""
         advice = f"; {self.advice}" if self.advice else ""
         return f"{self.place}: {self.severity}: {self.text}{brackets}{advice} [{self.code}]"

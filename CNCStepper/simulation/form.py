@@ -16,9 +16,9 @@ import math
 from typing import NamedTuple
 
 from CNCStepper.kernels import njit
+from CNCStepper.machine.point import DRILL_POINT_DEG
 from CNCStepper.machine.tool import Tool
 
-DRILL_POINT_DEG = 118.0  # the standard point
 NEWTON = 60  # steps at most; three are usual
 WIDER = 1.01  # what is `CLOSE` only is taken that much larger where nothing may be left out
 CLOSE = 1e-2  # a step of that share is the last: the next would be its square, and the height is at its minimum

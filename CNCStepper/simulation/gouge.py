@@ -19,7 +19,8 @@ import numpy as np
 import shapely
 
 from CNCStepper.simulation.cutter import Cutter
-from CNCStepper.simulation.region import EdgeTree, Region, climbed, flat_edges, zoomed
+from CNCStepper.simulation.edge_tree import EdgeTree, flat_edges
+from CNCStepper.simulation.region import Region, climbed, zoomed
 from CNCStepper.simulation.segments import Segments, shortened, split_ramps
 from CNCStepper.simulation.stock import HeightField
 
@@ -28,6 +29,8 @@ SAME_PLACE_MM = 0.0003  # a piece that comes this near to the worst place has cu
 FIELD_STEP_MM = 1.0  # over a height field a piece counts with the highest top near parts of this length
 RAMP_STEP_MM = 0.05  # a ramp counts with the lower end of parts of this height
 WORST_PIECES = 64
+FEW_PIECES = 4  # of these are looked at first: they often show that no other can be worse
+AS_DEEP_MM = 1e-4
 COARSE_DISCS = 32  # with which the pieces that enter nothing are told from the rest
 FACE_RINGS = 12  # on the face of a cutter that is not flat
 MOST_AT_ONCE = 2_000_000  # discs of pieces
@@ -64,7 +67,9 @@ class Kept:
         """Return how deep points float64[n, 2] at heights z lie in what is to stay."""
         depth = (self.top_mm if self.field is None else self.field.tops_at(points)) - z_mm
         for bottom_mm, region in zip(self.bottoms_mm, self.regions, strict=True):
-            depth = np.minimum(depth, np.hypot(region.beyond(points), np.maximum(bottom_mm - z_mm, 0)))
+            up_mm = np.maximum(bottom_mm - z_mm, 0)
+            open_ = np.flatnonzero(depth > up_mm)  # the way up to the floor is too long for the others
+            depth[open_] = np.minimum(depth[open_], np.hypot(region.beyond(points[open_]), up_mm[open_]))
         return np.maximum(depth, 0.0)
 
 
@@ -88,8 +93,7 @@ def entries(cutter: Cutter, pieces: Segments, kept: Kept) -> Entries:
     pieces = split_ramps(pieces, RAMP_STEP_MM)
     if kept.field is not None:
         pieces = shortened(pieces, max(cutter.radius_mm, FIELD_STEP_MM))
-    enough_mm = max(cutter.radius_mm, 0.05)
-    inside = np.stack([region.inside(pieces, enough_mm) for region in kept.regions]) if kept.regions else None
+    inside = np.stack([region.inside(pieces) for region in kept.regions]) if kept.regions else None
     tip = np.maximum(pieces.low_mm, kept.stock_bottom_mm)
     tops = kept.tops(pieces, cutter.radius_mm)
     heights, radii = cutter.discs(kept.top_mm - float(tip.min(initial=kept.top_mm)))
@@ -130,12 +134,25 @@ def _bound(inside, tip, tops, kept: Kept, heights, radii) -> tuple[np.ndarray, n
 
 
 def deepest(found: Entries, kept: Kept) -> Worst:
-    """Return the exact deepest gouge of those pieces whose bound is largest."""
-    order = np.argsort(-found.bound_mm, kind="stable")[:WORST_PIECES]
-    worst = found[order[found.bound_mm[order] > SMALL_MM]]
-    if not len(worst.pieces):
-        return Worst()
+    """Return the exact deepest gouge.
+
+    Pieces are looked at by falling bound, until no bound is deeper than what was found: slivers between removals that
+    touch give many pieces a large bound, among which a true gouge would hide.
+    """
+    order = np.argsort(-found.bound_mm, kind="stable")
+    order = order[found.bound_mm[order] > SMALL_MM]
+    best, first, count = Worst(), 0, WORST_PIECES
+    while first < len(order) and found.bound_mm[order[first]] > best.depth_mm + AS_DEEP_MM:
+        here = _deepest_of(found[order[first : first + count]], found, kept)
+        best = max(best, here, key=lambda worst: worst.depth_mm)
+        first, count = first + count, 2 * count
+    return best
+
+
+def _deepest_of(worst: Entries, found: Entries, kept: Kept) -> Worst:
+    """Return the deepest gouge of some pieces, of all those found."""
     centres, index = _centres(worst.pieces, kept)
+    centres, index = _promising(centres, index, worst, kept)
     tip = np.maximum(centres[:, 2], kept.stock_bottom_mm)
     best = _best_on_discs(centres, tip, index, worst, kept, np.tile(ROUND_RAD, (len(centres), 1)), (0.0, 0.5, 1.0))
     fine = best.angle + np.linspace(-np.pi / 36, np.pi / 36, 201)
@@ -146,6 +163,16 @@ def deepest(found: Entries, kept: Kept) -> Worst:
     place = _climbed_inside(best, worst, kept) if found.cutter.is_flat else _on_face(best, centres, index, worst, kept)
     depth = float(kept.depth(np.array([place[:2]]), np.array([place[2]]))[0])
     return Worst(depth, place, _first_row(place, found, kept, int(worst.pieces.row[best.piece])))
+
+
+def _promising(centres: np.ndarray, index: np.ndarray, worst: Entries, kept: Kept) -> tuple[np.ndarray, np.ndarray]:
+    """Return the centres of those pieces that can enter deeper than the first few do, by more than nothing."""
+    few = index < FEW_PIECES
+    angles = np.tile(ROUND_RAD, (int(few.sum()), 1))
+    tip = np.maximum(centres[few, 2], kept.stock_bottom_mm)
+    best = _best_on_discs(centres[few], tip, index[few], worst, kept, angles, (0.0, 0.5, 1.0))
+    rest = (index == best.piece) | (worst.bound_mm[index] > best.depth + AS_DEEP_MM)
+    return centres[rest], index[rest]
 
 
 def _first_row(place: tuple[float, ...], found: Entries, kept: Kept, row: int) -> int:
@@ -229,12 +256,12 @@ def _best_on_discs(centres, tip, index, worst: Entries, kept: Kept, angles: np.n
 def _centres(pieces: Segments, kept: Kept) -> tuple[np.ndarray, np.ndarray]:
     """Return both ends of the pieces and their points nearest to each wall, with the index of the piece."""
     points = [pieces.begin, pieces.end]
-    flat = shapely.linestrings(flat_edges(pieces))
+    flat = flat_edges(pieces)
     for region in kept.regions:
         edge, _ = region.edges.nearest(flat)
         if len(region.edges.edges):
-            near = shapely.get_coordinates(shapely.shortest_line(flat, region.edges.edges[edge]))[::2]
-            points.append(_on_pieces(near, pieces))
+            ways = shapely.shortest_line(*(shapely.linestrings(edges) for edges in (flat, region.edges.edges[edge])))
+            points.append(_on_pieces(shapely.get_coordinates(ways)[::2], pieces))
     return np.vstack(points), np.tile(np.arange(len(pieces)), len(points))
 
 

@@ -22,19 +22,22 @@ from shapely.geometry.base import BaseGeometry
 
 from CNCStepper.cycles.form import Removal
 from CNCStepper.simulation.cutter import Cutter
+from CNCStepper.simulation.edge_tree import EdgeTree
 from CNCStepper.simulation.gouge import Worst
-from CNCStepper.simulation.region import EdgeTree, climbed
+from CNCStepper.simulation.region import climbed
 from CNCStepper.simulation.segments import Segments, chains, clipped_below
 from CNCStepper.simulation.stock import Stock
 
 SAME_LEVEL_MM = 1e-4
 MOST_LEVELS = 200
+MOST_BELOW = 50  # levels below a floor, where a point is wider at the floor
 WALL_STEP_MM = 0.1
 COARSE = 0.05  # share of the radius by which the path may be simplified to find where islands can be
 VORONOI_STEP = 0.1  # share of the radius between the points of that path
 RUN_POINTS = 400  # of the path are simplified at once
 ISLAND_REACH_MM = 0.5  # middles closer than twice this belong to one island
 MOST_CLIMBED = 100
+TURN = np.array([[0.8, 0.6], [-0.6, 0.8]])
 AS_NEAR_MM = 0.001
 BESIDE_MM = 1.0  # a path may lie this far beside what it was meant to remove, and is still measured
 Cuts = list[tuple[Cutter, Segments]]  # the path below the stock's top, by cutter
@@ -99,7 +102,7 @@ def left_over(removal: Removal, cuts: Cuts, stock: Stock | None = None) -> Left:
         covers.append(cover)
         wall.meet([cover])
         middles.meet([cover])
-        if removal.region.area > 0:
+        if removal.region.area > 0 and cover.drop_mm >= 0:
             middles.join(_Candidates(_middles(removal.region, cover), alone=True), covers)
     if removal.region.length and wall.thickest > SAME_LEVEL_MM and covers:
         wall.join(_Candidates(_finer(removal.region, wall), alone=False), covers)
@@ -151,18 +154,29 @@ def _near(cuts: Cuts, region: BaseGeometry) -> Cuts:
 
 
 def _covers(removal: Removal, cuts: Cuts) -> Iterator[_Cover]:
-    """Yield what is cut at the floor, then at each level above it where a piece of path ends."""
-    ends = np.concatenate([np.r_[pieces.begin[:, 2], pieces.end[:, 2]] for _, pieces in cuts] or [np.zeros(0)])
-    above = ends[(ends > removal.bottom_mm + SAME_LEVEL_MM) & (ends < removal.top_mm - SAME_LEVEL_MM)]
-    levels = np.unique(np.round(above / SAME_LEVEL_MM) * SAME_LEVEL_MM)
-    if len(levels) > MOST_LEVELS:
-        levels = levels[np.linspace(0, len(levels) - 1, MOST_LEVELS).astype(int)]
-    for level in np.r_[removal.bottom_mm, levels]:
+    """Yield what is cut at the floor, then at each level above it where a piece of path ends.
+
+    Where a point went deeper than the floor, it is wider there: those levels come first.
+    """
+    above = _ends(cuts, removal.bottom_mm, removal.top_mm, MOST_LEVELS)
+    pointed = [cut for cut in cuts if cut[0].form.slope]
+    full_mm = max((cutter.rise_mm for cutter, _ in pointed), default=0.0)  # deeper makes it no wider
+    below = _ends(pointed, removal.bottom_mm - full_mm, removal.bottom_mm, MOST_BELOW)
+    lowest = [removal.bottom_mm - full_mm] if pointed else []
+    for level in np.r_[lowest, below, removal.bottom_mm, above]:
         parts = []
         for cutter, pieces in cuts:
-            below = clipped_below(pieces, level + SAME_LEVEL_MM)
-            parts.append((cutter, below, EdgeTree.of_pieces(below)))
+            lower = clipped_below(pieces, level + SAME_LEVEL_MM)
+            parts.append((cutter, lower, EdgeTree.of_pieces(lower)))
         yield _Cover(level - removal.bottom_mm, parts)
+
+
+def _ends(cuts: Cuts, low_mm: float, high_mm: float, most: int) -> np.ndarray:
+    """Return the heights between two others at which pieces of path end, rising, at most that many of them."""
+    ends = np.concatenate([np.r_[pieces.begin[:, 2], pieces.end[:, 2]] for _, pieces in cuts] or [np.zeros(0)])
+    between = ends[(ends > low_mm + SAME_LEVEL_MM) & (ends < high_mm - SAME_LEVEL_MM)]
+    levels = np.unique(np.round(between / SAME_LEVEL_MM) * SAME_LEVEL_MM)
+    return levels if len(levels) <= most else levels[np.linspace(0, len(levels) - 1, most).astype(int)]
 
 
 def _wall_points(region: BaseGeometry) -> np.ndarray:
@@ -177,9 +191,15 @@ def _finer(region: BaseGeometry, wall: _Candidates) -> np.ndarray:
     found = []
     for point in shapely.points(wall.points[np.argsort(-wall.thickness, kind="stable")[:12]]):
         line = lines[np.argmin(shapely.distance(lines, point))]
-        along = np.clip(shapely.line_locate_point(line, point) + offsets, 0.0, line.length)
-        found.append(shapely.get_coordinates(shapely.line_interpolate_point(line, along)))
+        found.append(_places_on(line, shapely.line_locate_point(line, point) + offsets))
     return np.vstack(found)
+
+
+def _places_on(line: shapely.LineString, lengths_mm: np.ndarray) -> np.ndarray:
+    """Return the places at lengths along a line, float64[n, 2]; before its begin that, beyond its end that."""
+    corners = shapely.get_coordinates(line)
+    reached = np.r_[0.0, np.cumsum(np.hypot(*np.diff(corners, axis=0).T))]
+    return np.column_stack([np.interp(lengths_mm, reached, corners[:, axis]) for axis in range(2)])
 
 
 def _middles(region: BaseGeometry, cover: _Cover) -> np.ndarray:
@@ -213,7 +233,7 @@ def _most_promising(corners: np.ndarray, cover: _Cover) -> np.ndarray:
 def _voronoi_corners(points: np.ndarray) -> np.ndarray:
     """Return the corners of the points' Voronoi diagram: the circumcentres of their Delaunay triangles."""
     points = np.unique(np.round(points, 3), axis=0)
-    triangles = shapely.get_parts(shapely.delaunay_triangles(shapely.multipoints(points)))
+    triangles = _delaunay(points)
     a, b, c = shapely.get_coordinates(triangles).reshape(-1, 4, 2)[:, :3].transpose(1, 0, 2)
     b, c = b - a, c - a
     cross = 2 * (b[:, 0] * c[:, 1] - b[:, 1] * c[:, 0])
@@ -221,6 +241,18 @@ def _voronoi_corners(points: np.ndarray) -> np.ndarray:
     arm = np.stack([c[:, 1] * b2 - b[:, 1] * c2, b[:, 0] * c2 - c[:, 0] * b2], axis=1)
     proper = np.abs(cross) > 1e-12
     return a[proper] + arm[proper] / cross[proper, None]
+
+
+def _delaunay(points: np.ndarray) -> np.ndarray:
+    """Return the Delaunay triangles of points.
+
+    GEOS now and then loses its way among many points on parallel lines, but not when the plane is turned.
+    """
+    try:
+        return shapely.get_parts(shapely.delaunay_triangles(shapely.multipoints(points)))
+    except shapely.errors.GEOSException:
+        turned = shapely.delaunay_triangles(shapely.multipoints(points @ TURN))
+        return shapely.get_parts(shapely.transform(turned, lambda places: places @ TURN.T))
 
 
 def _coarse(cutter: Cutter, pieces: Segments) -> tuple[BaseGeometry, np.ndarray]:
@@ -270,7 +302,7 @@ def _nearest_row(point: np.ndarray, covers: list[_Cover]) -> int:
     """Return the row of the table whose path comes nearest to the point, the last of those as near, or -1."""
     found = []
     for _, pieces, tree in covers[-1].parts if covers else []:
-        index, distance = tree.nearest(shapely.points(point[None, :]))
+        index, distance = tree.nearest(np.array([[point, point]]))
         if len(pieces):
             found.append((float(distance[0]), int(pieces.row[index[0]])))
     nearest = min(found, default=(0.0, -1))[0]

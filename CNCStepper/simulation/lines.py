@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
@@ -14,3 +15,11 @@ class Lines:
 
     points: np.ndarray
     counts: np.ndarray
+
+    def pieces(self, most: int) -> Iterator[Lines]:
+        """Yield the same polylines, at most `most` points at a time; one that is cut goes on from its last point."""
+        ends = np.cumsum(self.counts)
+        for first in range(0, max(len(self.points) - 1, 0), most - 1):
+            last = min(first + most, len(self.points))
+            within = ends[(ends > first) & (ends < last)]
+            yield Lines(self.points[first:last], np.diff([first, *within, last]).astype(np.int32))

@@ -10,7 +10,7 @@ import numpy as np
 from CNCStepper.machine.profile import AXIS_NAMES
 from CNCStepper.simulation.arcs import extremes
 from CNCStepper.simulation.finding import Finding, Severity
-from CNCStepper.simulation.segments import segments
+from CNCStepper.simulation.segments import segments_of_chunks
 from CNCStepper.simulation.subject import Subject
 
 ROUNDING_MM = 1e-4
@@ -80,26 +80,34 @@ def _larger(subject: Subject, name: str, low, high, travel_mm: float) -> Iterato
 
 def rates(subject: Subject) -> Iterator[Finding]:
     """Yield each axis that a feed asks to go faster than it can; the controller will slow the move down."""
-    path = segments(subject.toolpath, DIRECTION_TOLERANCE_MM).level_where_unknown()
-    path = path[subject.is_feed[path.row]]
-    delta = np.abs(path.end - path.begin)
-    length = np.linalg.norm(delta, axis=1)
-    share = delta / np.where(length > 0, length, 1.0)[:, None]
+    fastest = _fastest_mm_min(subject)
     for axis, (name, profile) in enumerate(zip(AXIS_NAMES, subject.machine.axes, strict=True)):
-        speed = share[:, axis] * subject.table.feed[path.row]
-        over = np.flatnonzero(speed > profile.max_rate_mm_min * (1 + 1e-6))
+        over = np.flatnonzero(fastest[:, axis] > profile.max_rate_mm_min * (1 + 1e-6))
         if len(over):
             yield subject.finding(
-                int(path.row[over[0]]),
+                int(over[0]),
                 "warning",
                 "feed-above-rate",
                 f"the feed asks more of {name.upper()} than its highest rate",
                 advice="lower F; the machine will take longer than the feed says",
-                value=float(speed[over].max()),
+                value=float(fastest[over, axis].max()),
                 limit=profile.max_rate_mm_min,
                 unit="mm/min",
-                count=len(np.unique(path.row[over])),
+                count=len(over),
             )
+
+
+def _fastest_mm_min(subject: Subject) -> np.ndarray:
+    """Return how fast the feed asks each axis to go on every row, float64[n, 3]; 0 on rapids."""
+    fastest = np.zeros((len(subject.table), 3))
+    for chords in segments_of_chunks(subject.toolpath, DIRECTION_TOLERANCE_MM):
+        path = chords.level_where_unknown()
+        path = path[subject.is_feed[path.row]]
+        delta = np.abs(path.end - path.begin)
+        length = np.linalg.norm(delta, axis=1)
+        share = delta / np.where(length > 0, length, 1.0)[:, None]
+        np.maximum.at(fastest, path.row, share * subject.table.feed[path.row][:, None])
+    return fastest
 
 
 def starts(subject: Subject) -> Iterator[Finding]:

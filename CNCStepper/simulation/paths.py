@@ -14,6 +14,7 @@ from CNCStepper.toolpath import LINE, RAPID, Toolpath
 
 DRAWN_MM = 0.02  # how far a drawn arc may leave the true one
 FROM_ABOVE = (0, 1)
+LATHE = (2, 0)  # Z to the right, X upwards
 
 
 @dataclass(frozen=True)
@@ -46,17 +47,18 @@ class DrawnPath:
 
 
 def drawn_path(toolpath: Toolpath, seen: tuple[int, ...] = FROM_ABOVE, until: Until | None = None) -> DrawnPath:
-    """Return the path in work coordinates, without what begins at an unknown position.
+    """Return the path in work coordinates, without what begins at a position unknown in the view.
 
-    seen: the axes that a view shows; lines that are points or repeat others there are left out, save plunges.
+    seen: the axes that a view shows; lines that are points or repeat others there are left out, save plunges, which
+    a lathe has not.
     """
     path = segments(toolpath, DRAWN_MM)
-    path = (path if until is None else _until(path, until)).known()
+    path = (path if until is None else _until(path, until)).known_in(seen)
     kind = toolpath.table().kind[path.row]
     delta = path.end - path.begin
     sideways = np.hypot(delta[:, 0], delta[:, 1]) > 1e-9
     shown = (np.abs(delta[:, list(seen)]) > 1e-9).any(axis=1)
-    plunging = (kind == LINE) & ~sideways & (delta[:, 2] < 0)
+    plunging = (kind == LINE) & ~sideways & (delta[:, 2] < 0) & (seen != LATHE)
     return DrawnPath(
         _unrepeated(path[(kind == RAPID) & shown], seen),
         _unrepeated(path[(kind == LINE) & shown & ~plunging], seen),

@@ -40,6 +40,7 @@ TEXTS = {
     "zero": "work zero",
     "cutter": "tool",
     "limits": "limits of travel",
+    "workpiece": "stock",
     "tool": "tool {text}",
     "time": "time {text}",
     "moment": "at {text} of {whole}, line {line}",
@@ -50,7 +51,7 @@ TEXTS = {
 DPI = 100
 FINER = 2  # drawn that many times larger, then averaged: the surface's quads are not antialiased
 MATERIAL_MAP = LinearSegmentedColormap.from_list("material", MATERIAL)
-GREY, INK, GROUND = "#4a5460", "#20262e", "#f1f3f5"
+GREY, INK, GROUND, STOCK_COLOUR = "#4a5460", "#20262e", "#f1f3f5", "#f3ead7"
 COLOURS = {
     "rapids": "#d6166f",
     "feeds": INK,
@@ -60,6 +61,7 @@ COLOURS = {
     "cutter": "#8fa3b5",
     "shank": "#c3ccd4",
     "limits": "#b03030",
+    "workpiece": STOCK_COLOUR,
 }
 STYLES: dict[str, dict[str, Any]] = {
     "rapids": {"ls": "--"},
@@ -69,6 +71,7 @@ STYLES: dict[str, dict[str, Any]] = {
     "zero": {"ls": "", "marker": "+", "mew": 1.8},
     "cutter": {"ls": "", "marker": "s"},
     "limits": {"ls": (0, (6, 3))},
+    "workpiece": {"ls": "", "marker": "s", "mec": INK},
 }
 
 

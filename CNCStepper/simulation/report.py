@@ -17,7 +17,7 @@ from CNCStepper.simulation.cutter import Tools
 from CNCStepper.simulation.finding import Finding
 from CNCStepper.simulation.gouge import Worst
 from CNCStepper.simulation.heightmap import HeightMap
-from CNCStepper.simulation.segments import clipped_below, segments, tips_mm
+from CNCStepper.simulation.segments import Segments, clipped_below, segments_of_chunks, tips_mm, tips_of_chunks
 from CNCStepper.simulation.sweep import Judgement
 from CNCStepper.toolpath import ARC_CCW, ARC_CW, LINE, RAPID, Toolpath
 
@@ -38,6 +38,7 @@ def report(
 ) -> dict[str, Any]:
     """Return what is known of a program, as dicts, lists, texts, numbers and None.
 
+    Its blocks are the lines of the file that move, however often they are run; its moves are those of the machine.
     times_s: end time of every row, float64[n]. part: the stock after the program. tools: a beam among them cuts
     wherever it is on; without them the tool's height says what is cut.
     """
@@ -71,13 +72,15 @@ class _Lengths:
     """Length of every row, and how much of it lies below the stock's top, or is cut by a beam."""
 
     def __init__(self, toolpath: Toolpath, tools: Tools | None):
-        rows = len(toolpath)
-        path = segments(toolpath, LENGTH_TOLERANCE_MM).level_where_unknown()
-        below = clipped_below(path, 0.0)
         self.kind = toolpath.table().kind
-        self.begin, self.end = tips_mm(toolpath)
-        self.whole = _summed(path, rows)
-        self.below = np.minimum(_summed(below[below.low_mm < 0.0], rows), self.whole)
+        self.plunging, self.end = _plunging(toolpath), tips_mm(toolpath)[1]
+        self.whole, self.below = (np.zeros(len(toolpath)) for _ in range(2))
+        for chords in segments_of_chunks(toolpath, LENGTH_TOLERANCE_MM):
+            path = chords.level_where_unknown()
+            below = clipped_below(path, 0.0)
+            _add(self.whole, path)
+            _add(self.below, below[below.low_mm < 0.0])
+        np.minimum(self.below, self.whole, out=self.below)
         self.is_beam, self.burns = beam_rows(toolpath, tools)[0], beam_cuts(toolpath, tools)
         self.below[self.is_beam] = np.where(self.burns, self.whole, 0.0)[self.is_beam]
 
@@ -93,26 +96,34 @@ class _Lengths:
 
     def plunges(self, rows: slice) -> int:
         """Return how many of the rows feed straight down."""
-        return int(self._plunging(rows).sum())
+        return int(self.plunging[rows].sum())
 
     def pierces(self, rows: slice) -> int:
         """Return at how many places the tool feeds straight down into the stock; pecks and levels are one pierce.
 
         A beam pierces each time it begins to cut.
         """
-        piercing = self._plunging(rows) & (self.end[rows][:, 2] < 0.0) & ~self.is_beam[rows]
+        piercing = self.plunging[rows] & (self.end[rows][:, 2] < 0.0) & ~self.is_beam[rows]
         places = len(np.unique(np.round(self.end[rows][piercing, :2], SAME_PLACE_DECIMALS), axis=0))
         return places + int(np.diff(self.burns[rows], prepend=False, append=False).sum()) // 2
 
-    def _plunging(self, rows: slice) -> np.ndarray:
-        delta = self.end[rows] - self.begin[rows]
+
+def _plunging(toolpath: Toolpath) -> np.ndarray:
+    """Return which rows feed straight down, bool[n]."""
+    straight_down = [np.zeros(0, bool)]
+    for chunk, begin, end in tips_of_chunks(toolpath):
+        delta = end - begin
         sideways = np.hypot(delta[:, 0], delta[:, 1])
-        return (self.kind[rows] == LINE) & (sideways < 1e-9) & (delta[:, 2] < 0)
+        straight_down.append((chunk.kind == LINE) & (sideways < 1e-9) & (delta[:, 2] < 0))
+    return np.concatenate(straight_down)
 
 
-def _summed(path, rows: int) -> np.ndarray:
-    length = np.linalg.norm(path.end - path.begin, axis=1)
-    return np.bincount(path.row, length, minlength=rows)
+def _add(lengths: np.ndarray, path: Segments) -> None:
+    """Add the lengths of segments to those of their rows."""
+    if len(path):
+        first = int(path.row[0])
+        length = np.bincount(path.row - first, np.linalg.norm(path.end - path.begin, axis=1))
+        lengths[first : first + len(length)] += length
 
 
 def _operation(span, lengths: _Lengths, times_s: np.ndarray) -> dict[str, Any]:
@@ -133,10 +144,14 @@ def _bounding_box(toolpath: Toolpath) -> dict[str, list[float | None]]:
     """Return the smallest and largest coordinates of the tip, None for an axis that is never known."""
     if not len(toolpath):
         return {"min": [None] * 3, "max": [None] * 3}
-    table = toolpath.table()
-    shift = table.end[:, :3] - tips_mm(toolpath)[1]
-    low, high = extremes(table, toolpath.begins()[:, :3])
-    bounds = np.fmin.reduce(low - shift), np.fmax.reduce(high - shift)
+    lows, highs = [], []
+    for chunk, begin, end in tips_of_chunks(toolpath):
+        if len(chunk):
+            shift = chunk.end[:, :3] - end
+            low, high = extremes(chunk, begin + shift)
+            lows.append(np.fmin.reduce(low - shift))
+            highs.append(np.fmax.reduce(high - shift))
+    bounds = np.fmin.reduce(lows), np.fmax.reduce(highs)
     return {
         name: [_number(v) if np.isfinite(v) else None for v in bound]
         for name, bound in zip(("min", "max"), bounds, strict=True)

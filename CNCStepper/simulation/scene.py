@@ -76,7 +76,7 @@ def scene_at(
     used = [tool_numbered(tools, state.tool) for state in toolpath.states]
     tallest_mm = max((outlines_mm(tool, part.stock.size_mm[2])[0][-1, 1] for tool in used if tool), default=0.0)
     row, share = (len(toolpath) - 1, 1.0) if moment is None else (moment.row, moment.share)
-    limits_mm = _limits_mm(toolpath, machine) if machine and toolpath.start.zero_known else None
+    limits_mm = limits_of(toolpath, machine) if machine and toolpath.start.zero_known else None
     if row < 0:
         return Scene(toolpath, part, None, None, limits_mm, tallest_mm)
     tip_mm = TipTrack.of(toolpath, ends_s).tip_mm(row, share)
@@ -85,6 +85,7 @@ def scene_at(
     return Scene(toolpath, part, Until(row, share, tip_mm), outlines, limits_mm, tallest_mm)
 
 
-def _limits_mm(toolpath: Toolpath, machine: Machine) -> np.ndarray:
+def limits_of(toolpath: Toolpath, machine: Machine) -> np.ndarray:
+    """Return low and high corner of a machine's travel in work coordinates, float64[2, 3]; the work zero is known."""
     travel = np.array([[axis.travel_min_mm, axis.travel_max_mm] for axis in machine.axes]).T
     return travel - frame_mm(toolpath)

@@ -8,12 +8,13 @@ positions are always those of the tip.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
 
 from CNCStepper.simulation.arcs import arcs_of
-from CNCStepper.toolpath import Toolpath
+from CNCStepper.toolpath import Chunk, Toolpath, begins_of
 
 
 @dataclass(frozen=True)
@@ -39,12 +40,17 @@ class Segments:
         """Return those whose two ends are known."""
         return self[np.isfinite(self.begin).all(axis=1) & np.isfinite(self.end).all(axis=1)]
 
+    def known_in(self, axes: tuple[int, ...]) -> Segments:
+        """Return those known in `axes`; what is known at neither end of another axis counts as 0."""
+        begin, end = self.begin.copy(), self.end.copy()
+        for other in {0, 1, 2}.difference(axes):
+            nowhere = np.isnan(begin[:, other]) & np.isnan(end[:, other])
+            begin[nowhere, other] = end[nowhere, other] = 0.0
+        return Segments(begin, end, self.row).known()
+
     def level_where_unknown(self) -> Segments:
         """Return those known in X and Y; a height that is known at neither end counts as 0, as on a table without Z."""
-        begin, end = self.begin.copy(), self.end.copy()
-        nowhere = np.isnan(begin[:, 2]) & np.isnan(end[:, 2])
-        begin[nowhere, 2] = end[nowhere, 2] = 0.0
-        return Segments(begin, end, self.row).known()
+        return self.known_in((0, 1))
 
 
 def frame_mm(toolpath: Toolpath) -> np.ndarray:
@@ -57,10 +63,33 @@ def frame_mm(toolpath: Toolpath) -> np.ndarray:
 def tips_mm(toolpath: Toolpath) -> tuple[np.ndarray, np.ndarray]:
     """Return begin and end of the tool's tip on every row, float64[n, 3], in the stock's frame."""
     table = toolpath.table()
-    lengths = np.array([state.tool_length_mm for state in toolpath.states], float)[table.state]
-    shift = np.tile(frame_mm(toolpath), (len(table), 1))
-    shift[:, 2] += lengths
+    shift = _shift_mm(toolpath, table)
     return toolpath.begins()[:, :3] - shift, table.end[:, :3] - shift
+
+
+def tips_of_chunks(toolpath: Toolpath) -> Iterator[tuple[Chunk, np.ndarray, np.ndarray]]:
+    """Yield each chunk with its `tips_mm`: a long program's need not be held whole."""
+    before = np.asarray(toolpath.start.position_mm, float)
+    for chunk in toolpath.chunks:
+        shift = _shift_mm(toolpath, chunk)
+        yield chunk, begins_of(chunk, before)[:, :3] - shift, chunk.end[:, :3] - shift
+        before = chunk.end[-1] if len(chunk) else before
+
+
+def _shift_mm(toolpath: Toolpath, chunk: Chunk) -> np.ndarray:
+    """Return what leads from the tip in the stock's frame to the machine's coordinates on each row, float64[n, 3]."""
+    shift = np.tile(frame_mm(toolpath), (len(chunk), 1))
+    shift[:, 2] += np.array([state.tool_length_mm for state in toolpath.states], float)[chunk.state]
+    return shift
+
+
+def segments_of_chunks(toolpath: Toolpath, tolerance_mm: float) -> Iterator[Segments]:
+    """Yield `segments` a chunk at a time: those of a long program need not be held whole."""
+    first = 0
+    for chunk, begin, end in tips_of_chunks(toolpath):
+        pieces = _chords(chunk, begin, end, tolerance_mm)
+        yield Segments(pieces.begin, pieces.end, pieces.row + first)
+        first += len(chunk)
 
 
 def segments(toolpath: Toolpath, tolerance_mm: float, whole: np.ndarray | None = None) -> Segments:
@@ -68,8 +97,13 @@ def segments(toolpath: Toolpath, tolerance_mm: float, whole: np.ndarray | None =
 
     whole: bool[n], rows that stay one segment from begin to end though they are arcs.
     """
-    table = toolpath.table()
     begin, end = tips_mm(toolpath)
+    return _chords(toolpath.table(), begin, end, tolerance_mm, whole)
+
+
+def _chords(
+    table: Chunk, begin: np.ndarray, end: np.ndarray, tolerance_mm: float, whole: np.ndarray | None = None
+) -> Segments:
     centre = table.centre + (end - table.end[:, :3])
     counts = np.ones(len(table), np.int64)
     shapes = arcs_of(table, begin, end, centre)

@@ -12,10 +12,10 @@ from CNCStepper.machine.shapes import OWN_KEYS
 from CNCStepper.machine.tool import Tool
 from CNCStepper.simulation.contact import RUB_MM, Remaining
 from CNCStepper.simulation.cutter import BEAM, Cutter, Tools, tool_numbered
+from CNCStepper.simulation.edge_tree import flat_edges
 from CNCStepper.simulation.finding import Finding
 from CNCStepper.simulation.form import form_of
 from CNCStepper.simulation.gouge import Worst
-from CNCStepper.simulation.region import flat_edges
 from CNCStepper.simulation.segments import Segments, clipped_below, segments
 from CNCStepper.simulation.stock import Stock
 from CNCStepper.simulation.subject import Subject
@@ -23,6 +23,7 @@ from CNCStepper.simulation.sweep import FLATTEN_MM, Judgement, cutting_path
 
 JUDGE_ERROR_MM = 0.001  # the judge's own error does not count against a program
 PASSED_MM = 0.001
+SPOIL_MM = 5.0  # a spoil board is cut no deeper on purpose; below lies the table
 
 
 def tools_known(subject: Subject, tools: Tools) -> Iterator[Finding]:
@@ -103,18 +104,18 @@ class StockChecks:
                 yield self._touch(row, point, "spindle-off", "a cut goes into stock while the spindle stands", advice)
 
     def below(self) -> Iterator[Finding]:
-        """Yield the cut that goes through the bottom of the stock."""
+        """Yield the deepest cut that goes through the bottom of the stock; an error where it goes into the table."""
         deep = np.flatnonzero(self.subject.low_mm < self.stock.bottom_mm - PASSED_MM)
         rows = [row for row in deep.tolist() if self._over_stock(row)]
         if rows:
-            lowest = self.subject.low_mm[rows]
+            lowest_mm = float(self.subject.low_mm[rows].min())
             yield self.subject.finding(
-                rows[0],
-                "warning",
+                rows[int(np.argmin(self.subject.low_mm[rows]))],
+                "error" if lowest_mm < self.stock.bottom_mm - SPOIL_MM else "warning",
                 "below-stock",
                 "the tool goes below the stock and cuts what lies under it",
                 advice="check the depth, or lay a spoil board under the stock",
-                value=float(lowest.min()),
+                value=lowest_mm,
                 limit=self.stock.bottom_mm,
                 unit="mm",
                 count=len(rows),

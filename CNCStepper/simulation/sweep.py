@@ -17,10 +17,11 @@ import shapely
 from CNCStepper.cycles.form import Removal
 from CNCStepper.simulation.beams import beam_cuts, through
 from CNCStepper.simulation.cutter import BEAM, POINT, Cutter, Tools, tool_numbered
+from CNCStepper.simulation.edge_tree import EdgeTree, flat_edges
 from CNCStepper.simulation.form import form_of
 from CNCStepper.simulation.gouge import SMALL_MM, Entries, Kept, Worst, deepest, entries
 from CNCStepper.simulation.leftover import SAME_LEVEL_MM, Cuts, Island, Left, left_over
-from CNCStepper.simulation.region import EdgeTree, Region, flat_edges
+from CNCStepper.simulation.region import Region
 from CNCStepper.simulation.segments import Segments, clipped_below, segments
 from CNCStepper.simulation.stock import HeightField, Stock
 from CNCStepper.toolpath import Toolpath
@@ -179,7 +180,7 @@ def _split_engraving(found: list[Entries], lines: list[Removal], alone: bool) ->
         pieces = entry.pieces
         belongs = np.full(len(pieces), alone and bool(lines))
         for line in lines:
-            near = EdgeTree.of_geometry(line.region).nearest(shapely.linestrings(flat_edges(pieces)))[1]
+            near = EdgeTree.of_geometry(line.region).nearest(flat_edges(pieces))[1]
             belongs |= (near <= entry.cutter.radius_mm) & (pieces.low_mm < line.top_mm) & (entry.bound_mm > SMALL_MM)
         rest.append(entry[~belongs])
         engraved.append((entry.cutter, pieces[belongs]))

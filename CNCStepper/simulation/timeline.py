@@ -48,7 +48,8 @@ class Timeline:
     """A program's part by time; `at` answers in any order of times.
 
     ends_s: end of every row, float64[n], as the planner gives it. Within a row the tool is taken to move evenly.
-    machine: the one that planned them, where steps by pulse are wanted.
+    machine: the one that planned them, where steps by pulse are wanted. motors: the rows as the motors go them, where
+    these differ from the tool's.
     """
 
     def __init__(
@@ -59,8 +60,9 @@ class Timeline:
         stock: Stock,
         cell_mm: float = 0.0,
         machine: Machine | Limits | None = None,
+        motors: Toolpath | None = None,
     ):
-        self._toolpath, self._machine = toolpath, machine
+        self._motors, self._machine = motors or toolpath, machine
         self.ends_s = np.asarray(ends_s, float)
         self.lines = toolpath.table().line
         self.moves = moves_of(toolpath, tools, stock)
@@ -127,7 +129,7 @@ class Timeline:
     def _pulses(self) -> Pulses:
         if self._machine is None:
             raise JobError("pulse-machine", "pulses are those of a machine", advice="give the timeline its machine")
-        return Pulses(begun(self._toolpath), self._machine)
+        return Pulses(begun(self._motors), self._machine)
 
     def _progress(self, row: int, share: float) -> tuple[int, float]:
         """Return how many moves are done whole, and the share that is done of the next."""

@@ -11,11 +11,11 @@ from matplotlib.patches import Circle, Polygon, Rectangle
 
 from CNCStepper.simulation.heightmap import HeightMap
 from CNCStepper.simulation.paths import FROM_ABOVE
-from CNCStepper.simulation.picture_style import COLOURS, GROUND, INK, MATERIAL_MAP, TEXTS, draw_path
+from CNCStepper.simulation.picture_style import COLOURS, GROUND, INK, MATERIAL_MAP, STOCK_COLOUR, TEXTS, draw_path
 from CNCStepper.simulation.scene import Scene
 
 FROM_SIDE = (1, 2)
-STOCK_COLOUR, REST_COLOUR = "#f3ead7", "#e0cfa6"
+REST_COLOUR = "#e0cfa6"
 MARGIN = 0.03  # round everything, in shares of its longest side
 
 

@@ -37,7 +37,7 @@ def test_clean_programs_have_no_finding():
 
 def test_a_finding_reads_as_file_line_column_text():
     finding = Finding("error", "c", Place("p.nc", 3, 1), "it is bad", "mend it", (1, 2, 3), 1.5, 1.0, "mm", 2)
-    assert str(finding) == "p.nc:3:1: error: it is bad (at X1 Y2 Z3, value 1.5 mm, limit 1 mm, 2 moves); mend it [c]"
+    assert str(finding) == "p.nc:3:1: error: it is bad (at X1 Y2 Z3 mm, value 1.5 mm, limit 1 mm, 2 moves); mend it [c]"
     assert refused([finding])
     assert finding.as_dict()["place_mm"] == [1, 2, 3]
 
@@ -192,6 +192,8 @@ def test_a_cut_before_the_spindle_turns_at_its_speed():
 def test_below_the_stock_and_from_nowhere():
     through = begun().feed(0, 0, -20.2).rapid(0, 0, 5)
     assert [(f.code, f.severity) for f in found(through)] == [("below-stock", "warning")]
+    table = begun().feed(0, 0, -20.2).feed(0, 0, -25.2).rapid(0, 0, 5)
+    assert [(f.severity, f.place.line) for f in found(table)] == [("error", 4)]
     beside = begun().rapid(50, 0, 5).rapid(50, 0, -25).rapid(50, 0, 5)
     assert found(beside) == []
     arc = begun().rapid(40, -30, 5).feed(40, -30, -21).arc(ARC_CW, (40, 30, -21), (40, 0, 0)).rapid(40, 30, 5)

@@ -15,7 +15,9 @@ from CNCStepper.gcode.read_back import read_back
 from CNCStepper.simulation.check import check
 from CNCStepper.simulation.finding import Finding
 
-QUICK, MANY, BATCHES = 1, 60, 4  # programs, those of each batch, batches
+CASES = int(os.environ.get("CNCSTEPPER_CASES", "0"))  # what `make soak` asks for
+QUICK, MANY = 1, 60  # programs, those of each batch
+BATCHES = max(2, CASES // MANY)
 FAULTS_A_PROGRAM = 2
 MOST_MISSED = 0.01  # of the faults of each run
 SEED = int(os.environ.get("FAULT_SEED", "0")) or (1 if os.environ.get("CI") else random.SystemRandom().randrange(10**9))

@@ -35,7 +35,13 @@ def test_pictures_are_the_same_for_the_same_program_and_differ_for_another(tmp_p
     assert (edge == 1.0).all()  # nothing is cut off
 
 
-@pytest.mark.parametrize("size_mm", [(310, 200, 15), (60, 50, 20), (40, 200, 4), (200, 20, 60)])
+@pytest.mark.parametrize(
+    "size_mm",
+    [
+        (60, 50, 20),
+        *(pytest.param(size, marks=pytest.mark.slow) for size in [(310, 200, 15), (40, 200, 4), (200, 20, 60)]),
+    ],
+)
 def test_no_band_of_a_picture_is_empty(size_mm, tmp_path):
     one = picture(square_pocket(), tmp_path / "p.png", Stock(size_mm))
     inked = (one < 1.0).any(axis=(1, 2))
@@ -43,6 +49,7 @@ def test_no_band_of_a_picture_is_empty(size_mm, tmp_path):
     assert bands.max() < 100  # pixels, of some 700
 
 
+@pytest.mark.slow
 def test_the_legend_tells_what_there_is_and_no_more(tmp_path):
     plain = picture(begun().feed(10, 0, 3), tmp_path / "p.svg")
     cut = picture(begun().feed(0, 0, -1).arc(ARC_CCW, (4, 0, -1), (2, 0, -1)).rapid(9, 0, 5), tmp_path / "q.svg")
@@ -51,6 +58,7 @@ def test_the_legend_tells_what_there_is_and_no_more(tmp_path):
     assert "<!-- feed -->" in plain and "<!-- work zero -->" in plain
 
 
+@pytest.mark.slow
 def test_a_program_that_cuts_nothing_has_a_picture(tmp_path):
     assert picture(Program().up_first(5), tmp_path / "p.png").shape[1] == 1600
 

@@ -94,7 +94,9 @@ def test_heights_of_lines_agree_with_a_walk(shape: str) -> None:
         assert_cut_as(part, begin * (1 - share) + end * share, shape)
 
 
-@pytest.mark.parametrize("shape", TOOLS)
+@pytest.mark.parametrize(
+    "shape", [one if one == "ball" else pytest.param(one, marks=pytest.mark.slow) for one in TOOLS]
+)
 def test_heights_of_arcs_and_helices_agree_with_a_walk(shape: str) -> None:
     for seed in range(6):
         print("seed", seed)

@@ -3,9 +3,7 @@
 
 from __future__ import annotations
 
-import os
-import subprocess
-import sys
+from collections.abc import Callable
 
 import pytest
 
@@ -38,14 +36,7 @@ for shape, keys in tools:
 
 
 @pytest.mark.slow
-def test_compiled_checked_and_plain_python_agree() -> None:
-    compiled, checked, plain = (
-        said_by_small({**os.environ, **added}) for added in ({}, {"NUMBA_BOUNDSCHECK": "1"}, {"NUMBA_DISABLE_JIT": "1"})
-    )
+def test_compiled_checked_and_plain_python_agree(printed_three_ways: Callable[[str], list[str]]) -> None:
+    compiled, checked, plain = printed_three_ways(SMALL)
     assert compiled == checked == plain
     assert len(compiled.splitlines()) == 8
-
-
-def said_by_small(environment: dict[str, str]) -> str:
-    command = [sys.executable, "-c", SMALL]
-    return subprocess.run(command, capture_output=True, text=True, check=True, env=environment).stdout

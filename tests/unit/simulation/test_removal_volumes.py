@@ -27,6 +27,11 @@ TOOLS = [
     Tool(number=1, diameter_mm=6, shape="drill"),
 ]
 each_tool = pytest.mark.parametrize("tool", TOOLS, ids=lambda tool: tool.shape)
+one_tool_quickly = pytest.mark.parametrize(
+    "tool",
+    [tool if tool.shape == "ball" else pytest.param(tool, marks=pytest.mark.slow) for tool in TOOLS],
+    ids=lambda tool: tool.shape,
+)
 TURN_OFF = math.radians(23.7)  # of lines and ramps against the grid
 
 
@@ -72,7 +77,7 @@ def test_a_line(tool: Tool, turn: float) -> None:
     assert_volume(program, tool, plunged(tool) + 15 * 2 * integral(deep, out))
 
 
-@each_tool
+@one_tool_quickly
 @pytest.mark.parametrize("fall", [pytest.param(0.5, marks=pytest.mark.slow), 4.0])
 def test_a_ramp(tool: Tool, fall: float) -> None:
     """In each plane along the ramp the cutter is convex, so that what it sweeps there is a convex hull."""
@@ -104,7 +109,7 @@ def test_an_arc(tool: Tool) -> None:
     assert_volume(program, tool, plunged(tool) + np.pi / 2 * 9 * 2 * integral(deep, out))
 
 
-@each_tool
+@one_tool_quickly
 @pytest.mark.parametrize(("radius", "pitch"), [(2.0, 0.8), pytest.param(6.0, 1.5, marks=pytest.mark.slow)])
 def test_a_helix(tool: Tool, radius: float, pitch: float) -> None:
     """Seen from the axis: the lowest that the cutter reaches on the last two passes of each place."""

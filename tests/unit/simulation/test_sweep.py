@@ -41,6 +41,17 @@ def test_a_wall_not_reached_is_a_rest_of_that_size(fault_mm):
     assert verdict.left_over_mm == pytest.approx(fault_mm * np.sqrt(2), abs=0.001)
 
 
+def test_a_gouge_is_found_among_many_moves_over_a_seam():
+    """Two removals that nearly touch: each move along the seam may enter the sliver between them, which is nothing."""
+    halves = [Removal(shapely.box(-20, low, 20, high), 0, -4) for low, high in ((-15, 0), (0.0003, 15))]
+    program = begun().rapid(-17, 0, 5).feed(-17, 0, -4)
+    for x in np.linspace(-17, 17, 400):
+        program.feed(float(x), 0, -4)
+    program.feed(17.4, 0, -4).rapid(17.4, 0, 5)
+    verdict = judged(program, halves)
+    assert verdict.gouge_mm == pytest.approx(0.4, abs=0.001)
+
+
 def test_a_floor_too_deep_and_a_floor_too_high():
     deep = judged(square_pocket(levels=(-2, -4.02)), [square_removal()])
     assert deep.gouge_mm == pytest.approx(0.02, abs=0.001)

@@ -30,6 +30,7 @@ from CNCStepper.toolpath import ARC_CCW
 STOCK = Stock((60, 50, 20))
 CELL_MM = 0.25
 BALL = Tool(number=1, shape="ball", diameter_mm=8)
+SOME_VIEWS = [view if view == "isometric" else pytest.param(view, marks=pytest.mark.slow) for view in VIEWS]
 
 
 def program(depth_mm: float = 6.0):
@@ -73,12 +74,12 @@ def tinted(picture: np.ndarray, name: str) -> np.ndarray:
     return found
 
 
-@pytest.mark.parametrize("view", VIEWS)
+@pytest.mark.parametrize("view", SOME_VIEWS)
 def test_views_are_as_stored(view: str, tmp_path: Path, stored_picture: Callable[[str, np.ndarray], None]) -> None:
     stored_picture(f"view-{view}", drawn(tmp_path, view, scene_of(11.3, BALL)))
 
 
-@pytest.mark.parametrize("view", VIEWS)
+@pytest.mark.parametrize("view", SOME_VIEWS)
 @pytest.mark.parametrize(
     "other",
     [{"time_s": 10.9}, pytest.param({"tool": BALL.model_copy(update={"diameter_mm": 7.0})}, marks=pytest.mark.slow)],
@@ -135,6 +136,7 @@ def test_limits_are_shown_where_the_work_zero_is_known(tmp_path: Path) -> None:
     assert (high - low).tolist() == [axis.travel_max_mm - axis.travel_min_mm for axis in machine.axes]
 
 
+@pytest.mark.slow
 def test_a_cylinder_is_round_and_a_hole_is_seen_through(tmp_path: Path) -> None:
     block, round_ = (drawn(tmp_path, "depth", scene_of(stock=stock)) for stock in (STOCK, Cylinder((60, 60, 20))))
     assert (round_[200, 110:170] != block[200, 110:170]).any()
@@ -160,6 +162,7 @@ def test_the_path_ends_where_the_tip_is() -> None:
     assert len(drawn_path(toolpath, (0, 1, 2), whole).points_mm) == len(drawn_path(toolpath, (0, 1, 2)).points_mm)
 
 
+@pytest.mark.slow
 def test_svg_is_the_same_bytes_each_time(tmp_path: Path) -> None:
     for name in ("a.svg", "b.svg"):
         save_view(tmp_path / name, "zy", scene_of(9.0), "p", [])
@@ -167,6 +170,7 @@ def test_svg_is_the_same_bytes_each_time(tmp_path: Path) -> None:
     assert text == (tmp_path / "b.svg").read_text("utf-8") and text.startswith("<?xml")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("ending", [".gif", ".apng"])
 def test_an_animation_shows_every_moment_to_one_scale(ending: str, tmp_path: Path) -> None:
     path = tmp_path / f"p{ending}"
