@@ -23,7 +23,7 @@ from CNCStepper.errors import MissingPackage
 VARIABLE = "CNCSTEPPER_PYTHON"
 OLDEST = (3, 11)
 CHECK_LIMIT_S = 20.0
-PACKAGE_ROOT = Path(__file__).resolve().parents[2]
+PACKAGE_ROOT = Path(__file__).absolute().parents[2]  # as imported, links and all: numba's cache goes by that path
 SENDER = ("serial",)
 PROOF = ("numpy", "shapely", "pydantic")
 PIP_NAMES = {"serial": "pyserial"}  # where it is not the module's own
@@ -32,23 +32,26 @@ CHECK = (
     "import sys\n"
     f"assert sys.version_info >= {OLDEST}, 'Python ' + sys.version.split()[0] + ' is too old'\n"
     "from CNCStepper.control import started\n"
-    "started.see_packages(*sys.argv[1:])\n"
-    "for name in sys.argv[1:]:\n"
+    "version, *needs = sys.argv[1:]\n"
+    "assert version in ('', started.python_version()), 'it is not Python ' + version\n"
+    "started.see_packages(*needs)\n"
+    "for name in needs:\n"
     "    __import__(name)\n"
     "sys.stdout.buffer.write(sys.executable.encode('utf-8'))"
 )
 
 
 @functools.cache
-def find_python(needs: tuple[str, ...] = SENDER) -> str:
+def find_python(needs: tuple[str, ...] = SENDER, version: str = "") -> str:
     """Return the path of a Python that can import all of `needs`; it is looked for once and takes up to seconds.
 
+    version: which it must be, as "3.11"; "": any.
     Raises MissingPackage that names every Python tried and what it lacks.
     """
     tried: dict[str, str] = {}
     for candidate in candidates():
         if candidate not in tried:
-            path, lack = checked(candidate, needs)
+            path, lack = checked(candidate, needs, version)
             if path:
                 return path
             tried[candidate] = lack
@@ -60,13 +63,13 @@ def find_python(needs: tuple[str, ...] = SENDER) -> str:
     )
 
 
-def seek_python(needs: tuple[str, ...] = SENDER) -> Future[str]:
+def seek_python(needs: tuple[str, ...] = SENDER, version: str = "") -> Future[str]:
     """Return at once what will be the answer of `find_python`, or its refusal: ask its `done()` from a timer."""
     answer: Future[str] = Future()
 
     def seek() -> None:
         try:
-            answer.set_result(find_python(needs))
+            answer.set_result(find_python(needs, version))
         except Exception as error:
             answer.set_exception(error)
 
@@ -96,11 +99,11 @@ def candidates() -> Iterator[str]:
     yield from _there(Path(sys.prefix) / "bin" / "python3")
 
 
-def checked(candidate: str, needs: tuple[str, ...] = SENDER) -> tuple[str, str]:
+def checked(candidate: str, needs: tuple[str, ...] = SENDER, version: str = "") -> tuple[str, str]:
     """Return (path, "") of a Python that can import all of `needs`, or ("", what it lacks)."""
     try:
         answer = subprocess.run(
-            [candidate, "-P", "-c", CHECK, *needs],
+            [candidate, "-P", "-c", CHECK, version, *needs],
             stdin=subprocess.DEVNULL,
             capture_output=True,
             timeout=CHECK_LIMIT_S,

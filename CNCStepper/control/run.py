@@ -21,8 +21,9 @@ from dataclasses import replace
 from CNCStepper.control import connect, halt
 from CNCStepper.control.command import Command, Inbox
 from CNCStepper.control.feeder import Feeder
+from CNCStepper.control.first_modes import check_modes, mode_differences
 from CNCStepper.control.grbl import Answered, Grbl, Received
-from CNCStepper.control.grbl_report import Alarm, Greeting, Status
+from CNCStepper.control.grbl_report import Alarm, Greeting, Status, Vector
 from CNCStepper.control.moment import moment
 from CNCStepper.control.outcome import DONE, FAILED, REFUSED, STOPPED, Outcome, SenderStatus
 from CNCStepper.control.overrides import override_byte
@@ -125,17 +126,23 @@ class JobRun:
     def _compare(self, found: connect.Found) -> None:
         for number in sorted(set(self.job.expected) - set(found.settings)):
             self._tell("warning", f"the controller does not report ${number}: it was not compared")
-        moved = self._moved_offsets(found)
+        moved, modes = self._moved_offsets(found), self._left_modes(found)
         if not self.job.allow_differences:
             check_settings(found.settings, self.job.expected)
             check_offsets(moved)
-        for difference in [*differences(found.settings, self.job.expected), *moved]:
+            check_modes(modes)
+        for difference in [*differences(found.settings, self.job.expected), *moved, *modes]:
             self._tell("warning", str(difference))
 
     def _moved_offsets(self, found: connect.Found) -> list[str]:
+        return offset_differences(self._offsets_mm(found), found.modes, self.job.work_offsets_mm, self.job.work_system)
+
+    def _left_modes(self, found: connect.Found) -> list[str]:
+        return mode_differences(found.modes, self._offsets_mm(found), self.job.lines)
+
+    def _offsets_mm(self, found: connect.Found) -> dict[str, Vector | None]:
         assert self.driver
-        offsets_mm = {name: self.driver.mm(offset) for name, offset in found.offsets.items()}
-        return offset_differences(offsets_mm, found.modes, self.job.work_offsets_mm, self.job.work_system)
+        return {name: self.driver.mm(offset) for name, offset in found.offsets.items()}
 
     # --- streaming -----------------------------------------------------------------------------
 

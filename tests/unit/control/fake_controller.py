@@ -33,6 +33,7 @@ class FakeController:
         self.rx_bytes = rx_bytes
         self.rx = bytearray()
         self.out = bytearray()
+        self.modes, self.length = "G0 G54 G17 G21 G90 G94", "0.000"  # of `$G`, and the tool's of `$#`
         self.state = "Idle"
         self.settings = dict(SETTINGS)
         self.on_line: dict[int, str] = {}
@@ -169,9 +170,10 @@ class FakeController:
                 self.say(f"${number}={value}")
         elif line == "$#":
             self.say("[G54:-100.000,-50.000,-20.000]")
+            self.say(f"[TLO:{self.length}]")
             self.say("[PRB:0.000,0.000,0.000:0]")
         elif line == "$G":
-            self.say("[GC:G0 G54 G17 G21 G90 G94 M5 M9 T0 F0 S0]")
+            self.say(f"[GC:{self.modes} M5 M9 T0 F0 S0]")
         self.say("error:9" if self.state == "Alarm" else "ok")
 
     def _report(self) -> None:

@@ -371,6 +371,7 @@ def test_zero_while_jogging_is_refused(visit):
     assert visit.refusals() == ["machine-busy"] * 3
 
 
+@pytest.mark.slow
 def test_homing_takes_its_time_and_makes_the_position_known(tmp_path):
     visit = Visit(tmp_path, homing=True, timing=Timing(answer_s=2.0))
     seen = []
@@ -541,6 +542,7 @@ def duration_s(visit: Visit, *steps: str) -> float:
     return visit.outcomes[0].status.elapsed_s
 
 
+@pytest.mark.slow
 def test_override_changes_the_measured_duration(tmp_path):
     plain_s = duration_s(Visit(tmp_path))
     slow, fast = Visit(tmp_path), Visit(tmp_path)

@@ -177,6 +177,7 @@ time.sleep(1000)
 """
 
 
+@pytest.mark.slow
 def test_killed_window_does_not_stop_the_cut_and_a_new_one_attaches(table, tmp_path):
     command = [sys.executable, "-c", CLIENT, table, str(tmp_path), str(job_file(tmp_path, LONG))]
     with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as killed:
@@ -253,6 +254,7 @@ def test_folder_that_cannot_be_written_is_said(tmp_path):
     assert window.client.error.code == "desk-start" and "none" in str(window.client.error)
 
 
+@pytest.mark.slow
 def test_killed_desk_is_lost_with_its_position(table, tmp_path):
     window = Window(DeskClient.launch(table, folder=tmp_path))
     window.until(lambda: window.client.phase == "connected")

@@ -80,6 +80,7 @@ def test_homing_gives_the_place_and_a_new_zero_moves_it(visit: Visit) -> None:
     assert visit.refused == []
 
 
+@pytest.mark.slow
 def test_a_zero_in_inches_is_told_in_mm(tmp_path: Path) -> None:
     visit = Visit(tmp_path, homing=True, settings={13: 1})
     visit_seen: list[Start | None] = []
@@ -99,6 +100,7 @@ def test_a_zero_in_inches_is_told_in_mm(tmp_path: Path) -> None:
     assert visit_seen[0].work_offsets_mm["G54"] == pytest.approx(visit.table.board.memory.places[54], abs=0.003)
 
 
+@pytest.mark.slow
 def test_a_program_that_sets_the_zero_is_read_back(visit: Visit) -> None:
     seen: list[Start | None] = []
 
@@ -140,6 +142,7 @@ def test_an_unlocked_machine_has_no_place(visit: Visit) -> None:
     assert start_of(seen[0]) is None
 
 
+@pytest.mark.slow
 def test_a_stopped_job_keeps_the_place_and_a_reset_board_loses_it(visit: Visit) -> None:
     seen: list[bool] = []
 

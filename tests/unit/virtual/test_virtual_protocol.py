@@ -104,6 +104,7 @@ def test_lists_the_profiles_settings(grbl) -> None:
     assert len(settings) == 34
 
 
+@pytest.mark.slow
 def test_a_setting_is_kept_over_a_reset_and_restored(grbl) -> None:
     assert grbl.line("$110=1234.5") == "ok"
     grbl.say(RESET)
@@ -450,6 +451,7 @@ def test_homing_is_broken_off_by_a_reset(talk) -> None:
     assert board.say(b"\x84")[0] == "ALARM:7"
 
 
+@pytest.mark.slow
 def test_hard_limits(talk) -> None:
     board = talk(homing=True)
     board.say("$H\n")

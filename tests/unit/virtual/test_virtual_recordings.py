@@ -99,6 +99,7 @@ def test_a_recorded_program_runs_as_it_did(path: Path) -> None:
         assert streamed.pulses == list(recording["pulses"].values())
 
 
+@pytest.mark.slow
 def test_the_judge_can_fail() -> None:
     recording = json.loads(RECORDINGS[0].read_text("utf-8"))
     link = Link(Grbl(load_machine(recording["machine"])))
