@@ -5,16 +5,23 @@ from __future__ import annotations
 
 import hashlib
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import asdict, dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeVar
+
+from pydantic import TypeAdapter
 
 from CNCStepper import __version__
-from CNCStepper.control.certificate import FORMAT, VERSION, Certificate, digest_of, digest_of_text
+from CNCStepper.control.certificate import CHECK_AGAIN, FORMAT, VERSION, Certificate, digest_of, digest_of_text
 from CNCStepper.control.readiness import expected_settings
 from CNCStepper.control.send_job import SendJob
 from CNCStepper.cycles.form import Removal
-from CNCStepper.gcode.prepare import WireText
+from CNCStepper.errors import JobError
+from CNCStepper.gcode.prepare import prepare
+from CNCStepper.gcode.take_up import play_of
+from CNCStepper.gcode.wire_text import WireText
+from CNCStepper.job.start_file import start_from
+from CNCStepper.machine.play import Play
 from CNCStepper.machine.profile import Machine
 from CNCStepper.machine.tool import Tool
 from CNCStepper.simulation.clamps import Clamp
@@ -28,12 +35,17 @@ if TYPE_CHECKING:
 FIGURES = ("blocks", "moves", "cut_length_mm", "air_length_mm", "rapid_length_mm", "pierces", "removed_volume_mm3")
 VERDICT = ("gouge_mm", "left_over_mm")
 SENT = ("lines", "file", "file_lines", "messages", "expected", "work_offsets_mm", "work_system")
+Read = TypeVar("Read")
+_PLAY = TypeAdapter(Play)
 ANY_TOOL = "any"  # the number of a tool that stands for every number
 
 
 @dataclass(frozen=True)
 class Given:
-    """What a proof was made against; None and empty are "not given", and then not judged."""
+    """What a proof was made against; None and empty are "not given", and then not judged.
+
+    before: the fingerprints of the programs that had cut the stock before this one.
+    """
 
     text: str
     dialect: str
@@ -43,6 +55,7 @@ class Given:
     removals: Sequence[Removal] = ()
     keep_out: Sequence[Clamp] = ()
     edge_mm: float | None = None
+    before: Sequence[str] = ()
 
 
 def certificate_of(proof: Proof) -> Certificate:
@@ -54,10 +67,16 @@ def certificate_of(proof: Proof) -> Certificate:
             "version": VERSION,
             "made_by": f"CNCStepper {__version__}",
             "program": {"file": report["program"], "sha256": digest_of_text(given.text)},
-            "wire": {"sha256": proof.wire.sha256, "lines": len(proof.wire.lines), "dialect": given.dialect},
+            "wire": {
+                "sha256": proof.wire.sha256,
+                "lines": len(proof.wire.lines),
+                "dialect": given.dialect,
+                "play": _play(given),
+            },
             "start": {"sha256": proof.toolpath.start.sha256(), "state": _start(proof.toolpath.start)},
             "machine": {"sha256": machine_digest(given.machine), "name": given.machine.name},
             "stock": {"sha256": stock_digest(given.stock), "stock": _stock(given.stock)},
+            "before": list(given.before),
             "tools": {"sha256": tools_digest(given.tools), "tools": _tools(given.tools)},
             "keep_out": {
                 "sha256": keep_out_digest(given.keep_out, given.edge_mm),
@@ -70,6 +89,44 @@ def certificate_of(proof: Proof) -> Certificate:
             "send": _send(proof),
         }
     )
+
+
+def _play(given: Given) -> dict[str, Any] | None:
+    """Return the play of the axes that the wire text takes up; None where it takes up none."""
+    play = play_of(given.machine, given.dialect)
+    return asdict(play) if play else None
+
+
+def proven_wire(certificate: Certificate, text: str, dialect: str, file: str, start: Start | None) -> WireText:
+    """Return the wire text of a program with the play that a certificate's proof has taken up.
+
+    start: None is the one of the proof. Raises ProgramError as `prepare` does,
+    JobError where the certificate's play or start is none.
+    """
+    play = _part_of(certificate, _play_in)
+    return prepare(text, dialect, file, start or (proven_start(certificate) if play else None), play)
+
+
+def proven_start(certificate: Certificate) -> Start:
+    """Return the start state of a certificate's proof; raises JobError where it holds none that can be."""
+    return _part_of(certificate, lambda content: start_from(content["start"]["state"]))
+
+
+def _play_in(content: Mapping[str, Any]) -> Play | None:
+    told = content["wire"].get("play")
+    play = _PLAY.validate_python(told) if told is not None else None
+    if play and {len(play.backlash_mm), len(play.true_sense), len(play.steps_per_mm)} != {len(ZERO3)}:
+        raise ValueError("play is told of three axes")
+    return play
+
+
+def _part_of(certificate: Certificate, read: Callable[[Mapping[str, Any]], Read]) -> Read:
+    """Return what is read of a certificate's content, which somebody may have made by hand."""
+    try:
+        return read(certificate.content)
+    except (AttributeError, KeyError, TypeError, ValueError) as error:
+        what = "the certificate holds what no proof has"
+        raise JobError("certificate-bad", what, value=str(error)[:60], advice=CHECK_AGAIN) from error
 
 
 def send_job(wire: WireText, machine: Machine | None, file: str, start: Start | None = None) -> SendJob:

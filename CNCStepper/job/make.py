@@ -4,10 +4,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from itertools import groupby
 
 from CNCStepper.cycles.form import Answer, Cycle, Removal
+from CNCStepper.errors import CNCStepperError, Place
 from CNCStepper.gcode.dialects import dialect
-from CNCStepper.gcode.write import WriteOptions, write
+from CNCStepper.gcode.write import WriteOptions, write, write_split
 from CNCStepper.job.model import Job
 from CNCStepper.machine.profile import Machine
 from CNCStepper.state import Start, State
@@ -29,15 +31,71 @@ class Made:
     @property
     def removals(self) -> list[Removal]:
         """What all operations together want removed."""
-        return [removal for answer in self.answers for removal in answer.removals]
+        return _removals(self.answers)
+
+
+@dataclass(frozen=True)
+class Part:
+    """One of the programs into which a job is split: its tool, its text and what its operations answered.
+
+    number: from 1, in the order in which they are run.
+    """
+
+    number: int
+    tool: int
+    program: str
+    answers: list[Answer]
+
+    @property
+    def removals(self) -> list[Removal]:
+        """What its operations want removed."""
+        return _removals(self.answers)
+
+    @property
+    def file_name(self) -> str:
+        """The name of its file beside the others, for example program-2-T3.nc."""
+        return f"program-{self.number}-T{self.tool}.nc"
 
 
 def make_program(job: Job, machine: Machine, title: str = "") -> Made:
-    """Return the program of `job` for `machine`; raises CycleError, JobError or ProgramError and makes nothing."""
-    table = TableBuilder(Start(), State(work_system=job.work_offset))
-    answers = [_cut(operation, job, table) for operation in job.operation]
-    toolpath = table.toolpath()
+    """Return the program of `job` for `machine`; raises CycleError, JobError or ProgramError and makes nothing.
+
+    One that must be split, a program a tool, is refused: `make_parts` makes those.
+    """
+    job = job.on(machine)
+    toolpath, answers = cut_operations(job)
     return Made(write(toolpath, dialect(machine.controller), _options(job, machine, title)), toolpath, answers)
+
+
+def is_split(job: Job, machine: Machine) -> bool:
+    """Return whether the job needs more than one program: more than one tool on a machine that wants a file a tool."""
+    return machine.tool_change == "split" and len({operation.tool for operation in job.operation}) > 1
+
+
+def make_parts(job: Job, machine: Machine, title: str = "") -> list[Part]:
+    """Return the programs of `job`, one for each stretch of operations with the same tool, in the order of the work.
+
+    Raises as `make_program` does.
+    """
+    job = job.on(machine)
+    toolpath, answers = cut_operations(job)
+    texts = write_split(toolpath, dialect(machine.controller), _options(job, machine, title))
+    stretches = groupby(zip(job.operation, answers, strict=True), key=lambda pair: pair[0].tool)
+    return [
+        Part(number, tool, text, [answer for _, answer in pairs])
+        for number, ((tool, text), (_, pairs)) in enumerate(zip(texts, stretches, strict=True), start=1)
+    ]
+
+
+def cut_operations(job: Job) -> tuple[Toolpath, list[Answer]]:
+    """Return the moves of all operations, in work coordinates, and what each answered."""
+    table = TableBuilder(Start(), State(work_system=job.work_offset))
+    answers = [_cut(number, operation, job, table) for number, operation in enumerate(job.operation, start=1)]
+    return table.toolpath(), answers
+
+
+def _removals(answers: list[Answer]) -> list[Removal]:
+    return [removal for answer in answers for removal in answer.removals]
 
 
 def operation_name(operation: Cycle) -> str:
@@ -45,7 +103,8 @@ def operation_name(operation: Cycle) -> str:
     return operation.cycle.replace("_", " ")
 
 
-def _cut(operation: Cycle, job: Job, table: TableBuilder) -> Answer:
+def _cut(number: int, operation: Cycle, job: Job, table: TableBuilder) -> Answer:
+    """Append one operation; an error names it, for a job may hold many of a kind."""
     tool = job.tools[operation.tool]
     table.set_state(
         replace(
@@ -58,7 +117,12 @@ def _cut(operation: Cycle, job: Job, table: TableBuilder) -> Answer:
         )
     )
     table.open_span("operation", operation_name(operation))
-    answer = operation.cut(job.setup(operation), table)
+    try:
+        answer = operation.cut(job.setup(operation), table)
+    except CNCStepperError as error:
+        if error.place:
+            raise
+        raise error.at(Place(f"operation {number} ({operation_name(operation)})")) from error
     table.close_span()
     return answer
 
@@ -72,4 +136,7 @@ def _options(job: Job, machine: Machine, title: str) -> WriteOptions:
         tool_change=machine.tool_change,
         title=title,
         tools={tool.number: tool.words for tool in job.tool},
+        tool_length=machine.tool_length,
+        tool_lengths_mm=job.tool_lengths_mm,
+        rapid_mm_min=max(axis.max_rate_mm_min for axis in machine.axes),
     )

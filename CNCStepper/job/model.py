@@ -4,22 +4,29 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 from pathlib import Path
 from typing import Any, Literal
 
 import numpy as np
 from pydantic import BaseModel, ConfigDict, Field, model_validator
 
+from CNCStepper.cycles.area_cycle import AreaCycle
 from CNCStepper.cycles.catalogue import cycle_class
 from CNCStepper.cycles.form import Cycle, Setup
 from CNCStepper.drawing.heights import read_heights
 from CNCStepper.drawing.points import read_points
 from CNCStepper.errors import JobError, Place
+from CNCStepper.geometry.curve import Curve, circle, from_points
+from CNCStepper.job.shapes import NO_SHAPES, Shapes, read_shapes, with_curves
+from CNCStepper.job.tool_keys import take_tool_file
+from CNCStepper.machine.feeds import Remark, remarks_on, with_feeds
+from CNCStepper.machine.material import material, material_names
 from CNCStepper.machine.profile import Machine, load_machine, profile_names, read_toml, validated
 from CNCStepper.machine.tool import Tool
 from CNCStepper.simulation.clamps import Clamp
 from CNCStepper.simulation.stock import Cylinder, HeightField, Stock
-from CNCStepper.state import WORK_SYSTEMS
+from CNCStepper.state import WORK_SYSTEMS, Start
 
 
 class StockForm(BaseModel):
@@ -56,6 +63,14 @@ class StockForm(BaseModel):
             return HeightField(self.size_mm, self.origin, _rectangular(self.heights_mm))
         return Stock(self.size_mm, self.origin)
 
+    def outline(self) -> Curve:
+        """Return the stock's outline seen from above, in work coordinates."""
+        stock = self.stock()
+        if self.form == "cylinder":
+            return circle(stock.outline.centroid.coords[0], self.size_mm[0] / 2.0)
+        (left, front), (right, back) = stock.low_mm[:2], stock.high_mm[:2]
+        return from_points([(left, front), (right, front), (right, back), (left, back)], closed=True)
+
 
 def _rectangular(rows: tuple[tuple[float, ...], ...]) -> np.ndarray:
     if len({len(row) for row in rows}) != 1:
@@ -91,7 +106,9 @@ class Job(BaseModel):
     """Everything that decides a program, besides the machine's own profile.
 
     units: of the program written only, "mm" is G21 and "inch" is G20; heights are above the stock's top.
-    operation: cycles in the order in which they are cut, each already checked by its own model.
+    operation: cycles in the order in which they are cut, each already checked by its own model. material: of the table
+    of materials, from which tools without feeds or speed take theirs. notes: what a person should know of the files
+    that curves and tools came from.
     """
 
     model_config = ConfigDict(extra="forbid", frozen=True, arbitrary_types_allowed=True)
@@ -102,15 +119,19 @@ class Job(BaseModel):
     clearance_mm: float = Field(gt=0, allow_inf_nan=False)
     retract_mm: float = Field(gt=0, allow_inf_nan=False)
     coolant: Literal["none", "mist", "flood"] = "none"
+    material: str = ""
     stock: StockForm
     clamp: tuple[ClampForm, ...] = ()
     tool: tuple[Tool, ...] = Field(min_length=1)
     operation: tuple[Any, ...] = Field(min_length=1)
+    notes: tuple[str, ...] = ()
 
     @model_validator(mode="after")
     def _parts_fit_together(self) -> Job:
         if self.work_offset not in WORK_SYSTEMS:
             raise ValueError(f"work_offset must be one of {', '.join(WORK_SYSTEMS)}")
+        if self.material and self.material not in material_names():
+            raise ValueError(f"there is no material '{self.material}'; use one of: {', '.join(material_names())}")
         if self.clearance_mm < self.retract_mm:
             raise ValueError("clearance_mm must not be below retract_mm")
         numbers = [tool.number for tool in self.tool]
@@ -129,6 +150,37 @@ class Job(BaseModel):
         return {tool.number: tool for tool in self.tool}
 
     @property
+    def tool_lengths_mm(self) -> dict[int, float]:
+        """The length offsets by tool number, where the tools have one."""
+        return {tool.number: tool.length_offset_mm for tool in self.tool if tool.length_offset_mm is not None}
+
+    def on(self, machine: Machine) -> Job:
+        """Return the job as that machine cuts it: tools without feeds or speed have those of the material, if named."""
+        if not self.material:
+            return self
+        stuff = material(self.material)
+        return self.model_copy(update={"tool": tuple(with_feeds(tool, stuff, machine) for tool in self.tool)})
+
+    def remarks(self, machine: Machine) -> dict[int, tuple[Remark, ...]]:
+        """Return what is out of the range of tool or material on that machine, by tool; nothing without a material."""
+        if not self.material:
+            return {}
+        used = {operation.tool for operation in self.operation}
+        cutters = [tool for tool in self.tool if tool.number in used]
+        return {tool.number: remarks_on(tool, material(self.material), machine) for tool in cutters}
+
+    def started(self, start: Start | None, machine: Machine) -> Start | None:
+        """Return `start` with the tools' length offsets, where programs for the machine select them; else unchanged.
+
+        One that is not known is taken as 0.
+        """
+        if machine.tool_length != "table":
+            return start
+        start = start or Start()
+        lengths_mm = {tool.number: tool.length_offset_mm or 0.0 for tool in self.tool}
+        return replace(start, tool_lengths_mm=lengths_mm | start.tool_lengths_mm)
+
+    @property
     def clamps(self) -> list[Clamp]:
         """What the tool keeps clear of."""
         return [clamp.clamp() for clamp in self.clamp]
@@ -140,7 +192,22 @@ class Job(BaseModel):
 
     def setup(self, operation: Cycle) -> Setup:
         """Return what the job gives that operation besides its own parameters."""
-        return Setup(self.tools[operation.tool], self.clearance_mm, self.retract_mm)
+        keep: tuple[Curve, ...] = ()
+        parts: tuple[tuple[Curve, ...], ...] = ()
+        if operation.cycle == "contour" or isinstance(operation, AreaCycle):  # a cut is kept by its setup: no more
+            others = [other for other in self.operation if other is not operation]
+            if operation.cycle == "contour":
+                keep = tuple(curve for other in others for curve in _kept_by(other))
+            outside = [other for other in others if getattr(other, "side", "") == "outside"]
+            parts = tuple(kept for kept in map(_kept_by, outside) if kept)  # threads have a side too, and keep nothing
+        tool = self.tools[operation.tool]
+        outline, thickness_mm = self.stock.outline(), self.stock.size_mm[2]
+        return Setup(tool, self.clearance_mm, self.retract_mm, outline, keep, thickness_mm, parts)
+
+
+def _kept_by(operation: Cycle) -> tuple[Curve, ...]:
+    """Return the outlines of what a contour leaves standing."""
+    return operation.kept() if operation.cycle == "contour" else ()  # type: ignore[attr-defined]
 
 
 def load_job(path: Path) -> tuple[Job, Machine]:
@@ -157,10 +224,15 @@ def read_job(path: Path) -> Job:
     if not path.is_file():
         raise JobError("job-missing", f"there is no job file '{path}'", advice="give the path of a TOML job file")
     content = _read_json(path) if path.suffix.lower() == ".json" else read_toml(path)
+    shapes = read_shapes(_tables(content, "shape", path), path.parent, str(path))
+    content.pop("shape", None)
+    content["notes"] = (*content.get("notes", ()), *shapes.notes)
     content["operation"] = tuple(
-        operation_of(raw, path.parent, f"{path} operation {number}")
+        operation_of(raw, path.parent, f"{path} operation {number}", shapes)
         for number, raw in enumerate(_tables(content, "operation", path), start=1)
     )
+    if "tools" in content:
+        take_tool_file(content, path)
     if isinstance(stock := content.get("stock"), dict) and "heights" in stock:
         stock["heights_mm"] = read_heights(path.parent / str(stock.pop("heights")))
     return validated(Job, content, str(path))
@@ -174,10 +246,13 @@ def save_job(job: Job, path: Path) -> None:
     path.write_text(json.dumps(content, indent=1, allow_nan=False) + "\n", encoding="utf-8")
 
 
-def operation_of(raw: dict[str, Any], folder: Path, file: str) -> Cycle:
-    """Return the cycle that one `[[operation]]` table describes; `folder` is where its files are looked for."""
-    content = dict(raw)
-    model = cycle_class(str(content.get("cycle", "")))
+def operation_of(raw: dict[str, Any], folder: Path, file: str, shapes: Shapes = NO_SHAPES) -> Cycle:
+    """Return the cycle that one `[[operation]]` table describes, the shapes that it names resolved into curves.
+
+    `folder` is where its files are looked for. Raises JobError that names `file`, the key and its value.
+    """
+    model = cycle_class(str(raw.get("cycle", "")))
+    content = with_curves(raw, shapes, file)
     if "points" in content:
         content["curves"] = (read_points(folder / content.pop("points"), closed=bool(content.get("closed", False))),)
     return validated(model, content, file)  # type: ignore[return-value]

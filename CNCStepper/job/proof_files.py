@@ -82,7 +82,7 @@ def write_question(folder: Path, program: str, job: Job, machine: Machine) -> No
     """Write what is asked."""
     from CNCStepper.job.model import save_job
 
-    (folder / PROGRAM).write_bytes(program.encode("ascii"))
+    (folder / PROGRAM).write_bytes(program.encode("utf-8"))
     (folder / MACHINE).write_text(machine.model_dump_json(), encoding="utf-8")
     save_job(job, folder / JOB)
 
@@ -94,10 +94,15 @@ def read_question(folder: Path) -> tuple[str, Job, Machine]:
 
     content = json.loads((folder / MACHINE).read_text("utf-8"))
     return (
-        (folder / PROGRAM).read_bytes().decode("ascii"),
+        (folder / PROGRAM).read_bytes().decode("utf-8"),
         read_job(folder / JOB),
         validated(Machine, content, str(folder / MACHINE)),
     )
+
+
+def proven_file(folder: Path) -> str:
+    """Return the program's file as the proof had it: subroutines are looked for beside it."""
+    return str(json.loads((folder / RESULT).read_text("utf-8"))["program"])
 
 
 def write_part(folder: Path, part: HeightMap) -> None:

@@ -48,7 +48,7 @@ def answer(folder: Path, name: str) -> None:
     """Read the question, prove, and write the answer; raises what the core raises."""
     from CNCStepper.job.certify import certificate_of
     from CNCStepper.job.proof_files import read_question, write_answer, write_part
-    from CNCStepper.job.prove import prove_job
+    from CNCStepper.job.prove import earlier_proofs, prove_job
     from CNCStepper.job.start_file import read_start
 
     program, job, machine = read_question(folder)
@@ -61,7 +61,8 @@ def answer(folder: Path, name: str) -> None:
         write_part(folder, part)
         tell("part")
 
-    proof = prove_job(job, machine, program, name, start, tell=tell, see=see)
+    earlier = earlier_proofs(job, machine, program, name, start)
+    proof = prove_job(job, machine, program, name, start, tell=tell, see=see, earlier=earlier)
     write_answer(folder, proof, job, certificate_of(proof).to_json())
 
 

@@ -7,40 +7,44 @@ Nothing here looks at what the cycles meant to do, except at the shapes that the
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import asdict, dataclass, replace
+from functools import reduce
+from itertools import groupby, islice, takewhile
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from shapely import union_all
 
-from CNCStepper.cycles.form import Removal
+from CNCStepper.control.certificate import digest_of_text
+from CNCStepper.cycles.form import Answer, Removal
 from CNCStepper.errors import JobError, Place
-from CNCStepper.gcode.prepare import WireText, prepare
-from CNCStepper.gcode.read_back import read_back
+from CNCStepper.gcode.wire_text import WireText
 from CNCStepper.job.certify import Given
-from CNCStepper.job.make import Made, make_program
+from CNCStepper.job.findings import findings_of
+from CNCStepper.job.make import Part, is_split, make_parts, make_program
 from CNCStepper.job.model import Job
+from CNCStepper.job.wire_and_ways import wire_and_ways
 from CNCStepper.machine.profile import Machine
 from CNCStepper.machine.tool import Tool
 from CNCStepper.motion.plan import begun, times_s
 from CNCStepper.simulation.check import check
 from CNCStepper.simulation.clamps import Clamp
+from CNCStepper.simulation.earlier import followed
 from CNCStepper.simulation.finding import Finding, refused
 from CNCStepper.simulation.heightmap import HeightMap, height_map
 from CNCStepper.simulation.report import report
 from CNCStepper.simulation.stock import Stock
-from CNCStepper.simulation.sweep import judge
+from CNCStepper.simulation.sweep import Judgement, judge
 from CNCStepper.state import Start
-from CNCStepper.toolpath import Toolpath
+from CNCStepper.toolpath import Toolpath, require_straight_axes
 
 if TYPE_CHECKING:
     from CNCStepper.simulation.scene import Scene
     from CNCStepper.simulation.timeline import Moment
 
-ON_EDGE_MM = 0.01  # a shape may end on the stock's edge
 STAGES = ("make", "read", "cut", "time", "judge", "check", "report")  # what `tell` hears, in this order
 Tell = Callable[[str], None]
+Share = Callable[[float], None]
 See = Callable[[HeightMap], None]
 
 
@@ -48,13 +52,15 @@ See = Callable[[HeightMap], None]
 class Proof:
     """What is known of a program text on a machine.
 
-    wire: what would be sent. toolpath: its moves, naming the file's lines. times_s: end of every row.
+    wire: what would be sent. toolpath: where the tool goes, naming the file's lines. motors: the same rows as the
+    motors go them, which differ where play is taken up for a controller that does not. times_s: end of every row.
     part: the stock after the program, or None without stock and tools. report: plain data for JSON.
     given: what it was proven against.
     """
 
     wire: WireText
     toolpath: Toolpath
+    motors: Toolpath
     times_s: np.ndarray
     findings: list[Finding]
     part: HeightMap | None
@@ -86,6 +92,22 @@ class Proof:
         save_picture(path, scene, title, facts_of(scene, tools, self.report["time_s"]))
 
 
+@dataclass(frozen=True)
+class Before:
+    """What has cut the stock already: the moves, with the fingerprint of each program's text, in their order."""
+
+    toolpath: Toolpath
+    sha256: tuple[str, ...]
+
+    @classmethod
+    def of(cls, proofs: Sequence[Proof]) -> Before | None:
+        """Return what programs have cut that were proven one after the other; None for no program."""
+        if not proofs:
+            return None
+        toolpath = reduce(followed, (proof.toolpath for proof in proofs))
+        return cls(toolpath, tuple(digest_of_text(proof.given.text) for proof in proofs))
+
+
 def prove(
     text: str,
     machine: Machine,
@@ -98,36 +120,63 @@ def prove(
     removals: Sequence[Removal] = (),
     keep_out: Sequence[Clamp] = (),
     edge_mm: float | None = None,
+    before: Before | None = None,
     tell: Tell = lambda stage: None,
+    share: Share = lambda share: None,
     see: See = lambda part: None,
 ) -> Proof:
     """Return the proof of a program text; raises ProgramError for a text that cannot be read.
 
-    start: where the machine stands; None is a machine whose position and zero are unknown (for the times it then
-    begins at the work zero). removals: the shapes wanted, in work coordinates; without them gouge and left-over
-    are not judged. keep_out: the clamps. edge_mm: how far from the sheet's edge cuts must stay. tell: called with the
-    stage that begins, one of STAGES. see: called with the part once it is cut, before it is judged.
+    start: None is a machine whose position and zero are unknown (its times begin at the work zero). removals: the
+    shapes wanted, in work coordinates, by which gouge and left-over are judged. keep_out: the clamps. edge_mm: how far
+    from the sheet's edge cuts must stay. before: the programs that have cut this stock; `removals` hold theirs too.
+    tell: called with the stage that begins, one of STAGES. share: with how much of reading and timing is done, 0 to 1.
+    see: called with the part once it is cut, before judging.
     """
     language = dialect or machine.controller
     tell("read")
-    wire = prepare(text, language, file)
-    toolpath = read_back(wire, text, start, language, file)
+    wire, motors, toolpath = wire_and_ways(text, machine, language, file, start, share)
+    require_straight_axes(motors, file)
     tell("cut")
-    part = height_map(toolpath, tools, stock) if stock is not None and tools is not None else None
-    if part is not None:
-        see(part)
+    moves = followed(before.toolpath, toolpath) if before else toolpath
+    part = _part(moves, tools, stock, see)
     tell("time")
-    ends_s = times_s(begun(toolpath), machine)
+    ends_s = times_s(begun(motors), machine, share)
     tell("judge")
-    judgement = judge(toolpath, tools, list(removals), stock) if tools is not None and removals else None
+    judgement = judge(moves, tools, list(removals), stock) if tools is not None and removals else None
     tell("check")
-    findings = check(
-        toolpath, machine, file=file, stock=stock, tools=tools, judgement=judgement, keep_out=keep_out, edge_mm=edge_mm
-    )
+    given = Given(text, language, machine, stock, tools, removals, keep_out, edge_mm, before.sha256 if before else ())
+    findings = _checked(given, toolpath, motors, moves, judgement, file)
     tell("report")
     told = report(toolpath, ends_s, file=file, findings=findings, judgement=judgement, part=part, tools=tools)
-    given = Given(text, language, machine, stock, tools, removals, keep_out, edge_mm)
-    return Proof(wire, toolpath, ends_s, findings, part, told, given)
+    return Proof(wire, toolpath, motors, ends_s, findings, part, told, given)
+
+
+def _checked(
+    given: Given, toolpath: Toolpath, motors: Toolpath, moves: Toolpath, judgement: Judgement | None, file: str
+) -> list[Finding]:
+    """Return what all checks find in a toolpath; `moves` are its own after those that have cut the stock before."""
+    return check(
+        toolpath,
+        given.machine,
+        file=file,
+        stock=given.stock,
+        tools=given.tools,
+        judgement=judgement,
+        keep_out=given.keep_out,
+        edge_mm=given.edge_mm,
+        cut=moves,
+        motors=motors,
+    )
+
+
+def _part(moves: Toolpath, tools: dict[int, Tool] | Tool | None, stock: Stock | None, see: See) -> HeightMap | None:
+    """Return the part that the moves cut, shown at once; None where tools or stock are not known."""
+    if stock is None or tools is None:
+        return None
+    part = height_map(moves, tools, stock)
+    see(part)
+    return part
 
 
 def prove_job(
@@ -137,49 +186,103 @@ def prove_job(
     file: str = "",
     start: Start | None = None,
     tell: Tell = lambda stage: None,
+    share: Share = lambda share: None,
     dialect: str = "",
     see: See = lambda part: None,
+    earlier: Sequence[Proof] = (),
+    answers: Sequence[Answer] | None = None,
 ) -> Proof:
-    """Return the proof of a job's program text, as `prove` does, against the shapes that the job wants removed."""
+    """Return the proof of a job's program text, as `prove` does, against the shapes that the job wants removed.
+
+    earlier: the proofs of the programs that the job was split into and that are run before this one, in their order.
+    answers: what the program's own operations answered, where somebody has just cut them; else they are cut anew.
+    """
     tell("make")
-    made = make_program(job, machine)
+    answers = _answers(job, machine, len(earlier)) if answers is None else answers
     proof = prove(
         text,
         machine,
         file=file,
         dialect=dialect,
-        start=start,
+        start=job.started(start, machine),
         stock=job.stock.stock(),
-        tools=job.tools,
-        removals=made.removals,
+        tools=job.on(machine).tools,
+        removals=[removal for answer in answers for removal in answer.removals]
+        + (list(earlier[-1].given.removals) if earlier else []),
         keep_out=job.clamps,
         edge_mm=job.stock.edge_mm,
+        before=Before.of(earlier),
         tell=tell,
+        share=share,
         see=see,
     )
-    findings = sorted(
-        [*proof.findings, *_warnings(proof, made, job.stock.stock(), file)], key=lambda finding: finding.place.line
-    )
-    told = proof.report | {
+    own = findings_of(job, machine, proof.toolpath, answers, file, _operations_before(job, len(earlier)))
+    findings = sorted([*proof.findings, *_refused(earlier, file), *own], key=lambda finding: finding.place.line)
+    return replace(proof, findings=findings, report=_told(proof, answers, findings))
+
+
+def _operations_before(job: Job, parts: int) -> int:
+    """Return how many operations the first parts hold into which a job is split."""
+    stretches = groupby(operation.tool for operation in job.operation)
+    return sum(len(list(stretch)) for _, stretch in islice(stretches, parts))
+
+
+def _told(proof: Proof, answers: Sequence[Answer], findings: Sequence[Finding]) -> dict[str, Any]:
+    """Return a proof's report with what its job's cycles answered and what was found in all."""
+    return proof.report | {
         "operations": [
-            operation | {"figures": answer.figures}
-            for operation, answer in zip(proof.report["operations"], made.answers, strict=False)
+            operation | {"figures": answer.figures, "rest_corners": [asdict(corner) for corner in answer.corners]}
+            for operation, answer in zip(proof.report["operations"], answers, strict=False)
         ],
+        "errors": sum(finding.severity == "error" for finding in findings),
         "warnings": sum(finding.severity == "warning" for finding in findings),
         "findings": [finding.as_dict() for finding in findings],
     }
-    return replace(proof, findings=findings, report=told)
 
 
-def _warnings(proof: Proof, made: Made, stock: Stock, file: str) -> Iterator[Finding]:
-    """Yield what the cycles warn of, and shapes beside the stock, each at the first line of its operation."""
-    lines = proof.toolpath.table().line
-    operations = [span for span in proof.toolpath.spans if span.kind == "operation"]
-    for span, answer in zip(operations, made.answers, strict=False):
-        place = Place(file, int(lines[span.first]), 1)
-        for warning in answer.warnings:
-            yield Finding("warning", "not-exact", place, warning)
-        if stock.outline.buffer(ON_EDGE_MM).covers(union_all([removal.region for removal in answer.removals])):
-            continue
-        advice = "move the shape or the work zero, or take larger stock"
-        yield Finding("warning", "beside-stock", place, "part of the drawn shape lies beside the stock", advice)
+def _refused(earlier: Sequence[Proof], file: str) -> Iterator[Finding]:
+    """Yield that a program before this one is refused: what it leaves of the stock is not known."""
+    for proof in earlier:
+        if proof.refused:
+            text = f"{proof.report['program'] or 'the program before it'}, which is to be run before it, is refused"
+            yield Finding("error", "earlier-refused", Place(file, 1, 1), text, "correct that one first")
+
+
+def prove_parts(
+    job: Job, machine: Machine, parts: Sequence[Part], folder: Path, start: Start | None = None
+) -> Iterator[Proof]:
+    """Yield the proof of each of a job's programs, the later ones against the stock that the earlier ones have cut.
+
+    folder: where their files stand; findings name them.
+    """
+    proofs: list[Proof] = []
+    for part in parts:
+        file = str(folder / part.file_name)
+        proof = prove_job(job, machine, part.program, file, start, earlier=tuple(proofs), answers=part.answers)
+        proofs.append(proof)
+        yield proof
+
+
+def earlier_proofs(
+    job: Job, machine: Machine, program: str, title: str = "", start: Start | None = None
+) -> tuple[Proof, ...]:
+    """Return the proofs of the programs that are run before `program`, one of those that a job is split into.
+
+    title: with which they were made. None for a job that is not split. Raises JobError for a text that is none of them:
+    which stock it would cut is not known.
+    """
+    if not is_split(job, machine):
+        return ()
+    parts = make_parts(job, machine, title)
+    before = list(takewhile(lambda part: part.program != program, parts))
+    if len(before) == len(parts):
+        what = "the program is none of the job's parts"
+        raise JobError("not-a-part", what, limit=f"{len(parts)} parts", advice="make the program again")
+    return tuple(prove_parts(job, machine, before, Path(), start))
+
+
+def _answers(job: Job, machine: Machine, number: int) -> list[Answer]:
+    """Return what the operations of the job's program answer, of the one after `number` others where it is split."""
+    if is_split(job, machine):
+        return make_parts(job, machine)[number].answers
+    return make_program(job, machine).answers

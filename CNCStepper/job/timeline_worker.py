@@ -16,34 +16,24 @@ next question. When standard input is closed nobody asks any more, and the proce
 
 from __future__ import annotations
 
-import json
-import os
 import sys
-import threading
-import traceback
 from collections.abc import Callable
 from pathlib import Path
-from queue import SimpleQueue
 from typing import Any
 
 from CNCStepper.errors import CNCStepperError
+from CNCStepper.job.questions import Questions, serve, tell
 
 
 def main(arguments: list[str]) -> int:
     """Answer what standard input asks of the folder `arguments[0]`; return the exit status."""
-    questions: SimpleQueue[dict[str, Any]] = SimpleQueue()
-    threading.Thread(target=_listen, args=(questions.put,), daemon=True).start()
-    try:
+
+    def answer(questions: Questions) -> None:
         answers = Answers(Path(arguments[0]))
         while True:
-            _tell(answers.to(questions.get()))
-    except CNCStepperError as error:
-        _refuse(error)
-    except Exception as error:  # a fault of ours still has to reach the person who waits
-        traceback.print_exc()
-        what = f"the timeline failed by a fault of its own: {type(error).__name__}: {error}"
-        _refuse(CNCStepperError("timeline-fault", what, advice="please report it, with the program"))
-    return 1
+            tell(answers.to(questions.get()))
+
+    return serve(answer, "timeline-fault", "the timeline")
 
 
 class Answers:
@@ -95,36 +85,17 @@ class Answers:
 
 
 def _timeline(folder: Path) -> Any:
-    from CNCStepper.gcode.prepare import prepare
-    from CNCStepper.gcode.read_back import read_back
-    from CNCStepper.job.proof_files import MOVES, read_question
+    from CNCStepper.job.proof_files import MOVES, proven_file, read_question
     from CNCStepper.job.start_file import read_start
+    from CNCStepper.job.wire_and_ways import wire_and_ways
     from CNCStepper.simulation.timeline import Timeline
     from CNCStepper.simulation.tip_track import TipTrack
 
     program, job, machine = read_question(folder)
-    wire = prepare(program, machine.controller, "")
-    toolpath = read_back(wire, program, read_start(folder), machine.controller, "")
+    start, file = job.started(read_start(folder), machine), proven_file(folder)
+    _, motors, toolpath = wire_and_ways(program, machine, machine.controller, file, start)
     ends_s = TipTrack.load(folder / MOVES).ends_s
-    return Timeline(toolpath, ends_s, job.tools, job.stock.stock(), machine=machine)
-
-
-def _listen(put: Callable[[dict[str, Any]], None]) -> None:
-    """Hand on every question; end this process when nobody holds the other end of standard input any more."""
-    with open(0, "rb", closefd=False) as questions:  # not sys.stdin: its lock would be held when the interpreter ends
-        for line in questions:
-            put(json.loads(line))
-    os._exit(0)
-
-
-def _tell(answer: dict[str, Any]) -> None:
-    print(json.dumps(answer), flush=True)
-
-
-def _refuse(error: CNCStepperError) -> None:
-    from CNCStepper.control.outcome import error_to_json
-
-    _tell({"error": error_to_json(error)})
+    return Timeline(toolpath, ends_s, job.tools, job.stock.stock(), machine=machine, motors=motors)
 
 
 if __name__ == "__main__":

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import functools
 import json
 from collections.abc import Callable
 from dataclasses import replace
@@ -21,12 +22,13 @@ from CNCStepper.job.certify import (
     certificate_of,
     keep_out_digest,
     machine_digest,
+    proven_wire,
     send_job,
     stock_digest,
     tools_digest,
 )
 from CNCStepper.job.prove import Proof, prove
-from CNCStepper.machine.profile import load_machine
+from CNCStepper.machine.profile import Machine, load_machine
 from CNCStepper.machine.tool import Tool
 from CNCStepper.simulation.clamps import Clamp
 from CNCStepper.simulation.stock import Cylinder, HeightField, Stock
@@ -48,13 +50,23 @@ def proof_of(text: str = TEXT, **instead: Any) -> Proof:
     return prove(text, words.pop("machine", MACHINE), **words)
 
 
-PROOF = proof_of()
-CERTIFICATE = certificate_of(PROOF)
-JSON = CERTIFICATE.to_json()
+@functools.cache  # made when the first test asks: collecting the tests compiles nothing
+def proof() -> Proof:
+    return proof_of()
+
+
+@functools.cache
+def certificate() -> Certificate:
+    return certificate_of(proof())
+
+
+@functools.cache
+def certificate_json() -> str:
+    return certificate().to_json()
 
 
 def test_it_names_what_was_proven_and_what_was_found() -> None:
-    content = json.loads(JSON)
+    content = json.loads(certificate_json())
     assert content["wire"]["sha256"] == prepare(TEXT).sha256 == digest_of_lines(prepare(TEXT).lines)
     assert content["start"]["sha256"] == START.sha256()
     assert content["start"]["state"]["work_offsets_mm"] == {"G54": [-200.0, -150.0, -40.0]}
@@ -63,10 +75,10 @@ def test_it_names_what_was_proven_and_what_was_found() -> None:
     assert content["keep_out"]["edge_mm"] is None
     assert content["stock"]["stock"] == {"form": "stock", "size_mm": [40.0, 40.0, 5.0], "origin": "top-centre"}
     assert content["tools"]["tools"]["1"]["diameter_mm"] == 6.0
-    assert content["findings"] == PROOF.report["findings"]
-    assert content["times"]["program_s"] == PROOF.report["time_s"] > 0
+    assert content["findings"] == proof().report["findings"]
+    assert content["times"]["program_s"] == proof().report["time_s"] > 0
     assert content["figures"]["pierces"] == 1 and content["figures"]["removed_volume_mm3"] > 300
-    assert content["tolerance"]["cell_mm"] == pytest.approx(PROOF.part.cell_mm)
+    assert content["tolerance"]["cell_mm"] == pytest.approx(proof().part.cell_mm)
 
 
 def test_a_program_that_starts_nowhere_has_a_certificate_in_strict_json() -> None:
@@ -77,7 +89,7 @@ def test_a_program_that_starts_nowhere_has_a_certificate_in_strict_json() -> Non
 
 
 def test_the_sender_finds_all_it_needs() -> None:
-    job = sendable(JSON, port="COM3", zero_confirmed=True)
+    job = sendable(certificate_json(), port="COM3", zero_confirmed=True)
     wire = prepare(TEXT)
     assert (job.port, job.zero_confirmed, tuple(job.lines)) == ("COM3", True, wire.lines)
     assert list(job.file_lines) == wire.file_lines.tolist() and job.messages == wire.messages
@@ -96,7 +108,7 @@ def test_errors_are_not_sendable() -> None:
     with pytest.raises(JobError, match=r"1 error\(s\)") as refusal:
         sendable(refused.to_json())
     assert refusal.value.code == "certificate-errors" and refusal.value.place.line == 8
-    CERTIFICATE.check_clean()
+    certificate().check_clean()
 
 
 @given(st.data())
@@ -106,8 +118,8 @@ def test_any_changed_character_of_the_wire_text_is_refused(data: st.DataObject) 
     other = data.draw(st.characters(min_codepoint=10, max_codepoint=126).filter(lambda c: c != wire[at]))
     lines = (wire[:at] + other + wire[at + 1 :]).split("\n")[:-1]
     with pytest.raises(JobError, match="not those that were proven"):
-        CERTIFICATE.compare("wire", digest_of_lines(lines))
-    forged = dict(CERTIFICATE.content) | {"send": CERTIFICATE.content["send"] | {"lines": lines}}
+        certificate().compare("wire", digest_of_lines(lines))
+    forged = dict(certificate().content) | {"send": certificate().content["send"] | {"lines": lines}}
     with pytest.raises(JobError):  # also when the certificate's own fingerprint was made anew
         Certificate.from_json(Certificate(forged).to_json())
 
@@ -117,7 +129,7 @@ def test_any_changed_character_of_the_program_is_refused(data: st.DataObject) ->
     at = data.draw(st.integers(0, len(TEXT) - 1))
     other = data.draw(st.characters(exclude_categories=["Cs"]).filter(lambda c: c != TEXT[at]))
     with pytest.raises(JobError, match="its text differs"):
-        CERTIFICATE.compare("program", digest_of_text(TEXT[:at] + other + TEXT[at + 1 :]))
+        certificate().compare("program", digest_of_text(TEXT[:at] + other + TEXT[at + 1 :]))
 
 
 def leaves(content: Any, path: tuple[Any, ...] = ()) -> list[tuple[Any, ...]]:
@@ -131,7 +143,7 @@ def leaves(content: Any, path: tuple[Any, ...] = ()) -> list[tuple[Any, ...]]:
 
 @given(st.data())
 def test_any_changed_value_of_a_certificate_is_refused(data: st.DataObject) -> None:
-    content = json.loads(JSON)
+    content = json.loads(certificate_json())
     *way, last = data.draw(st.sampled_from(leaves(content)))
     inner = content
     for key in way:
@@ -154,7 +166,7 @@ CHANGES: dict[str, Callable[[], str]] = {
 @pytest.mark.parametrize("what", CHANGES)
 def test_another_start_machine_stock_tool_or_clamp_is_refused(what: str) -> None:
     with pytest.raises(JobError) as refusal:
-        CERTIFICATE.compare(what, CHANGES[what]())
+        certificate().compare(what, CHANGES[what]())
     assert refusal.value.code == f"certificate-{what}" and "check the program again" in str(refusal.value)
     same = {
         "start": Start.with_work_zero((-200.0, -150.0, -40.0)).sha256(),
@@ -163,7 +175,7 @@ def test_another_start_machine_stock_tool_or_clamp_is_refused(what: str) -> None
         "tools": tools_digest({1: Tool(number=1, shape="flat", diameter_mm=6)}),
         "keep_out": keep_out_digest([CLAMP], None),
     }
-    CERTIFICATE.compare(what, same[what])
+    certificate().compare(what, same[what])
 
 
 def test_stocks_of_other_forms_have_other_fingerprints() -> None:
@@ -181,6 +193,57 @@ def test_what_is_no_certificate_is_refused_with_a_sentence(text: str) -> None:
 
 
 def test_another_version_is_refused() -> None:
-    content = dict(CERTIFICATE.content) | {"version": 2}
+    content = dict(certificate().content) | {"version": 2}
     with pytest.raises(JobError, match="another version"):
         Certificate.from_json(json.dumps(content | {"sha256": digest_of(content)}))
+
+
+PLAY = {"backlash_mm": [0.1] * 3, "true_sense": [1] * 3, "steps_per_mm": [80.0] * 3}
+
+
+def loose(backlash_mm: float) -> Machine:
+    axes = {name: axis.model_copy(update={"backlash_mm": backlash_mm}) for name, axis in MACHINE.axis.items()}
+    return MACHINE.model_copy(update={"axis": axes})
+
+
+def test_play_that_is_taken_up_is_proven_with_the_text() -> None:
+    """The same part, findings and tool's way as without play, later, and a wire text of its own."""
+    clean, loosened = proof(), proof_of(machine=loose(0.1))
+    assert [finding.code for finding in loosened.findings] == [finding.code for finding in clean.findings]
+    assert loosened.part is not None and clean.part is not None
+    assert loosened.report["removed_volume_mm3"] == pytest.approx(clean.report["removed_volume_mm3"], rel=1e-3)
+    assert clean.times_s[-1] + 0.1 < loosened.times_s[-1] < clean.times_s[-1] + 2.0
+    assert loosened.wire.sha256 != clean.wire.sha256
+    assert len(loosened.motors) == len(loosened.toolpath) > len(clean.toolpath)
+    made = Certificate.from_json(certificate_of(loosened).to_json())
+    assert made.content["wire"]["play"]["backlash_mm"] == [0.1, 0.1, 0.1]
+    assert tuple(made.send_job().lines) == tuple(loosened.wire.lines)
+    for start in (None, START):
+        assert proven_wire(made, TEXT, "grbl", "p.nc", start).sha256 == loosened.wire.sha256
+    assert proven_wire(certificate(), TEXT, "grbl", "p.nc", None).sha256 == clean.wire.sha256
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        lambda wire: {"wire": wire | {"play": {"backlash_mm": 3}}},
+        lambda wire: {"wire": wire | {"play": [0.1]}},
+        lambda _: {"wire": {"play": PLAY | {"true_sense": [1]}}},
+        lambda _: {"wire": 3},
+        lambda _: {"wire": {"play": PLAY}, "start": {}},
+        lambda _: {"wire": {"play": PLAY}, "start": {"state": {"position_mm": "home"}}},
+    ],
+)
+def test_a_certificate_that_somebody_made_is_refused_by_its_code(change: Callable[[Any], dict[str, Any]]) -> None:
+    content = certificate().content
+    made = Certificate(content | change(content["wire"]))
+    with pytest.raises(JobError) as caught:
+        proven_wire(made, TEXT, "grbl", "p.nc", None)
+    assert caught.value.code == "certificate-bad"
+
+
+def test_travel_is_that_of_the_motors() -> None:
+    """At the end of the axis the motor has to stand beyond it, which the controller's soft limits refuse."""
+    text, start = "G21 G90\nG0 X-10\nX0\nM2\n", Start.at_zero()
+    assert "travel" not in [finding.code for finding in prove(text, MACHINE, start=start).findings]
+    assert "travel" in [finding.code for finding in prove(text, loose(0.1), start=start).findings]

@@ -8,9 +8,10 @@ from pathlib import Path
 import pytest
 
 from CNCStepper.errors import CNCStepperError, JobError
+from CNCStepper.geometry.curve import circle
 from CNCStepper.job.certify import stock_digest
 from CNCStepper.job.make import make_program
-from CNCStepper.job.model import Job, load_job, save_job
+from CNCStepper.job.model import Job, load_job, operation_of, save_job
 from CNCStepper.job.prove import prove_job
 from CNCStepper.simulation.clamps import Clamp
 from CNCStepper.simulation.stock import Cylinder, HeightField, Stock
@@ -58,6 +59,17 @@ REFUSALS = [
     ("size_mm = [100, 70, 20]", "size_mm = [100, 70]", "stock.size_mm"),
     ("number = 1", "number = one", "TOML"),
     ("diameter_mm = 6.0", "diameter_mm = 0", "diameter_mm"),
+    (
+        "depth_mm = 10 ",
+        "",
+        "operation 1: the key depth_mm is missing; add depth_mm = a number above 0",
+    ),
+    ("diameter_mm = 6.0", "", "the key diameter_mm is missing in tool 1; add diameter_mm = a number above 0"),
+    (
+        'origin = "',
+        'oring = "',
+        "there is no key stock.oring; correct its spelling or take it out; known in stock",
+    ),
 ]
 
 
@@ -66,6 +78,38 @@ def test_bad_jobs_are_refused_naming_the_key(old: str, new: str, told: str, tmp_
     with pytest.raises(JobError) as caught:
         load_job(changed(tmp_path, old, new))
     assert told in str(caught.value)
+
+
+TABLES = [
+    ({"tabs": {"count": 2, "width_mm": 6}}, "the key height_mm is missing in tabs; add height_mm = a number above 0"),
+    (
+        {"tabs": {"count": 2, "wide_mm": 6}},
+        "key tabs.wide_mm; correct its spelling or take it out; known in tabs are: co",
+    ),
+    ({"lead_in": {"kind": "arc", "radius": 3}}, "known in lead_in are: angle_deg, kind, length_mm, radius_mm"),
+]
+
+
+@pytest.mark.parametrize(("table", "told"), TABLES)
+def test_a_wrong_key_in_a_table_of_an_operation_is_told_with_that_tables_keys(table: dict, told: str) -> None:
+    raw = {
+        "cycle": "contour",
+        "tool": 1,
+        "curves": (circle((0, 0), 9),),
+        "depth_mm": 3,
+        "stepdown_mm": 3,
+        "side": "outside",
+    } | table
+    with pytest.raises(JobError) as caught:
+        operation_of(raw, Path(), "job.toml operation 2")
+    assert told in str(caught.value) and "job.toml operation 2" in str(caught.value)
+
+
+def test_a_pattern_without_a_key_is_told_what_that_pattern_wants() -> None:
+    pattern = {"kind": "bolt_circle", "centre_mm": [0, 0], "count": 4}
+    with pytest.raises(JobError) as caught:
+        operation_of({"cycle": "drill", "tool": 1, "depth_mm": 3, "pattern": pattern}, Path(), "job.toml operation 1")
+    assert "the key radius_mm is missing in pattern; add radius_mm = a number" in str(caught.value)
 
 
 CUTTING_REFUSALS = [

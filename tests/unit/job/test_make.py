@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 
+from CNCStepper.errors import CycleError
 from CNCStepper.gcode.interpret import interpret
 from CNCStepper.job.make import make_program
 from CNCStepper.job.model import Job, load_job
@@ -77,3 +78,10 @@ def test_inches_give_the_same_part(both: Job) -> None:
     inches = interpret(make_program(both.model_copy(update={"units": "inch"}), machine()).program, Start()).table()
     assert len(inches.kind) == len(millimetres.kind)
     assert abs(inches.end[1:] - millimetres.end[1:]).max() < 0.003
+
+
+def test_a_refusal_names_its_operation(both: Job) -> None:
+    wide = both.operation[0].model_copy(update={"stepover_mm": 50.0})
+    job = both.model_copy(update={"operation": (*both.operation, wide)})
+    with pytest.raises(CycleError, match=rf"operation {len(job.operation)} \(elliptical pocket\): stepover_mm"):
+        make_program(job, machine())

@@ -58,6 +58,7 @@ def ended(process: subprocess.Popen[str]) -> tuple[int, list[str]]:
     return status, told
 
 
+@pytest.mark.slow
 def test_the_answer_is_that_of_prove_job(folder: Path) -> None:
     program = asked(folder)
     assert ended(started(folder)) == (0, TOLD)
@@ -70,6 +71,7 @@ def test_the_answer_is_that_of_prove_job(folder: Path) -> None:
     assert sent.lines == list(proof.wire.lines) and sent.file_lines == proof.wire.file_lines.tolist()
 
 
+@pytest.mark.slow
 def test_the_part_is_there_before_the_program_is_judged(
     folder: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -97,6 +99,7 @@ def test_a_refusal_comes_back_as_it_was_raised(folder: Path) -> None:
     assert refusal.value.place is not None and refusal.value.place.line == 2
 
 
+@pytest.mark.slow
 def test_it_ends_and_takes_its_folder_away_when_nobody_waits(folder: Path) -> None:
     asked(folder)
     process = started(folder)

@@ -70,6 +70,7 @@ def test_a_missing_finishing_pass_is_caught(pocket: tuple[Job, Machine, Made]) -
     assert proof.report["left_over_mm"] > 0.2
 
 
+@pytest.mark.slow
 def test_a_shifted_arc_centre_is_caught(pocket: tuple[Job, Machine, Made]) -> None:
     """Move the centre of one finishing arc along the bisector of its chord: a valid arc that cuts 0.05 mm too far."""
     lines = lines_of(pocket)

@@ -7,6 +7,7 @@ import json
 import subprocess
 import sys
 from collections.abc import Iterator
+from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
@@ -17,9 +18,10 @@ from CNCStepper.control.python_finder import command, environment
 from CNCStepper.job.certify import certificate_of
 from CNCStepper.job.make import make_program
 from CNCStepper.job.model import load_job
-from CNCStepper.job.proof_files import MESH, MOVES, TILES, write_answer, write_question
+from CNCStepper.job.proof_files import MESH, RESULT, TILES, write_answer, write_question
 from CNCStepper.job.prove import Proof, prove_job
 from CNCStepper.job.start_file import write_start
+from CNCStepper.job.timeline_worker import Answers
 from CNCStepper.motion.plan import begun, step_events
 from CNCStepper.simulation.drawn_faces import LAP_MM
 from CNCStepper.simulation.mesh import STL_FACET
@@ -55,8 +57,9 @@ class Worker:
 
     def ask(self, **question: Any) -> dict[str, Any]:
         assert self.process.stdin and self.process.stdout
-        self.process.stdin.write(json.dumps(question) + "\n")
-        self.process.stdin.flush()
+        with suppress(BrokenPipeError):  # one that cannot answer may have said so and ended
+            self.process.stdin.write(json.dumps(question) + "\n")
+            self.process.stdin.flush()
         return json.loads(self.process.stdout.readline())
 
     def tiles(self, time_s: float) -> dict[int, tuple[bytes, bytes]]:
@@ -74,7 +77,8 @@ class Worker:
 
     def end(self) -> int:
         assert self.process.stdin and self.process.stdout
-        self.process.stdin.close()
+        with suppress(BrokenPipeError):
+            self.process.stdin.close()
         status = self.process.wait(LIMIT_S)
         self.process.stdout.close()
         return status
@@ -116,6 +120,21 @@ def test_material_vanishes_forwards_and_comes_back_the_same(worker: Worker, prov
     assert worker.tiles(0.0) == {}
 
 
+def test_a_program_with_a_subroutine_in_a_file_beside_it_is_shown_too(tmp_path: Path) -> None:
+    (tmp_path / "dent.ngc").write_text("o<dent> sub\nG1 Z-1 F100\nG0 Z5\no<dent> endsub\n", encoding="utf-8")
+    job, machine = load_job(JOBS / "elliptical-pocket.toml")
+    machine = machine.model_copy(update={"controller": "grblhal"})
+    program = "G21 G90 G17\nT1\nM3 S9000\nG0 X10 Y5 Z5\no<dent> call\nG0 X20\no<dent> call\nM2\n"
+    folder = tmp_path / "proof"
+    folder.mkdir()
+    write_question(folder, program, job, machine)
+    start = Start.with_work_zero((60.0, 50.0, -30.0))
+    write_start(folder, start)
+    proof = prove_job(job, machine, program, str(tmp_path / "main.ngc"), start)
+    write_answer(folder, proof, job, certificate_of(proof).to_json())
+    assert Answers(folder).to({"at": 0.0})["tiles"]
+
+
 @pytest.mark.slow
 def test_pulses_are_the_planners(worker: Worker, proven: tuple[Path, Proof]) -> None:
     proof = proven[1]
@@ -153,10 +172,11 @@ def test_a_folder_without_an_answer_is_said(tmp_path: Path, proven: tuple[Path, 
     job, machine = load_job(JOBS / "elliptical-pocket.toml")
     write_question(tmp_path, make_program(job, machine).program, job, machine)
     worker = Worker(tmp_path)
-    assert MOVES in worker.ask(at=0.0)["error"]["what"]
+    assert RESULT in worker.ask(at=0.0)["error"]["what"]
     assert worker.end() == 1
 
 
+@pytest.mark.slow
 def test_it_ends_at_once_when_nobody_asks_any_more(proven: tuple[Path, Proof]) -> None:
     worker = Worker(proven[0])
     assert worker.ask(at=1.0)["at"] == 1.0

@@ -1,0 +1,278 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The `[[shape]]` tables of a job file: drawn once, named by operations, resolved into curves before a cycle sees them.
+
+    [[shape]]                        [[operation]]                    the cycle's own field
+    name = "boss"             --->   islands = ["boss"]        --->   islands = (Curve,)
+    circle_mm = { ... }
+
+A saved job holds the curves themselves and needs no shapes any more.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Annotated, Any
+
+import numpy as np
+from pydantic import BaseModel, ConfigDict, Field, model_validator
+
+from CNCStepper.cycles.fields import CurveField
+from CNCStepper.cycles.form import Coordinate
+from CNCStepper.drawing.dxf import Drawing, read_dxf
+from CNCStepper.drawing.points import read_points
+from CNCStepper.errors import CNCStepperError, GeometryError, JobError, Place
+from CNCStepper.geometry.curve import Curve, circle, from_points
+from CNCStepper.geometry.ellipse import Ellipse
+from CNCStepper.geometry.rectangle import rectangle
+from CNCStepper.machine.profile import validated
+
+Point = tuple[Coordinate, Coordinate]
+Length = Annotated[float, Field(gt=0, le=100_000)]
+ELLIPSE_TOLERANCE_MM = 0.001
+MOST_SKIPPED = 5  # entities told one by one
+
+
+class _Checked(BaseModel):
+    model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False, arbitrary_types_allowed=True)
+
+
+class CircleForm(_Checked):
+    """A circle; lengths in mm, as the name of its key says."""
+
+    centre: Point
+    radius: Length
+
+    def curve(self) -> Curve:
+        """Return it counter-clockwise."""
+        return circle(self.centre, self.radius)
+
+
+class RectangleForm(_Checked):
+    """A rectangle along the axes by its diagonal, mm, its corners sharp or round."""
+
+    corner_a: Point
+    corner_b: Point
+    corner_radius: float = Field(default=0.0, ge=0)
+
+    @model_validator(mode="after")
+    def _is_one(self) -> RectangleForm:
+        try:
+            self.curve()
+        except GeometryError as error:
+            raise ValueError(error.what) from error
+        return self
+
+    def curve(self) -> Curve:
+        """Return it counter-clockwise from the left end of its lower side."""
+        return rectangle(self.corner_a, self.corner_b, self.corner_radius)
+
+
+class EllipseForm(_Checked):
+    """An ellipse, mm; it becomes arcs within ELLIPSE_TOLERANCE_MM."""
+
+    centre: Point
+    radius_x: Length
+    radius_y: Length
+    rotation_deg: float = 0.0
+
+    def curve(self) -> Curve:
+        """Return it counter-clockwise."""
+        ellipse = Ellipse.of_radii(self.centre, self.radius_x, self.radius_y, self.rotation_deg)
+        return ellipse.parallel(0.0, ELLIPSE_TOLERANCE_MM)
+
+
+class DxfForm(_Checked):
+    """A layer of a DXF file; unit_mm: the length of its unit, where the file does not say it or is wrong."""
+
+    file: str
+    layer: str
+    tolerance_mm: float = Field(default=0.005, gt=0, le=1.0)
+    unit_mm: Length | None = None
+
+
+class ShapeForm(_Checked):
+    """A shape as a job file names it: a name and one way of drawing it. `closed` belongs to `points`."""
+
+    name: str = Field(min_length=1)
+    polygon_mm: tuple[Point, ...] | None = Field(default=None, min_length=3)
+    circle_mm: CircleForm | None = None
+    rectangle_mm: RectangleForm | None = None
+    ellipse_mm: EllipseForm | None = None
+    points: str | None = None
+    closed: bool = False
+    dxf: DxfForm | None = None
+    curve: CurveField | None = None
+
+    @model_validator(mode="after")
+    def _is_drawn_once(self) -> ShapeForm:
+        ways = [key for key in WAYS if getattr(self, key) is not None]
+        if len(ways) != 1:
+            told = f"it has {' and '.join(ways)}" if ways else "it has none"
+            raise ValueError(f"the shape '{self.name}' needs one of {', '.join(WAYS)}; {told}")
+        if self.closed and self.points is None:
+            raise ValueError("closed belongs to points")
+        return self
+
+
+WAYS = ("polygon_mm", "circle_mm", "rectangle_mm", "ellipse_mm", "points", "dxf", "curve")
+
+
+@dataclass(frozen=True)
+class Shapes:
+    """The curves of each shape by name, and what a person should know of the drawings they came from."""
+
+    curves: dict[str, tuple[Curve, ...]] = field(default_factory=dict)
+    notes: tuple[str, ...] = ()
+
+    def named(self, name: str, key: ShapeKey, place: Place) -> tuple[Curve, ...]:
+        """Return the curves of one shape; raises JobError for an unknown one, or an open one where that cannot be."""
+        if name not in self.curves:
+            known = ", ".join(f"'{each}'" for each in self.curves)
+            raise JobError(
+                "shape-unknown",
+                f"{key.says} names the shape '{name}', which the job does not have",
+                advice=f"name one of: {known}" if known else "draw it in a [[shape]] table",
+                place=place,
+            )
+        curves = self.curves[name]
+        ends = [tuple(np.round(curve.xy[0], 3).tolist()) for curve in curves if not curve.closed]
+        if key.closed and ends:
+            raise JobError(
+                "shape-open",
+                f"{key.says} needs a closed shape, but '{name}' does not end where it begins",
+                value=f"{len(ends)} of {len(curves)} open, the first from {ends[0]}",
+                advice="close it",
+                place=place,
+            )
+        return curves
+
+
+NO_SHAPES = Shapes()
+
+
+@dataclass(frozen=True)
+class ShapeKey:
+    """A key of an operation that names shapes, the cycle's field that takes their curves, and whether they must close.
+
+    A dot leads into a table: "pattern.circles".
+    """
+
+    says: str
+    field: str
+    closed: bool = True
+
+
+_AREA = (ShapeKey("outlines", "outlines"), ShapeKey("region", "outlines"))
+_LINES = (ShapeKey("curves", "curves", closed=False), ShapeKey("region", "curves"))
+_HOLES = (ShapeKey("pattern.circles", "pattern.circles"),)
+SHAPE_KEYS: dict[str, tuple[ShapeKey, ...]] = {
+    "pocket": (*_AREA, ShapeKey("islands", "islands")),
+    "face": _AREA,
+    "contour": _LINES,
+    "engrave": _LINES,
+    "drill": _HOLES,
+    "bore": _HOLES,
+    "thread": _HOLES,
+}
+
+
+def read_shapes(tables: Sequence[dict[str, Any]], folder: Path, file: str) -> Shapes:
+    """Return the shapes of a job's `[[shape]]` tables; their files are looked for in `folder`.
+
+    Raises JobError that names the file and the shape.
+    """
+    curves: dict[str, tuple[Curve, ...]] = {}
+    notes: list[str] = []
+    drawings: dict[DxfForm, Drawing] = {}
+    for number, table in enumerate(tables, start=1):
+        place = f"{file} shape {number}"
+        shape = validated(ShapeForm, table, place)
+        if shape.name in curves:
+            what = f"two shapes have the name '{shape.name}'"
+            raise JobError("shape-twice", what, advice="rename one of them", place=Place(place))
+        try:
+            curves[shape.name] = _curves(shape, folder, drawings, notes)
+        except CNCStepperError as error:
+            raise error if error.place else error.at(Place(place)) from error
+    return Shapes(curves, tuple(dict.fromkeys(notes)))
+
+
+def _curves(shape: ShapeForm, folder: Path, drawings: dict[DxfForm, Drawing], notes: list[str]) -> tuple[Curve, ...]:
+    if shape.polygon_mm is not None:
+        return (from_points(shape.polygon_mm, closed=True),)
+    if shape.points is not None:
+        return (read_points(folder / shape.points, shape.closed),)
+    if shape.curve is not None:
+        return (shape.curve,)
+    if shape.dxf is not None:
+        return _layer(shape.name, shape.dxf, folder, drawings, notes)
+    form = shape.circle_mm or shape.rectangle_mm or shape.ellipse_mm
+    assert form is not None  # the model has seen to it
+    return (form.curve(),)
+
+
+def _layer(
+    name: str, form: DxfForm, folder: Path, drawings: dict[DxfForm, Drawing], notes: list[str]
+) -> tuple[Curve, ...]:
+    """Return the chains of a layer; each file is read once."""
+    key = form.model_copy(update={"layer": ""})
+    if key not in drawings:
+        drawings[key] = read_dxf(folder / form.file, form.tolerance_mm, form.unit_mm)
+    layer = drawings[key].layer(form.layer)
+    notes.extend(_notes(name, form, drawings[key]))
+    return layer.curves
+
+
+def _notes(name: str, form: DxfForm, drawing: Drawing) -> Iterator[str]:
+    """Yield what of a layer is not as drawn: damage, gaps, and what no tool could follow."""
+    if drawing.damage:
+        yield f"the drawing {form.file} is damaged, a part of it may be missing: {drawing.damage}"
+    for gap in drawing.layer(form.layer).gaps:
+        x, y = gap.place_mm
+        yield f"shape '{name}': two ends lie {gap.size_mm:.3g} mm apart at X{x:.3f} Y{y:.3f}"
+    skipped = [each for each in drawing.skipped if each.layer.casefold() == form.layer.casefold()]
+    for entity in skipped[:MOST_SKIPPED]:
+        yield f"shape '{name}' goes without the {entity.kind} {entity.handle} of its drawing: {entity.why}"
+    if len(skipped) > MOST_SKIPPED:
+        yield f"shape '{name}' goes without {len(skipped) - MOST_SKIPPED} more things of its drawing"
+
+
+def with_curves(content: dict[str, Any], shapes: Shapes, file: str) -> dict[str, Any]:
+    """Return an operation's table with the curves of the shapes that it names, in the fields of its cycle.
+
+    What is a curve already (in a saved job) stays. Raises JobError that names file, key, the name and those known.
+    """
+    resolved = dict(content)
+    for key in SHAPE_KEYS.get(str(content.get("cycle", "")), ()):
+        *tables, last = key.says.split(".")
+        inside = _inner(resolved, tables)
+        if inside is not None and last in inside:
+            named = _listed(inside.pop(last), key, Place(file))
+            curves = [curve for each in named for curve in _resolved(each, shapes, key, Place(file))]
+            own = key.field.rpartition(".")[2]
+            inside[own] = (*inside.get(own, ()), *curves) if own != last else tuple(curves)
+    return resolved
+
+
+def _inner(content: dict[str, Any], tables: Iterable[str]) -> dict[str, Any] | None:
+    """Return the table in which a key stands, as a copy that may be changed; None where there is none."""
+    for name in tables:
+        if not isinstance(content.get(name), dict):
+            return None
+        content[name] = content = dict(content[name])
+    return content
+
+
+def _listed(value: Any, key: ShapeKey, place: Place) -> Sequence[Any]:
+    if isinstance(value, str):
+        return [value]
+    if isinstance(value, list | tuple):
+        return value
+    what = f"{key.says} must be the name of a shape, or a list of names"
+    raise JobError("shape-name", what, value=repr(value)[:60], advice=f'write {key.says} = "name"', place=place)
+
+
+def _resolved(each: Any, shapes: Shapes, key: ShapeKey, place: Place) -> tuple[Any, ...]:
+    return shapes.named(each, key, place) if isinstance(each, str) else (each,)

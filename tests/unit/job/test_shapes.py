@@ -1,0 +1,200 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The shapes of a job file: drawn in every way, named by operations, refused with the name."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+from typing import Any
+
+import ezdxf
+import numpy as np
+import pytest
+
+from CNCStepper.errors import JobError
+from CNCStepper.job.model import load_job, operation_of, save_job
+from CNCStepper.job.shapes import SHAPE_KEYS, Shapes, read_shapes, with_curves
+
+SQUARE = {"name": "square", "polygon_mm": [[0, 0], [10, 0], [10, 10], [0, 10]]}
+ENGRAVING = {"cycle": "engrave", "tool": 1, "depth_mm": 1}
+JOB = """
+machine = "table-a"
+clearance_mm = 10
+retract_mm = 2
+[stock]
+size_mm = [60, 60, 10]
+origin = "top-left-front"
+[[tool]]
+number = 1
+shape = "engraver"
+diameter_mm = 1
+feed_mm_min = 300
+plunge_mm_min = 100
+spindle_rpm = 10000
+"""
+
+
+def shapes_of(*tables: dict[str, Any], folder: Path = Path(".")) -> Shapes:
+    return read_shapes(tables, folder, "job.toml")
+
+
+def drawing(path: Path) -> None:
+    """Write a layer with a closed square of loose lines, a circle, and a line that nearly meets another; and a text."""
+    document = ezdxf.new(units=ezdxf.units.MM)
+    space = document.modelspace()
+    corners = [(0, 0), (20, 0), (20, 20), (0, 20)]
+    for begin, end in zip(corners, corners[1:] + corners[:1], strict=True):
+        space.add_line(begin, end, dxfattribs={"layer": "Corte"})
+    space.add_circle((40, 10), 5, dxfattribs={"layer": "Corte"})
+    space.add_line((0, 30), (10, 30), dxfattribs={"layer": "Aberto"})
+    space.add_line((10.05, 30), (20, 30), dxfattribs={"layer": "Aberto"})
+    space.add_text("não", dxfattribs={"layer": "Aberto"})
+    document.saveas(path)
+
+
+@pytest.mark.parametrize(
+    ("way", "area_mm2", "length_mm"),
+    [
+        ({"polygon_mm": [[0, 0], [10, 0], [10, 10], [0, 10]]}, 100.0, 40.0),
+        ({"circle_mm": {"centre": [5, 5], "radius": 3}}, 9 * math.pi, 6 * math.pi),
+        ({"rectangle_mm": {"corner_a": [10, 20], "corner_b": [0, 0]}}, 200.0, 60.0),
+        (
+            {"rectangle_mm": {"corner_a": [0, 20], "corner_b": [10, 0], "corner_radius": 2}},
+            200.0 - (4 - math.pi) * 4,
+            60.0 - 16 + 4 * math.pi,
+        ),
+        (
+            {"rectangle_mm": {"corner_a": [0, 0], "corner_b": [10, 10], "corner_radius": 5}},
+            25 * math.pi,
+            10 * math.pi,
+        ),
+        ({"ellipse_mm": {"centre": [1, 2], "radius_x": 4, "radius_y": 9, "rotation_deg": 20}}, 36 * math.pi, None),
+        ({"curve": {"xy": [[0, 0], [4, 0], [0, 0]], "bulge": [1, 1]}}, 4 * math.pi, 4 * math.pi),
+    ],
+)
+def test_every_way_of_drawing_gives_the_closed_curve_counter_clockwise(
+    way: dict[str, Any], area_mm2: float, length_mm: float | None
+) -> None:
+    (curve,) = shapes_of({"name": "a", **way}).curves["a"]
+    assert curve.closed and curve.area_mm2 == pytest.approx(area_mm2, rel=1e-4)
+    assert length_mm is None or curve.length_mm == pytest.approx(length_mm)
+
+
+def test_points_come_from_a_file_beside_the_job_closed_or_not(tmp_path: Path) -> None:
+    (tmp_path / "linha.csv").write_text("0,0\n5,0\n5,5\n", encoding="utf-8")
+    table = {"name": "a", "points": "linha.csv"}
+    shapes = shapes_of(table, table | {"name": "b", "closed": True}, folder=tmp_path)
+    assert [shapes.curves[name][0].closed for name in "ab"] == [False, True]
+
+
+def test_a_layer_of_a_drawing_gives_all_its_chains_and_tells_what_is_not_in_them(tmp_path: Path) -> None:
+    drawing(tmp_path / "peça 1.dxf")
+    dxf = {"file": "peça 1.dxf", "layer": "corte"}
+    shapes = shapes_of(
+        {"name": "cut", "dxf": dxf},
+        {"name": "inches", "dxf": dxf | {"unit_mm": 25.4}},
+        {"name": "open", "dxf": dxf | {"layer": "Aberto"}},
+        folder=tmp_path,
+    )
+    areas = sorted(curve.area_mm2 for curve in shapes.curves["cut"])
+    assert areas == pytest.approx([25 * math.pi, 400.0])
+    assert sorted(curve.area_mm2 for curve in shapes.curves["inches"]) == pytest.approx(
+        [area * 25.4**2 for area in areas]
+    )
+    gap, text = shapes.notes
+    assert "'open'" in gap and "0.05 mm apart at X10.025 Y30.000" in gap
+    assert "TEXT" in text
+
+
+def test_operations_name_shapes_one_or_several_and_the_cycle_gets_curves() -> None:
+    shapes = shapes_of(SQUARE, {"name": "disc", "circle_mm": {"centre": [5, 5], "radius": 3}})
+    one = operation_of(ENGRAVING | {"region": "square"}, Path(), "job.toml", shapes)
+    both = operation_of(ENGRAVING | {"curves": ["square", "disc"]}, Path(), "job.toml", shapes)
+    mixed = operation_of(ENGRAVING | {"curves": "disc", "region": ["square"]}, Path(), "job.toml", shapes)
+    assert [curve.area_mm2 for curve in one.curves] == [100.0]
+    assert [len(curve) for curve in both.curves] == [4, 2]
+    assert [len(curve) for curve in mixed.curves] == [2, 4]
+
+
+def test_keys_within_a_table_name_shapes_too() -> None:
+    shapes = shapes_of({"name": "hole", "circle_mm": {"centre": [5, 5], "radius": 3}})
+    raw = {"cycle": "drill", "pattern": {"kind": "circles", "circles": ["hole"]}}
+    assert with_curves(raw, shapes, "job.toml")["pattern"]["circles"] == shapes.curves["hole"]
+    assert raw["pattern"] == {"kind": "circles", "circles": ["hole"]}
+
+
+def test_the_table_of_keys_is_true_of_the_cycles() -> None:
+    from CNCStepper.cycles.catalogue import CYCLES
+
+    for cycle, keys in SHAPE_KEYS.items():
+        if cycle in CYCLES:
+            fields = CYCLES[cycle].model_fields
+            assert {key.field.partition(".")[0] for key in keys} <= set(fields), cycle
+
+
+SHAPE_REFUSALS = [
+    ({}, "needs one of polygon_mm"),
+    ({"polygon_mm": [[0, 0], [1, 0]]}, "polygon_mm"),
+    ({"polygon_mm": [[0, 0], [1, 0], [1, float("nan")]]}, "polygon_mm"),
+    ({"circle_mm": {"centre": [0, 0], "radius": 0}}, "radius"),
+    ({"circle_mm": {"centre": [0, 0], "raduis": 1}}, "raduis"),
+    ({"rectangle_mm": {"corner_a": [0, 0], "corner_b": [0, 5]}}, "differ in x and in y"),
+    ({"rectangle_mm": {"corner_a": [0, 0], "corner_b": [4, 5], "corner_radius": 2.1}}, "half of its shorter side"),
+    ({"polygon_mm": [[0, 0], [1, 0], [1, 1]], "circle_mm": {"centre": [0, 0], "radius": 1}}, "polygon_mm and circle"),
+    ({"polygon_mm": [[0, 0], [1, 0], [1, 1]], "closed": True}, "closed belongs to points"),
+    ({"points": "none.csv"}, "none.csv"),
+    ({"dxf": {"file": "none.dxf", "layer": "0"}}, "none.dxf"),
+    ({"curve": {"xy": [[0, 0]], "bulge": []}}, "not a curve"),
+]
+
+
+@pytest.mark.parametrize(("way", "told"), SHAPE_REFUSALS)
+def test_a_bad_shape_is_refused_with_file_and_reason(way: dict[str, Any], told: str) -> None:
+    with pytest.raises(JobError) as caught:
+        shapes_of(SQUARE, {"name": "a", **way})
+    assert told in str(caught.value) and "job.toml shape 2" in str(caught.value)
+
+
+def test_two_shapes_of_one_name_are_refused() -> None:
+    with pytest.raises(JobError, match=r"'square'.*rename"):
+        shapes_of(SQUARE, SQUARE)
+
+
+@pytest.mark.parametrize(
+    ("named", "told"),
+    [
+        ({"region": "sqare"}, ["region", "'sqare'", "'square', 'line'"]),
+        ({"curves": ["square", "sqare"]}, ["curves", "'sqare'"]),
+        ({"region": ["line"]}, ["region needs a closed shape", "'line'", "(2.0, 3.0)"]),
+        ({"region": 7}, ["region must be the name of a shape"]),
+    ],
+)
+def test_a_wrong_name_is_refused_with_file_operation_key_and_the_known_names(
+    named: dict[str, Any], told: list[str]
+) -> None:
+    shapes = shapes_of(SQUARE, {"name": "line", "curve": {"xy": [[2, 3], [4, 4]], "bulge": [0]}})
+    with pytest.raises(JobError) as caught:
+        operation_of(ENGRAVING | named, Path(), "job.toml operation 3", shapes)
+    assert all(text in str(caught.value) for text in [*told, "job.toml operation 3"])
+
+
+def test_a_saved_job_holds_the_curves_and_the_notes_of_the_drawing(tmp_path: Path) -> None:
+    drawing(tmp_path / "a.dxf")
+    shape = '[[shape]]\nname = "a"\ndxf = { file = "a.dxf", layer = "Aberto" }\n'
+    operation = '[[operation]]\ncycle = "engrave"\ntool = 1\ncurves = "a"\ndepth_mm = 1\n'
+    (tmp_path / "job.toml").write_text(JOB + shape + operation, encoding="utf-8")
+    job, _ = load_job(tmp_path / "job.toml")
+    save_job(job, tmp_path / "elsewhere.json")
+    (tmp_path / "a.dxf").unlink()
+    again, _ = load_job(tmp_path / "elsewhere.json")
+    assert again == job and len(job.notes) == 2
+
+
+def test_cycles_are_told_the_stock_and_the_parts_that_stand(tmp_path: Path) -> None:
+    shape = '[[shape]]\nname = "a"\ncircle_mm = { centre = [30, 30], radius = 5 }\n'
+    operation = '[[operation]]\ncycle = "engrave"\ntool = 1\ncurves = "a"\ndepth_mm = 1\n'
+    (tmp_path / "job.toml").write_text(JOB + shape + operation, encoding="utf-8")
+    job, _ = load_job(tmp_path / "job.toml")
+    setup = job.setup(job.operation[0])
+    assert setup.stock is not None and setup.stock.area_mm2 == 3600.0 and setup.keep == ()
+    assert np.array_equal(setup.stock.xy[0], (0.0, 0.0))
