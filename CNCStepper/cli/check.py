@@ -5,10 +5,11 @@ from __future__ import annotations
 
 import sys
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import click
 
+from CNCStepper.cli.hints import show_hints
 from CNCStepper.cli.options import (
     check_stock,
     dialect_name,
@@ -17,14 +18,29 @@ from CNCStepper.cli.options import (
     machine_option,
     program_argument,
     read_program,
-    start_of,
     stock_of,
     stock_options,
-    work_zero_option,
 )
+from CNCStepper.cli.progress import Progress
 from CNCStepper.cli.show import show_figures, show_findings, write_json
+from CNCStepper.cli.start import Given, start_options
 from CNCStepper.machine.profile import Machine
 from CNCStepper.machine.tool import Tool
+
+if TYPE_CHECKING:
+    from CNCStepper.job.model import Job
+    from CNCStepper.job.prove import Proof
+    from CNCStepper.state import Start
+
+STAGES = {
+    "make": "making the shapes of",
+    "read": "reading back",
+    "cut": "cutting the stock by",
+    "time": "timing",
+    "judge": "judging the part of",
+    "check": "checking",
+    "report": "reporting on",
+}
 
 
 @click.command("check")
@@ -32,8 +48,11 @@ from CNCStepper.machine.tool import Tool
 @machine_option(required=True)
 @stock_options(required=False)
 @job_option
-@work_zero_option
+@start_options
 @dialect_option
+@click.option(
+    "--part", type=click.IntRange(1), help="Which program of the job it is, where the machine wants one a tool."
+)
 @click.option("--json", "json_path", type=click.Path(path_type=Path), help="Also write the report there.")
 @click.option("--certificate", type=click.Path(path_type=Path), help="Also write the certificate there, for `send`.")
 def command(
@@ -43,36 +62,37 @@ def command(
     origin: str,
     tool: Tool | None,
     job_path: Path | None,
-    work_zero: tuple[float, float, float] | None,
     dialect: str | None,
+    part: int | None,
     json_path: Path | None,
     certificate: Path | None,
+    given: Given,
 ) -> None:
     """Check PROGRAM against a machine: travel, feeds, spindle; with --stock and --tool also rapids and plunges, with
     --job gouge and material left, clamps and the sheet's edge too.
 
+    A job that is split into a program a tool needs --part: the programs before it are made anew and taken as cut.
+    A block that moves is a line of PROGRAM, counted once however often it is run.
     Exit 0 clean, 1 refused; each finding is file:line:column: text. Where --work-zero is not given, the place of
     the program on the table is reported as unknown.
     """
-    from CNCStepper.gcode.read_back import refused_lines
     from CNCStepper.job.certify import certificate_of
     from CNCStepper.job.model import read_job
     from CNCStepper.job.prove import prove, prove_job
 
     check_stock(stock, tool, job_path)
     text, language = read_program(program), dialect_name(dialect, machine)
-    start = start_of(work_zero)
-    unreadable = list(refused_lines(text, start, language, str(program)))
-    if unreadable:
-        for error in unreadable:
-            click.echo(str(error))
-        click.echo(f"{program}: refused; it cannot be read")
-        sys.exit(1)
+    job = read_job(job_path) if job_path else None
+    start = given.start()
+    _require_readable(text, job.started(start, machine) if job else start, language, program)
     words: dict[str, Any] = {"file": str(program), "dialect": language, "start": start}
-    if job_path:
-        proof = prove_job(read_job(job_path), machine, text, **words)
-    else:
-        proof = prove(text, machine, stock=stock_of(stock, origin), tools=tool, **words)
+    with Progress(f"checking {program.name}") as progress:
+        words["tell"] = lambda stage: progress.doing(f"{STAGES[stage]} {program.name}")
+        words["share"] = progress.share
+        if job:
+            proof = prove_job(job, machine, text, earlier=_earlier(job, machine, part), **words)
+        else:
+            proof = prove(text, machine, stock=stock_of(stock, origin), tools=tool, **words)
     show_findings(proof.findings)
     if json_path:
         write_json(json_path, proof.report)
@@ -80,5 +100,34 @@ def command(
         certificate.write_text(certificate_of(proof).to_json(), encoding="utf-8")
     show_figures(proof.report)
     verdict = "refused" if proof.refused else "clean"
-    click.echo(f"{program}: {verdict}; {proof.report['blocks']} blocks, {proof.report['time_s']:.1f} s")
+    click.echo(f"{program}: {verdict}; {proof.report['blocks']} blocks that move, {proof.report['time_s']:.1f} s")
     sys.exit(1 if proof.refused else 0)
+
+
+def _require_readable(text: str, start: Start | None, language: str, program: Path) -> None:
+    """End the command with status 1, telling why, where lines of a program cannot be read or sent."""
+    from CNCStepper.gcode.read_back import refused_lines
+
+    with Progress(f"reading {program.name}"):
+        refused = list(refused_lines(text, start, language, str(program)))
+    for error in refused:
+        click.echo(str(error))
+    if refused:
+        click.echo(f"{program}: refused; it cannot be read")
+        show_hints(refused)
+        sys.exit(1)
+
+
+def _earlier(job: Job, machine: Machine, part: int | None) -> list[Proof]:
+    """Return the proofs of the job's programs before this one; raises a usage error where nobody says which it is."""
+    from CNCStepper.job.make import is_split, make_parts
+    from CNCStepper.job.prove import prove_parts
+
+    if not is_split(job, machine):
+        if part is not None:
+            raise click.UsageError("--part goes with a job that is split into a program a tool")
+        return []
+    parts = make_parts(job, machine)
+    if part is None or part > len(parts):
+        raise click.UsageError(f"the job is split into {len(parts)} programs: say with --part which of them this is")
+    return list(prove_parts(job, machine, parts[: part - 1], Path()))

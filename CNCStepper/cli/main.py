@@ -5,19 +5,31 @@ from __future__ import annotations
 
 import importlib
 import sys
+from typing import Any
 
 import click
 
 from CNCStepper import __version__
+from CNCStepper.cli.hints import show_hints
 from CNCStepper.errors import CNCStepperError
 
+STOPPED = 130  # 128 + SIGINT
 VERBS = {
     "run": "Make program, report, certificate and picture from a job file.",
     "check": "Check a program against a machine; exit 0 clean, 1 refused.",
     "time": "Print the seconds that a program takes.",
+    "steps": "Write every step of a program: letters, bytes, port writes, edges.",
     "simulate": "Draw the part that a program cuts.",
+    "edit": "Move, scale, turn, mirror, renumber, split ... a program.",
+    "compact": "Rewrite tiny moves of a program as arcs and longer lines.",
+    "print": "Put a program and its work surface on paper: PDF or HTML.",
+    "convert": "Write a program in another dialect.",
     "trace": "Print the canonical calls of a program.",
+    "tools": "List the tools of a FreeCAD library or a LinuxCNC table, and convert them.",
+    "feeds": "Print feed and speed of a tool in a material.",
+    "axis": "Print steps per mm, pulse rate, motor speed and resolution of an axis.",
     "send": "Send a program to a controller and wait until it is cut.",
+    "drive": "Send a program's pulses to a parallel port, or to a file that records them.",
     "virtual": "Be a controller without hardware.",
 }
 
@@ -33,6 +45,14 @@ class _Verbs(click.Group):
             return None
         module = importlib.import_module(f"CNCStepper.cli.{name}")
         return module.command
+
+    def invoke(self, context: click.Context) -> Any:
+        """Run the verb; Ctrl+C ends it with the status that shells give a program which it has stopped."""
+        try:
+            return super().invoke(context)
+        except KeyboardInterrupt:
+            click.echo("cncstepper: stopped by Ctrl+C before it was done", err=True)
+            sys.exit(STOPPED)
 
     def format_commands(self, context: click.Context, formatter: click.HelpFormatter) -> None:
         with formatter.section("Commands"):
@@ -53,6 +73,7 @@ def main() -> None:
         group(prog_name="cncstepper")
     except CNCStepperError as error:
         click.echo(f"cncstepper: {error}", err=True)
+        show_hints([error])
         sys.exit(1)
     except OSError as error:  # a folder that is not there, a disk that is full: the system's own words say it
         click.echo(f"cncstepper: {error.filename or 'a file'}: {error.strerror or error}", err=True)

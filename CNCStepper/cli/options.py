@@ -9,13 +9,35 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from CNCStepper.errors import CNCStepperError
+from CNCStepper.gcode.dialects import dialect as dialect_called
 from CNCStepper.gcode.dialects import dialect_names
 from CNCStepper.machine.profile import Machine, load_machine
 from CNCStepper.machine.tool import tool_from_text
-from CNCStepper.state import Start
 
 if TYPE_CHECKING:
     from CNCStepper.simulation.stock import Stock
+
+
+MOST = 1e6  # beyond it no length, angle or factor makes sense
+
+
+class NumberType(click.ParamType):
+    """One number with a decimal point, above a bound where there is one."""
+
+    name = "NUMBER"
+
+    def __init__(self, above: float = -MOST):
+        self._above = above
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> float:
+        try:
+            number = float(value)
+        except ValueError:
+            number = float("nan")
+        if not self._above < number < MOST:
+            least = f" above {self._above:g}" if self._above > -MOST else ""
+            self.fail(f"'{value}' is not a number{least} with a decimal point, such as 1.5", param, ctx)
+        return number
 
 
 class NumbersType(click.ParamType):
@@ -23,7 +45,7 @@ class NumbersType(click.ParamType):
 
     name = "X,Y,Z"
 
-    def __init__(self, low: float = -1e6):
+    def __init__(self, low: float = -MOST):
         self._low = low
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> tuple[float, ...]:
@@ -33,7 +55,7 @@ class NumbersType(click.ParamType):
             numbers = tuple(float(part) for part in value.split(","))
         except ValueError:
             numbers = ()
-        if len(numbers) != 3 or not all(self._low <= number < 1e6 for number in numbers):
+        if len(numbers) != 3 or not all(self._low <= number < MOST for number in numbers):
             kind = "lengths above 0" if self._low > 0 else "numbers"
             self.fail(f"'{value}' is not three {kind} in mm with decimal points, such as 100,70,20", param, ctx)
         return numbers
@@ -55,16 +77,20 @@ class _Named(click.ParamType):
             self.fail(str(error), param, ctx)
 
 
+ToolType = _Named("SHAPE:MM", tool_from_text)
+DialectType = _Named("DIALECT", lambda name: dialect_called(name).name)
 FilePath = click.Path(exists=True, dir_okay=False, path_type=Path)
 
 program_argument = click.argument("program", type=FilePath)
-dialect_option = click.option(
-    "--dialect",
-    type=click.Choice(dialect_names()),
-    help="How the program is to be read. [default: as the machine does; without one grbl, for trace linuxcnc]",
-)
 
 
+def _dialect_option(default: str) -> Any:
+    text = f"How the program is to be read: {', '.join(dialect_names())}. [default: {default}]"
+    return click.option("--dialect", type=DialectType, help=text)
+
+
+dialect_option = _dialect_option("as the machine does; without one grbl")
+linuxcnc_option = _dialect_option("linuxcnc")
 job_option = click.option(
     "--job", "job_path", type=FilePath, help="Take stock, tools, clamps and the shapes wanted from this job file."
 )
@@ -80,16 +106,6 @@ def check_stock(stock: Any, tool: Any, job_path: Path | None, required: bool = F
         raise click.UsageError("give --stock and --tool, or --job")
 
 
-work_zero_option = click.option(
-    "--work-zero", type=NumbersType(), help="Where the work zero lies, in machine coordinates."
-)
-
-
-def start_of(work_zero_mm: tuple[float, float, float] | None) -> Start | None:
-    """Return the start state that --work-zero names, or None."""
-    return Start.with_work_zero(work_zero_mm) if work_zero_mm else None
-
-
 def machine_option(required: bool) -> Any:
     """Return the option that names a machine profile."""
     text = "A profile's name (table-a) or its TOML file."
@@ -103,7 +119,7 @@ def stock_options(required: bool) -> Any:
         for option in (
             click.option(
                 "--tool",
-                type=_Named("SHAPE:MM", tool_from_text),
+                type=ToolType,
                 required=required,
                 help="The cutter, for example flat:6 or ball:2.",
             ),
@@ -136,8 +152,6 @@ def dialect_name(dialect: str | None, machine: Machine | None) -> str:
 
 def read_program(path: Path) -> str:
     """Return the text of a program file: UTF-8 (a byte-order mark is dropped), else Latin-1."""
-    content = path.read_bytes()
-    try:
-        return content.decode("utf-8-sig")
-    except UnicodeDecodeError:
-        return content.decode("latin-1")
+    from CNCStepper.gcode.file_form import decoded
+
+    return decoded(path.read_bytes())[0]

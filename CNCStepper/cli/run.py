@@ -5,37 +5,81 @@ from __future__ import annotations
 
 import sys
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import click
 
 from CNCStepper.cli.options import FilePath
 from CNCStepper.cli.show import show_figures, show_findings, write_json
 
+if TYPE_CHECKING:
+    from CNCStepper.job.model import Job
+    from CNCStepper.job.prove import Proof
+    from CNCStepper.machine.profile import Machine
+
 
 @click.command("run")
 @click.argument("job", type=FilePath)
-@click.option("--out", type=click.Path(file_okay=False, path_type=Path), required=True, help="Folder for the results.")
+@click.option(
+    "-o", "--out", type=click.Path(file_okay=False, path_type=Path), required=True, help="Folder for the results."
+)
 def command(job: Path, out: Path) -> None:
     """Make DIR/program.nc, DIR/report.json, DIR/certificate.json and DIR/part.png from the job file JOB.
 
-    The program is read back, timed, simulated and checked; exit 1 when a check refuses it.
+    Where the machine wants a file a tool (tool_change = "split"), there is one of each for each tool: program-1-T1.nc,
+    report-1-T1.json and so on; run them in their order. Each program is read back, timed, simulated and checked, the
+    later ones against the stock that the earlier ones have cut; exit 1 when a check refuses one.
     """
-    from CNCStepper.job.certify import certificate_of
-    from CNCStepper.job.make import make_program
+    from CNCStepper.job.make import is_split
     from CNCStepper.job.model import load_job
-    from CNCStepper.job.prove import prove_job
 
     loaded, machine = load_job(job)
-    made = make_program(loaded, machine, title=job.stem)
     out.mkdir(parents=True, exist_ok=True)
-    program = out / "program.nc"
-    program.write_text(made.program, encoding="ascii", newline="\n")
-    proof = prove_job(loaded, machine, made.program, str(program))
-    write_json(out / "report.json", proof.report)
-    (out / "certificate.json").write_text(certificate_of(proof).to_json(), encoding="utf-8")
-    proof.draw(out / "part.png", job.stem, loaded.cutters)
+    make = _split if is_split(loaded, machine) else _whole
+    sys.exit(1 if make(loaded, machine, job.stem, out) else 0)
+
+
+def _whole(job: Job, machine: Machine, title: str, out: Path) -> bool:
+    """Make and prove one program; return whether it is refused."""
+    from CNCStepper.job.make import make_program
+    from CNCStepper.job.prove import prove_job
+
+    made, file = make_program(job, machine, title), out / "program.nc"
+    _write_program(file, made.program)
+    proof = prove_job(job, machine, made.program, str(file), answers=made.answers)
+    _conclude(proof, file, "", title, job)
+    return proof.refused
+
+
+def _split(job: Job, machine: Machine, title: str, out: Path) -> bool:
+    """Make and prove a program for each tool; return whether one is refused."""
+    from CNCStepper.job.make import make_parts
+    from CNCStepper.job.prove import prove_parts
+
+    parts, refused = make_parts(job, machine, title), False
+    for part in parts:
+        _write_program(out / part.file_name, part.program)
+    for part, proof in zip(parts, prove_parts(job, machine, parts, out), strict=True):
+        suffix = part.file_name.removeprefix("program").removesuffix(".nc")
+        _conclude(proof, out / part.file_name, suffix, f"{title}, {part.number} of {len(parts)}", job)
+        refused |= proof.refused
+    return refused
+
+
+def _write_program(file: Path, text: str) -> None:
+    file.write_text(text, encoding="ascii", newline="\n")
+
+
+def _conclude(proof: Proof, file: Path, suffix: str, title: str, job: Job) -> None:
+    """Write report, certificate and picture beside a program, and say what was found."""
+    from CNCStepper.job.certify import certificate_of
+
+    report, certificate = (file.with_name(f"{kind}{suffix}.json") for kind in ("report", "certificate"))
+    picture = file.with_name(f"part{suffix}.png")
+    write_json(report, proof.report)
+    certificate.write_text(certificate_of(proof).to_json(), encoding="utf-8")
+    proof.draw(picture, title, ", ".join(job.tools[number].words for number in proof.report["tools"] if number))
     show_findings(proof.findings)
     show_figures(proof.report)
     blocks, minutes = proof.report["blocks"], proof.report["time_s"] / 60
-    click.echo(f"{program}: {blocks} blocks, {minutes:.1f} min; {out / 'report.json'}; {out / 'part.png'}")
-    sys.exit(1 if proof.refused else 0)
+    click.echo(f"{file}: {blocks} blocks that move, {minutes:.1f} min; {report}; {picture}")

@@ -21,12 +21,11 @@ from CNCStepper.cli.options import (
     machine_option,
     program_argument,
     read_program,
-    start_of,
     stock_of,
     stock_options,
-    work_zero_option,
 )
 from CNCStepper.cli.show import show_findings
+from CNCStepper.cli.start import Given, start_options
 from CNCStepper.errors import JobError
 from CNCStepper.machine.profile import Machine
 from CNCStepper.machine.tool import Tool
@@ -50,7 +49,7 @@ if TYPE_CHECKING:
 @machine_option(required=False)
 @stock_options(required=False)
 @job_option
-@work_zero_option
+@start_options
 @dialect_option
 @click.option("--baud", type=click.IntRange(min=300), default=115200, show_default=True)
 @click.option("--zero-confirmed", is_flag=True, help="The work zero is set on the stock; without it you are asked.")
@@ -69,7 +68,6 @@ def command(
     origin: str,
     tool: Tool | None,
     job_path: Path | None,
-    work_zero: tuple[float, float, float] | None,
     dialect: str | None,
     baud: int,
     zero_confirmed: bool,
@@ -77,6 +75,7 @@ def command(
     allow_differences: bool,
     unchecked: bool,
     despite_certificate: bool,
+    given: Given,
 ) -> None:
     """Send PROGRAM to the controller at --port and wait until the machine is idle again.
 
@@ -95,12 +94,9 @@ def command(
         raise click.UsageError("--despite-certificate goes with --certificate")
     if not (certificate or machine or job_path or unchecked):
         raise click.UsageError("give --certificate, or --machine or --job to have it checked, or --unchecked")
-    wanted = _Wanted(read_program(program), str(program), machine, stock_of(stock, origin), tool, start_of(work_zero))
+    wanted = _Wanted(read_program(program), str(program), machine, stock_of(stock, origin), tool, given.start())
     if job_path:
-        job_file, job_machine = load_job(job_path)
-        wanted = replace(
-            wanted, machine=machine or job_machine, stock=job_file.stock.stock(), tools=job_file.tools, job=job_file
-        )
+        wanted = wanted.of_job(*load_job(job_path), is_certified=certificate is not None)
     if certificate:
         job = _certified(certificate, wanted, dialect, despite_certificate)
     else:
@@ -121,10 +117,22 @@ class _Wanted:
     start: Start | None
     job: Job | None = None
 
+    def of_job(self, job: Job, machine: Machine, is_certified: bool) -> _Wanted:
+        """Return it with stock and tools of a job, and its machine where the command line names none.
+
+        A certificate tells the start where the command line does not; else the job does.
+        """
+        machine = self.machine or machine
+        start = self.start if is_certified and not self.start else job.started(self.start, machine)
+        return replace(
+            self, machine=machine, stock=job.stock.stock(), tools=job.on(machine).tools, start=start, job=job
+        )
+
 
 def _certified(path: Path, wanted: _Wanted, dialect: str | None, despite: bool) -> SendJob:
     """Return the certificate's own job; refuses whatever differs from it, or tells it when `despite`."""
     from CNCStepper.control.certificate import Certificate
+    from CNCStepper.job.certify import proven_start
 
     try:
         certificate = Certificate.read(path)
@@ -133,7 +141,8 @@ def _certified(path: Path, wanted: _Wanted, dialect: str | None, despite: bool) 
             raise
         click.echo(f"cncstepper: {error}", err=True)
         return _uncertified(wanted, dialect_name(dialect, wanted.machine))
-    refusals = list(_refusals(certificate, wanted, dialect or certificate.dialect))
+    proven = replace(wanted, start=wanted.start or proven_start(certificate))
+    refusals = list(_refusals(certificate, proven, dialect or certificate.dialect))
     if refusals and not despite:
         raise refusals[0]
     for refusal in refusals:
@@ -146,12 +155,11 @@ def _certified(path: Path, wanted: _Wanted, dialect: str | None, despite: bool) 
 def _refusals(certificate: Certificate, wanted: _Wanted, dialect: str) -> Iterator[JobError]:
     """Yield each thing in which what is wanted is not what was proven, and the proof's own errors."""
     from CNCStepper.control.certificate import digest_of_text
-    from CNCStepper.gcode.prepare import prepare
-    from CNCStepper.job.certify import keep_out_digest, machine_digest, stock_digest, tools_digest
+    from CNCStepper.job.certify import keep_out_digest, machine_digest, proven_wire, stock_digest, tools_digest
 
     digests = {
         "program": digest_of_text(wanted.text),
-        "wire": prepare(wanted.text, dialect, wanted.file).sha256,
+        "wire": proven_wire(certificate, wanted.text, dialect, wanted.file, wanted.start).sha256,
         "machine": wanted.machine and machine_digest(wanted.machine),
         "start": wanted.start and wanted.start.sha256(),
         "stock": wanted.stock and stock_digest(wanted.stock),
@@ -170,27 +178,30 @@ def _refusals(certificate: Certificate, wanted: _Wanted, dialect: str) -> Iterat
 
 def _checked(wanted: _Wanted, dialect: str, unchecked: bool) -> SendJob:
     """Read the program back and check it; exits with 1 where a check refuses it."""
-    from CNCStepper.gcode.prepare import prepare
-    from CNCStepper.gcode.read_back import read_back
     from CNCStepper.job.certify import send_job
+    from CNCStepper.job.wire_and_ways import wire_and_ways
     from CNCStepper.simulation.finding import refused
+    from CNCStepper.toolpath import require_straight_axes
 
-    wire = prepare(wanted.text, dialect, wanted.file)
-    toolpath = read_back(wire, wanted.text, wanted.start, dialect, wanted.file)
+    wire, motors, toolpath = wire_and_ways(wanted.text, wanted.machine, dialect, wanted.file, wanted.start)
+    require_straight_axes(motors, wanted.file)
     if wanted.machine and not unchecked:
-        findings = _findings(wanted, wanted.machine, toolpath)
+        findings = _findings(wanted, wanted.machine, toolpath, motors)
         show_findings(finding for finding in findings if finding.severity == "error")
         if refused(findings):
             sys.exit(1)
     return send_job(wire, wanted.machine, wanted.file, toolpath.start)
 
 
-def _findings(wanted: _Wanted, machine: Machine, toolpath: Toolpath) -> list[Finding]:
+def _findings(wanted: _Wanted, machine: Machine, toolpath: Toolpath, motors: Toolpath) -> list[Finding]:
     """Return what every check finds, with a job also against its shapes, its clamps and its sheet's edge."""
-    from CNCStepper.job.make import make_program
+    from CNCStepper.job.make import is_split, make_program
     from CNCStepper.simulation.check import check
 
-    given: dict[str, Any] = {"file": wanted.file, "stock": wanted.stock, "tools": wanted.tools}
+    given: dict[str, Any] = {"file": wanted.file, "stock": wanted.stock, "tools": wanted.tools, "motors": motors}
+    if wanted.job and is_split(wanted.job, machine):
+        what = "the programs of a job that is split, one a tool, are proven one after the other"
+        raise JobError("send-part", what, advice="send each with the certificate that `run` wrote beside it")
     if wanted.job:
         removals = make_program(wanted.job, machine).removals
         given |= {"removals": removals, "keep_out": wanted.job.clamps, "edge_mm": wanted.job.stock.edge_mm}
@@ -200,9 +211,10 @@ def _findings(wanted: _Wanted, machine: Machine, toolpath: Toolpath) -> list[Fin
 def _uncertified(wanted: _Wanted, dialect: str) -> SendJob:
     """Return the job of a program that no certificate covers, which somebody wants sent all the same."""
     from CNCStepper.gcode.prepare import prepare
+    from CNCStepper.gcode.take_up import play_of
     from CNCStepper.job.certify import send_job
 
-    wire = prepare(wanted.text, dialect, wanted.file)
+    wire = prepare(wanted.text, dialect, wanted.file, wanted.start, play_of(wanted.machine, dialect))
     return send_job(wire, wanted.machine, wanted.file, wanted.start)
 
 

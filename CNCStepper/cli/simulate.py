@@ -20,12 +20,11 @@ from CNCStepper.cli.options import (
     machine_option,
     program_argument,
     read_program,
-    start_of,
     stock_of,
     stock_options,
-    work_zero_option,
 )
 from CNCStepper.cli.show import show_findings, write_json
+from CNCStepper.cli.start import Given, start_options
 from CNCStepper.machine.profile import Machine, load_machine
 from CNCStepper.machine.tool import Tool
 
@@ -44,6 +43,7 @@ ANIMATION_S = 6.0
 @stock_options(required=False)
 @job_option
 @click.option(
+    "-o",
     "--out",
     type=click.Path(dir_okay=False, path_type=Path),
     required=True,
@@ -55,7 +55,7 @@ ANIMATION_S = 6.0
 @click.option("--stl", type=click.Path(dir_okay=False, path_type=Path), help="Also write the part there, as STL in mm.")
 @click.option("--json", "json_path", type=click.Path(path_type=Path), help="Also write the report there.")
 @machine_option(required=False)
-@work_zero_option
+@start_options
 @dialect_option
 def command(
     program: Path,
@@ -70,8 +70,8 @@ def command(
     stl: Path | None,
     json_path: Path | None,
     machine: Machine | None,
-    work_zero: tuple[float, float, float] | None,
     dialect: str | None,
+    given: Given,
 ) -> None:
     """Draw what PROGRAM leaves of the stock, at its end or at a moment; times are the job's machine's
     or table-a's unless told.
@@ -88,7 +88,7 @@ def command(
     job, job_machine = load_job(job_path) if job_path else (None, load_machine("table-a"))
     machine = machine or job_machine
     text = read_program(program)
-    words: dict[str, Any] = {"file": str(program), "start": start_of(work_zero)}
+    words: dict[str, Any] = {"file": str(program), "start": given.start()}
     words["dialect"] = dialect_name(dialect, machine)
     out.parent.mkdir(parents=True, exist_ok=True)
     if out.suffix.lower() == ".png" and view in (None, "depth") and at_s is line is None:

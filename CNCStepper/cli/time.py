@@ -7,7 +7,15 @@ from pathlib import Path
 
 import click
 
-from CNCStepper.cli.options import dialect_name, dialect_option, machine_option, program_argument, read_program
+from CNCStepper.cli.options import (
+    dialect_name,
+    dialect_option,
+    machine_option,
+    program_argument,
+)
+from CNCStepper.cli.progress import Progress
+from CNCStepper.cli.reading import straight_chunks
+from CNCStepper.cli.start import Given, start_options
 from CNCStepper.machine.profile import Machine
 
 
@@ -15,14 +23,18 @@ from CNCStepper.machine.profile import Machine
 @program_argument
 @machine_option(required=True)
 @dialect_option
-def command(program: Path, machine: Machine, dialect: str | None) -> None:
+@start_options
+def command(program: Path, machine: Machine, dialect: str | None, given: Given) -> None:
     """Print the seconds that PROGRAM takes on the machine, from its planner; one number on the last line.
 
-    The machine stands at its zero when the program begins. Pauses (M0) count as no time.
+    Unless told, the machine stands at its zero when the program begins. Pauses (M0) count as no time.
     """
-    from CNCStepper.gcode.interpret import interpret
-    from CNCStepper.motion.plan import duration_s
+    from CNCStepper.gcode.take_up import play_of
+    from CNCStepper.motion.backlash import way_duration_s
     from CNCStepper.state import Start
 
-    toolpath = interpret(read_program(program), Start.at_zero(), dialect_name(dialect, machine), str(program))
-    click.echo(f"{duration_s(toolpath, machine):.3f}")
+    language = dialect_name(dialect, machine)
+    with Progress(f"timing {program.name}") as progress:
+        path, chunks = straight_chunks(program, given.on(Start.at_zero()), language, progress)
+        taken_s = way_duration_s(path, chunks, machine, play_of(machine, language))
+    click.echo(f"{taken_s:.3f}")

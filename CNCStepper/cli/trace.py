@@ -7,15 +7,26 @@ from pathlib import Path
 
 import click
 
-from CNCStepper.cli.options import dialect_option, program_argument, read_program
+from CNCStepper.cli.options import FilePath, linuxcnc_option, program_argument, read_program
+from CNCStepper.cli.start import Given, search_option
 
 
 @click.command("trace")
 @program_argument
-@dialect_option
-def command(program: Path, dialect: str | None) -> None:
-    """Print the canonical calls of PROGRAM as `rs274 -g` prints them, read as LinuxCNC does unless told."""
-    from CNCStepper.gcode.trace import canonical_calls
+@linuxcnc_option
+@click.option("--tool-table", type=FilePath, help="LinuxCNC's tool table, in inches. [default: that of its samples]")
+@click.option("--parameters", type=FilePath, help="LinuxCNC's parameter file (.var), in inches. [default: all 0]")
+@search_option
+def command(
+    program: Path, dialect: str | None, tool_table: Path | None, parameters: Path | None, search: tuple[str, ...]
+) -> None:
+    """Print the canonical calls of PROGRAM as `rs274 -g` prints them, read as LinuxCNC does unless told.
 
-    for call in canonical_calls(read_program(program), dialect or "linuxcnc", str(program)):
+    --tool-table and --parameters are the files that `rs274 -t` and `rs274 -v` take: as there, the machine's own unit
+    is the inch, whatever the program's is.
+    """
+    from CNCStepper.gcode.trace import bare_start, canonical_calls
+
+    start = Given(parameters=parameters, tool_table=tool_table, search=search).on(bare_start())
+    for call in canonical_calls(read_program(program), dialect or "linuxcnc", str(program), start=start):
         click.echo(call)

@@ -70,6 +70,7 @@ def program(tmp_path: Path) -> Path:
     return path
 
 
+@pytest.mark.slow
 def test_a_program_is_cut_to_its_end(program: Path, table: tuple[str, Path]) -> None:
     port, trace = table
     sent = send(program, port, "--zero-confirmed", "--resume-pauses")
@@ -84,6 +85,7 @@ def test_a_program_is_cut_to_its_end(program: Path, table: tuple[str, Path]) -> 
     assert abs(np.hypot(cutting[:, 1], cutting[:, 2]) - 10).max() < 2 / 80
 
 
+@pytest.mark.slow
 def test_a_stop_at_the_pause_is_exit_1(program: Path, table: tuple[str, Path]) -> None:
     sent = called("send", program, "--port", table[0], *CONFIRMED, answer="s\n")
     assert sent.returncode == 1
@@ -102,6 +104,7 @@ def test_a_port_that_is_not_there(program: Path) -> None:
     assert "/dev/no-such-port" in sent.stderr and "Traceback" not in sent.stderr
 
 
+@pytest.mark.slow
 def test_a_machine_in_alarm_is_refused(program: Path, tmp_path: Path) -> None:
     process = subprocess.Popen(
         command("virtual", "grbl", "--tcp", "127.0.0.1:0", "--homing"), stdout=subprocess.PIPE, encoding="utf-8"

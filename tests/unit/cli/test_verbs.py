@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import io
 import json
 import subprocess
 import sys
@@ -12,8 +13,9 @@ import numpy as np
 import pytest
 from click.testing import CliRunner, Result
 
-from CNCStepper.cli.main import VERBS, group
+from CNCStepper.cli.main import VERBS, group, main
 from CNCStepper.control.certificate import Certificate
+from CNCStepper.errors import ProgramError
 from CNCStepper.simulation.mesh import STL_FACET
 
 ROOT = Path(__file__).parents[3]
@@ -136,6 +138,16 @@ def test_run_tells_the_recalculated_stepover_and_what_no_tool_reaches(tmp_path: 
     assert figures["ae_mm"] <= 2.4 and figures["ap_mm"] == pytest.approx(1.96) and figures["levels"] == 6
 
 
+@pytest.mark.slow
+def test_the_report_has_every_corner_that_no_tool_reaches(tmp_path: Path) -> None:
+    result = run("run", JOBS / "cycles" / "rectangular-pocket.toml", "--out", tmp_path / "out")
+    assert result.exit_code == 0, result.output
+    operation = json.loads((tmp_path / "out" / "report.json").read_text("utf-8"))["operations"][-1]
+    corners = operation["rest_corners"]
+    assert len(corners) == operation["figures"]["rest_corners"] == 4
+    assert all(set(corner) == {"thick_mm", "place_mm", "area_mm2"} and corner["thick_mm"] > 0 for corner in corners)
+
+
 @pytest.mark.parametrize(
     "arguments",
     [
@@ -188,9 +200,8 @@ def test_simulate_has_a_first_picture_on_disk_before_it_judges(
     assert sizes[0] > 1000 and out.read_bytes().startswith(b"\x89PNG")
 
 
-@pytest.mark.parametrize(
-    "view", ["isometric", *(pytest.param(name, marks=pytest.mark.slow) for name in ("xy", "zy", "depth"))]
-)
+@pytest.mark.slow
+@pytest.mark.parametrize("view", ["isometric", "xy", "zy", "depth"])
 def test_simulate_draws_each_view(view: str, square: Path, tmp_path: Path) -> None:
     for ending, begin in ((".png", b"\x89PNG"), (".svg", b"<?xml")):
         out = tmp_path / f"part{ending}"
@@ -203,6 +214,7 @@ def removed_cm3(result: Result) -> float:
     return float(result.output.splitlines()[-1].rpartition(": ")[2].split()[0])
 
 
+@pytest.mark.slow
 def test_simulate_shows_the_part_at_a_moment_as_the_picture_and_the_mesh(square: Path, tmp_path: Path) -> None:
     volumes = []
     for more in ((), ("--at", "0"), ("--line", "7"), ("--line", "8")):
@@ -220,6 +232,7 @@ def test_simulate_shows_the_part_at_a_moment_as_the_picture_and_the_mesh(square:
     assert whole < one_side
 
 
+@pytest.mark.slow
 def test_simulate_is_exit_1_when_a_check_refuses_the_program_and_draws_it(square: Path, tmp_path: Path) -> None:
     square.write_text(SQUARE.replace("G0 Z5\nM5", "G0 X40\nG0 Z5\nM5"), encoding="utf-8")
     out = tmp_path / "part.png"
@@ -264,6 +277,69 @@ def test_a_job_file_brings_its_clamps_and_edge_into_the_check(tmp_path: Path) ->
     for job, code in ((careful, "sheet-edge"), (clamped, "clamp")):
         result = run("check", tmp_path / "program.nc", "--machine", "table-a", "--job", job)
         assert result.exit_code == 1 and f"[{code}]" in result.output, result.output
+
+
+def test_time_and_steps_refuse_further_axes_with_their_line(tmp_path: Path) -> None:
+    program = tmp_path / "turned.ngc"
+    program.write_text("G21 G90\nG0 X1\nG1 A90 F100\nM2\n", encoding="ascii")
+    for verb in (("time", program), ("steps", program, "--as", "csv")):
+        error = run(*verb, "--machine", "table-a", "--dialect", "linuxcnc").exception
+        assert isinstance(error, ProgramError) and str(error).startswith(f"{program}:3: moves of A B C U V W")
+
+
+def test_a_tool_table_tells_lengths_and_diameters_to_every_verb(tmp_path: Path) -> None:
+    program, table, out = tmp_path / "part.ngc", tmp_path / "peças.tbl", tmp_path / "new.ngc"
+    lines = "G21 G90 T1 M6\nG43\nS1000 M3 F200\nG0 X0 Y0 Z5\nG41 G1 X20 Y1\nG1 Y20\nG40 G0 Z9\nM5\nM2\n"
+    program.write_text(lines, encoding="ascii")
+    table.write_text("T1 P1 D6 Z41.5 ; flat\n", encoding="ascii")
+    verbs = (
+        ("time", program, "--machine", "table-a"),
+        ("check", program, "--machine", "table-a"),
+        ("edit", "feeds", program, "--factor", "2"),
+        ("print", program, "--out", tmp_path / "sheet.html"),
+        ("convert", program, "--to", "linuxcnc", "-o", out),
+    )
+    for verb in verbs:
+        bare = run(*verb, "--dialect", "linuxcnc")
+        assert bare.exit_code == 1 and "tool 1 does not stand in the tool table" in f"{bare.exception}{bare.output}"
+        told = run(*verb, "--dialect", "linuxcnc", "--tool-table", table)
+        assert told.exit_code == 0, told.output
+
+
+@pytest.mark.parametrize(
+    ("text", "more", "hint"),
+    [
+        ("#1=2\nG0 X#1\nG0 Y#1\nM2\n", (), "hint: --dialect says"),
+        ("o1 sub\no1 endsub\nM2\n", (), "hint: --dialect says"),
+        ("T3 M6\nG43\nM2\n", ("--dialect", "linuxcnc"), "hint: --tool-table FILE"),
+        ("G17 G41 D3\nG1 X1 F1\nM2\n", ("--dialect", "linuxcnc"), "hint: --tool-table FILE"),
+        ("G28\nM2\n", (), "hint: --position X,Y,Z says where the machine stands at first, --parameters FILE"),
+        ("o<far> call\nM2\n", ("--dialect", "linuxcnc"), "hint: --search FOLDER"),
+        ("G0 Q\nM2\n", (), None),
+    ],
+)
+def test_a_refusal_names_the_option_that_helps(tmp_path: Path, monkeypatch, text, more, hint) -> None:
+    path = tmp_path / "ç 1.ngc"
+    path.write_text(text, encoding="ascii")
+    checked = run("check", path, "--machine", "table-a", *more)
+    monkeypatch.setattr(sys, "argv", ["cncstepper", "time", str(path), "--machine", "table-a", *more])
+    monkeypatch.setattr(sys, "stdout", io.TextIOWrapper(io.BytesIO()))
+    monkeypatch.setattr(sys, "stderr", told := io.TextIOWrapper(io.BytesIO(), "utf-8"))
+    with pytest.raises(SystemExit, match="1"):
+        main()
+    told.flush()
+    for lines in (checked.stderr.splitlines(), told.buffer.getvalue().decode("utf-8").splitlines()):
+        assert checked.exit_code == 1 and sum(line.startswith("hint: ") for line in lines) == (hint is not None)
+        assert hint is None or lines[-1].startswith(hint)
+
+
+def test_each_verb_says_how_it_reads_by_default() -> None:
+    def told(*verb: str) -> str:
+        return " ".join(run(*verb, "--help").output.split())
+
+    assert "[default: linuxcnc]" in told("trace") and "[default: linuxcnc]" in told("convert")
+    for verb in (("check",), ("time",), ("print",), ("edit", "offset"), ("compact",), ("simulate",)):
+        assert "[default: as the machine does; without one grbl]" in told(*verb)
 
 
 def test_trace_prints_canonical_calls(square: Path) -> None:

@@ -1,0 +1,33 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""`cncstepper compact`: the same path in fewer blocks."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import click
+
+from CNCStepper.cli.editing import Opened, editing_options
+from CNCStepper.cli.options import NumberType
+
+if TYPE_CHECKING:
+    from CNCStepper.gcode.edit.edited import Edited
+
+
+@click.command("compact")
+@click.option(
+    "--tolerance", type=NumberType(above=0), required=True, help="How far the new path may be from the old one, mm."
+)
+@editing_options
+def command(opened: Opened, tolerance: float) -> Edited:
+    """Rewrite runs of tiny straight moves in PROGRAM as arcs, helices and longer lines.
+
+    The new path is never farther than --tolerance from the old one, nor the old one from the new. Feeds, stops,
+    outputs, comments and corners stay; rapids, arcs and all other lines are not touched.
+    """
+    from CNCStepper.gcode.edit.compact import compact
+
+    edited = compact(opened.text, tolerance, **opened.reading)
+    before, after = (len(text.splitlines()) for text in (edited.before, edited.text))
+    click.echo(f"{opened.path}: {before} lines become {after}", err=True)
+    return edited

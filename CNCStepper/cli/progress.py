@@ -1,0 +1,60 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A line on the terminal that says what is being done, once it takes longer than a person likes to wait unknowing."""
+
+from __future__ import annotations
+
+import sys
+import threading
+import time
+from types import TracebackType
+from typing import TextIO
+
+PATIENCE_S = 1.0
+AGAIN_S = 0.2
+
+
+class Progress:
+    """Says on standard error what a verb does and how far it is; says nothing where that is no terminal."""
+
+    def __init__(self, doing: str, stream: TextIO | None = None, patience_s: float = PATIENCE_S):
+        self._doing, self._share = doing, 0.0
+        self._stream, self._patience_s = stream or sys.stderr, patience_s
+        self._over = threading.Event()
+        self._begun_s, self._width = time.monotonic(), 0
+        self._thread: threading.Thread | None = None
+
+    def __enter__(self) -> Progress:
+        if self._stream.isatty():
+            self._thread = threading.Thread(target=self._show, daemon=True)
+            self._thread.start()
+        return self
+
+    def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, at: TracebackType | None) -> None:
+        self._over.set()
+        if self._thread:
+            self._thread.join()
+        if self._width:
+            self._write("")
+            self._stream.write("\r")
+            self._stream.flush()
+
+    def doing(self, what: str) -> None:
+        """Say what begins now."""
+        self._doing, self._share = what, 0.0
+
+    def share(self, share: float) -> None:
+        """Say how far it is, from 0 to 1."""
+        self._share = share
+
+    def _show(self) -> None:
+        wait_s = self._patience_s
+        while not self._over.wait(wait_s):
+            share = f" {self._share:.0%}" if self._share else ""
+            self._write(f"{self._doing}:{share} {time.monotonic() - self._begun_s:.0f} s (Ctrl+C stops it)")
+            wait_s = AGAIN_S
+
+    def _write(self, text: str) -> None:
+        """Write the line over the one before."""
+        self._stream.write("\r" + text.ljust(self._width))
+        self._stream.flush()
+        self._width = max(self._width, len(text))

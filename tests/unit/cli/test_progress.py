@@ -1,0 +1,111 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a verb that takes long says on the terminal, and how it is stopped."""
+
+from __future__ import annotations
+
+import io
+import os
+import threading
+from pathlib import Path
+
+import pytest
+from click.testing import CliRunner
+
+from CNCStepper.cli import check
+from CNCStepper.cli import convert as convert_verb
+from CNCStepper.cli.main import group
+from CNCStepper.cli.progress import Progress
+from CNCStepper.gcode import convert, read_runs
+from CNCStepper.job.prove import STAGES
+
+
+class Terminal(io.StringIO):
+    """Keeps what is written; `said` is set once a text is among it."""
+
+    def __init__(self, awaited: str):
+        super().__init__()
+        self.awaited, self.said = awaited, threading.Event()
+
+    def isatty(self) -> bool:
+        return True
+
+    def write(self, text: str) -> int:
+        count = super().write(text)
+        if self.awaited in self.getvalue():
+            self.said.set()
+        return count
+
+
+def test_a_terminal_hears_what_is_done_and_how_far_it_is_and_is_left_clean() -> None:
+    terminal = Terminal("timing: 50%")
+    with Progress("reading", terminal, patience_s=0.01) as progress:
+        progress.share(1.0)
+        progress.doing("timing")
+        progress.share(0.5)
+        assert terminal.said.wait(30)
+    last = terminal.getvalue().split("\r")[-2:]
+    assert last[1] == "" and not last[0].strip() and len(last[0]) >= len("timing: 50%")
+
+
+def test_who_is_quick_or_writes_to_a_file_says_nothing() -> None:
+    terminal, file = Terminal("reading"), io.StringIO()
+    with Progress("reading", terminal, patience_s=60):
+        pass
+    with Progress("reading", file, patience_s=0) as progress:
+        assert progress._thread is None
+    assert terminal.getvalue() == file.getvalue() == ""
+
+
+def test_every_stage_has_its_words() -> None:
+    assert tuple(check.STAGES) == STAGES
+    assert tuple(convert_verb.STAGES) == convert.STAGES
+
+
+def zigzag(tmp_path: Path) -> Path:
+    path = tmp_path / "many.nc"
+    lines = (f"X{n % 7} Y{n * 0.001:.3f}\n" for n in range(6_000))
+    path.write_text("G21 G90 G17\nG0 Z5\nG0 X0 Y0\nM3 S1000\nG1 Z-1 F1000\n" + "".join(lines) + "M5\nM2\n", "ascii")
+    return path
+
+
+@pytest.mark.parametrize("verb", ["check", "convert"])
+def test_a_check_and_a_conversion_say_how_far_they_are(verb: str, tmp_path: Path, monkeypatch) -> None:
+    told: dict[str, list[float]] = {}
+    monkeypatch.setattr(read_runs, "PIECE", 5_000)
+    monkeypatch.setattr(Progress, "doing", lambda self, what: told.setdefault(what.partition(" many")[0], []))
+    monkeypatch.setattr(Progress, "share", lambda self, share: told[list(told)[-1]].append(share))
+    path = zigzag(tmp_path)
+    more = {"check": ("--machine", "table-a"), "convert": ("--to", "linuxcnc", "-o", str(tmp_path / "out.nc"))}
+    result = CliRunner().invoke(group, [verb, str(path), *more[verb]])
+    assert result.exit_code == 0, result.output
+    counted = [shares for shares in told.values() if shares]
+    assert len(counted) == {"check": 2, "convert": 3}[verb]
+    for shares in counted:
+        assert len(shares) > 5 and max(shares) > 0.9 and min(shares) < 0.3 and all(0 <= share <= 1 for share in shares)
+
+
+@pytest.mark.parametrize("verb", ["time", "check"])
+def test_ctrl_c_ends_a_verb_with_a_sentence(verb: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    program = tmp_path / "peça 1.nc"
+    program.write_text("G21\nG0 X1\nM2\n", encoding="utf-8")
+
+    def press(*arguments: object, **named: object) -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr("CNCStepper.gcode.read_file.FileReading.chunks", press)
+    monkeypatch.setattr("CNCStepper.gcode.read_back.refused_lines", press)
+    outcome = CliRunner().invoke(group, [verb, str(program), "--machine", "table-a"])
+    assert outcome.exit_code == 130 and "stopped by Ctrl+C" in outcome.stderr
+    assert len(outcome.stderr.strip().splitlines()) == 1 and not outcome.stdout
+
+
+if hasattr(os, "mkfifo"):  # Windows has no pipes with a path like a file's
+
+    def test_a_program_from_a_pipe_takes_the_time_of_the_program(tmp_path: Path) -> None:
+        pipe, text = tmp_path / "pipe", "G21 G90\nG1 X10 F600\nM2\n"
+        os.mkfifo(pipe)
+        writer = threading.Thread(target=pipe.write_text, args=(text, "ascii"), daemon=True)
+        writer.start()
+        outcome = CliRunner().invoke(group, ["time", str(pipe), "--machine", "table-a"])
+        writer.join(30)
+        assert outcome.exit_code == 0 and 1 < float(outcome.stdout) < 2
