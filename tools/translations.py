@@ -30,10 +30,11 @@ DEBIAN_QT = "/usr/lib/qt5/bin"
 FOLDER = ROOT / "resources" / "translations"
 LANGUAGES = {"": "en", "_pt-BR": "pt_BR"}
 OURS, PROPERTY, CORE = "CNCStepper", "App::Property", "CNCStepper core"
-CORE_ROOMS = ("geometry", "cycles", "machine", "job", "simulation", "control", "workbench")
+CORE_ROOMS = ("gcode", "geometry", "drawing", "cycles", "machine", "job", "simulation", "control", "workbench")
 NO_SENTENCES = {"picture.py", "picture_style.py", "sentences.py"}  # labels in pictures; what puts these together
 MARKED = {"tr", "later", "QT_TRANSLATE_NOOP"}
-NO_SENTENCE = re.compile(r"[\n|\\^]|\{ |px|: \{0\};|^User parameter|^\*\.|^\s|\s$")  # code, styles, names, pieces
+# code, styles, names, pieces, and the calls of `gcode/trace.py`
+NO_SENTENCE = re.compile(r"[\n|\\]|\{ |px|: \{0\};|^User parameter|^\*\.|^\s|^, |\s$|^[A-Z][A-Z0-9_]+\(")
 SHOWN_BY = {
     "setText", "setToolTip", "setWindowTitle", "setTitle", "setPlaceholderText", "setStatusTip", "setWhatsThis",
     "setSuffix", "setPrefix", "setInformativeText", "setDetailedText", "setLabelText", "setSpecialValueText",

@@ -26,11 +26,11 @@ from typing import TYPE_CHECKING, Any
 from CNCStepper.errors import CNCStepperError, JobError, Place
 from CNCStepper.workbench import packages, program_file
 from CNCStepper.workbench.features.base import Feature, edit, require_parts
-from CNCStepper.workbench.features.elliptical_pocket import EllipticalPocket
-from CNCStepper.workbench.features.engrave import Engrave
+from CNCStepper.workbench.features.catalogue import operation_class
 from CNCStepper.workbench.features.freehand import Freehand
 from CNCStepper.workbench.features.job import Job
 from CNCStepper.workbench.features.preview import Preview
+from CNCStepper.workbench.features.program import Program, fingerprint
 from CNCStepper.workbench.features.tool import Tool
 
 if TYPE_CHECKING:
@@ -40,14 +40,20 @@ __all__ = [
     "add_elliptical_pocket",
     "add_engrave",
     "add_freehand",
+    "add_operation",
     "add_tool",
     "edit",
+    "edit_program",
+    "import_tools",
     "job_model",
     "new_job",
     "program_text",
     "require_valid",
     "save_program",
 ]
+
+
+UNKNOWN = {"feed_mm_min": 0, "plunge_mm_min": 0, "spindle_rpm": 0}  # of a tool whose file does not say it
 
 
 def new_job(document: Any, **values: Any) -> Any:
@@ -67,14 +73,60 @@ def add_tool(job: Any, **values: Any) -> Any:
     return tool
 
 
+def import_tools(job: Any, path: str | Path, unit_mm: float = 1.0) -> tuple[list[Any], list[str]]:
+    """Return the tools of a file as new tools of the job, and what of the file was not understood or not taken.
+
+    The file is FreeCAD's `.fctb` or `.fctl`, or LinuxCNC's `.tbl` with lengths in units of `unit_mm`. A number that
+    the job has already becomes the next free one. Raises JobError for a file that cannot be read, and adds nothing.
+    """
+    packages.require()
+    from CNCStepper.machine.stored_tool import given_keys
+    from CNCStepper.machine.tool_files import read_tools
+
+    stored = read_tools(Path(path), unit_mm)
+    tools, notes = [], [f"{each.name or each.number}: {text}" for each in stored for text in each.notes]
+    for each in stored:
+        if each.tool is not None:
+            taken = {tool.Number for tool in job.Tools}
+            free = each.number if each.number not in taken else max(taken) + 1
+            tool = add_tool(job, **{**UNKNOWN, **given_keys(each.tool), "number": free})
+            tool.Label = each.name or tool.Label
+            tools.append(tool)
+    return tools, notes
+
+
 def add_elliptical_pocket(job: Any, drawing: Any = None, **values: Any) -> Any:
     """Return a new CNCStepper_EllipticalPocket at the end of the job, from a drawing of one ellipse or from numbers."""
-    return _add_operation(job, EllipticalPocket, {"drawing": drawing, **values})
+    return add_operation(job, "elliptical_pocket", drawing, **values)
 
 
 def add_engrave(job: Any, drawing: Any, **values: Any) -> Any:
     """Return a new CNCStepper_Engrave of a sketch, wire, B-spline or freehand line at the end of the job."""
-    return _add_operation(job, Engrave, {"drawing": drawing, **values})
+    return add_operation(job, "engrave", drawing, **values)
+
+
+def add_operation(job: Any, cycle: str, drawing: Any = None, picked: Sequence[str] = (), **values: Any) -> Any:
+    """Return a new operation at the end of the job, from a drawing (picked: its faces and edges) or from numbers.
+
+    cycle: its name in job files, such as "pocket", "contour" or "drill"; it is cut with the job's last tool unless
+    `tool` says which.
+    """
+    tool = {"tool": job.Tools[-1]} if job.Tools else {}
+    drawn = {} if drawing is None else {"drawing": drawing, "picked": tuple(picked)}
+    operation = _add(job.Document, "App::FeaturePython", operation_class(cycle), {**tool, **drawn, **values})
+    job.Operations = [*job.Operations, operation]
+    return operation
+
+
+def edit_program(job: Any, text: str = "") -> Any:
+    """Return a new CNCStepper_Program with an edited text for a job, its own program unless given."""
+    own = program_text(job)
+    obj = _add(job.Document, "App::FeaturePython", Program, {"job": job})
+    obj.Label = f"{job.Label} (edited)"
+    obj.MadeFrom = fingerprint(own)
+    program_file.store(obj, text or own)
+    job.Message = job.Message  # an output: nothing is out of date by that, but FreeCAD's tree looks at the job again
+    return obj
 
 
 def add_freehand(
@@ -94,23 +146,41 @@ def require_valid(job: Any) -> None:
 
 
 def program_text(job: Any) -> str:
-    """Return the job's program; raises JobError when there is none, or one that the drawing has left behind."""
+    """Return the program of a job or of an edited program.
+
+    Raises JobError when there is none, or one that the drawing has left behind.
+    """
     require_valid(job)
     text = program_file.load(job)
     if not text:
-        raise JobError("program-missing", f"{job.Label} has no program: {job.Message}", advice="recompute")
+        why = getattr(job, "Message", "") or "it is empty"
+        raise JobError("program-missing", f"{job.Label} has no program: {why}", advice="recompute")
     return text
 
 
-def save_program(job: Any, path: str | Path) -> None:
-    """Write the job's program to a file, byte for byte; raises JobError as `program_text` does, or for the file."""
-    content = program_text(job).encode("ascii")
+def save_program(job: Any, path: str | Path) -> list[Path]:
+    """Write the job's program to a file, byte for byte, and return the file.
+
+    A job that is split into a program a tool is written into several beside it: `part.nc` becomes `part-1-T1.nc`,
+    `part-2-T3.nc`. Raises JobError as `program_text` does, or for a file.
+    """
+    text, path = program_text(job), Path(path)
+    if job.ProgramParts == 1:
+        return [_write(path, text)]
+    from CNCStepper.workbench.making import programs
+
+    names = [(name.removeprefix("program").removesuffix(".nc"), each) for name, each in programs(job)]
+    return [_write(path.with_name(f"{path.stem}{name}{path.suffix}"), each) for name, each in names]
+
+
+def _write(path: Path, text: str) -> Path:
     try:
-        Path(path).write_bytes(content)
+        path.write_bytes(text.encode("ascii"))
     except OSError as error:
         what = f"the program cannot be written: {error.strerror or error}"
         advice = "choose a folder that exists and that you may write to"
         raise JobError("program-unwritable", what, advice=advice, place=Place(str(path))) from error
+    return path
 
 
 def job_model(job: Any) -> Model:
@@ -119,13 +189,6 @@ def job_model(job: Any) -> Model:
     from CNCStepper.workbench.making import job_of
 
     return job_of(job)
-
-
-def _add_operation(job: Any, kind: type[Feature], values: dict[str, Any]) -> Any:
-    tool = {"tool": job.Tools[-1]} if job.Tools else {}
-    operation = _add(job.Document, "App::FeaturePython", kind, {**tool, **values})
-    job.Operations = [*job.Operations, operation]
-    return operation
 
 
 def _add(document: Any, freecad_type: str, kind: type[Feature], values: dict[str, Any]) -> Any:

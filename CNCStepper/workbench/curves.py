@@ -2,13 +2,14 @@
 """The lines of a drawing as curves of lines and arcs.
 
 Lines, arcs and circles come over exactly; ellipses, B-splines and all else as arcs within a tolerance,
-fitted span by span (a span of a B-spline lies between two of its knots, where it may have a corner).
+sampled between any two knots of a B-spline, with a vertex at each of their corners and cusps.
 """
 
 from __future__ import annotations
 
 import itertools
 import math
+from collections.abc import Sequence
 from functools import partial
 from typing import Any
 
@@ -16,25 +17,30 @@ import numpy as np
 
 from CNCStepper.errors import GeometryError
 from CNCStepper.geometry.curve import Curve
-from CNCStepper.geometry.fit import fit_arcs
+from CNCStepper.geometry.fit import fit_arcs, fit_curve
 from CNCStepper.workbench.shapes import edges_of
 
 SHORTEST_MM = 1e-7  # FreeCAD's own measure of "the same point"
-STRAIGHT_MM = 1e-7  # an arc that rises less above its chord is a line
 SAMPLED = 0.99  # of the tolerance: the fit measures at samples, between them it may be a little worse
+MOST_FITS = 256  # kept
 QUARTERS = 4  # parts of a curve without inner knots, such as a whole ellipse
 
+_fits: dict[tuple[Any, ...], Curve] = {}  # by all that an edge's fit depends on, the oldest first
 
-def curves_of(drawing: Any, origin_mm: tuple[float, ...], tolerance_mm: float) -> tuple[Curve, ...]:
+
+def curves_of(
+    drawing: Any, origin_mm: tuple[float, ...], tolerance_mm: float, picked: Sequence[str] = ()
+) -> tuple[Curve, ...]:
     """Return the drawing's connected lines, each chain as one curve, from the work zero at `origin_mm`.
 
-    Raises GeometryError for an empty drawing, one that is not flat, or a tolerance that cannot be kept.
+    picked: the faces and edges of it that count, all where there is none. Raises GeometryError for an empty drawing,
+    one that is not flat, or a tolerance that cannot be kept.
     """
     import Part
 
     if not tolerance_mm > 0:
         raise GeometryError("tolerance", "the tolerance must be above 0", value=f"{tolerance_mm:g} mm")
-    edges = [edge for edge in edges_of(drawing) if edge.Length > SHORTEST_MM]
+    edges = [edge for edge in edges_of(drawing, picked) if edge.Length > SHORTEST_MM]
     return tuple(_chained(chain, tolerance_mm).moved(-origin_mm[0], -origin_mm[1]) for chain in Part.sortEdges(edges))
 
 
@@ -46,10 +52,7 @@ def curve_of(edge: Any, tolerance_mm: float) -> Curve:
         return Curve(_points(edge, np.array(edge.ParameterRange)), np.zeros(1))
     if isinstance(edge.Curve, Part.Circle):
         return _arcs(edge)
-    point = partial(_points, edge)
-    return _straightened(
-        _one([fit_arcs(point, *span, tolerance_mm * SAMPLED) for span in itertools.pairwise(_spans(edge))])
-    )
+    return _fitted(edge, tolerance_mm * SAMPLED)
 
 
 def _chained(edges: list[Any], tolerance_mm: float) -> Curve:
@@ -63,7 +66,7 @@ def _chained(edges: list[Any], tolerance_mm: float) -> Curve:
             pieces[number] = piece.reversed()
     curve = _one(pieces)
     if len(curve) > 1 and math.dist(curve.xy[0], curve.xy[-1]) <= SHORTEST_MM:
-        curve.xy[-1] = curve.xy[0]
+        return Curve(np.vstack([curve.xy[:-1], curve.xy[:1]]), curve.bulge)
     return curve
 
 
@@ -87,22 +90,26 @@ def _arcs(edge: Any) -> Curve:
     return Curve(points[::2], np.full(parts, sense * math.tan((last - first) / parts / 4)))
 
 
-def _spans(edge: Any) -> list[float]:
-    """Return the parameters between which the edge is smooth and simple enough to fit, ascending."""
+def _fitted(edge: Any, tolerance_mm: float) -> Curve:
+    """Return the fit of an edge; those of the last edges are kept, because FreeCAD asks for each several times."""
+    key = edge.Curve.Content, edge.Placement.toMatrix().A, edge.ParameterRange, tolerance_mm
+    if key not in _fits:
+        if len(_fits) == MOST_FITS:
+            del _fits[next(iter(_fits))]
+        _fits[key] = _fit(edge, tolerance_mm)
+    return _fits[key]
+
+
+def _fit(edge: Any, tolerance_mm: float) -> Curve:
+    """Return a B-spline from corner to corner, all else in quarters, so that an ellipse comes out symmetrical."""
     import Part
 
-    first, last = edge.ParameterRange
+    point, (first, last) = partial(_points, edge), edge.ParameterRange
     if isinstance(edge.Curve, Part.BSplineCurve):
-        inner = [knot for knot in edge.Curve.getKnots() if first < knot < last]
-        if inner:
-            return [first, *inner, last]
-    return [float(parameter) for parameter in np.linspace(first, last, QUARTERS + 1)]
+        return fit_curve(point, first, last, tolerance_mm, edge.Curve.getKnots())
+    bounds = np.linspace(first, last, QUARTERS + 1).tolist()
+    return _one([fit_arcs(point, *span, tolerance_mm) for span in itertools.pairwise(bounds)])
 
 
 def _points(edge: Any, parameters: np.ndarray) -> np.ndarray:
     return np.array([tuple(edge.valueAt(float(t)))[:2] for t in parameters])
-
-
-def _straightened(curve: Curve) -> Curve:
-    rise_mm = np.abs(curve.bulge) * np.hypot(*np.diff(curve.xy, axis=0).T) / 2
-    return Curve(curve.xy, np.where(rise_mm > STRAIGHT_MM, curve.bulge, 0.0))

@@ -25,6 +25,12 @@ class CutOnce:
         self.answer: Answer = cycle.cut(setup, table)
         self._moves: Toolpath = table.toolpath()
 
+    def __getattr__(self, name: str) -> Any:
+        """Return a parameter of the cycle, for a job that asks one operation what it means for another."""
+        if name.startswith("_") or name == "model":  # while it is copied it has none yet
+            raise AttributeError(name)
+        return getattr(self.model, name)
+
     def fits(self, cycle: Any, setup: Setup) -> bool:
         """Return whether cutting `cycle` with `setup` would give what is kept here."""
         return (self.model, self.setup) == (cycle, setup)

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -23,12 +24,12 @@ class EllipseFound:
     rotation_deg: float
 
 
-def ellipse_of(drawing: Any) -> EllipseFound:
+def ellipse_of(drawing: Any, picked: Sequence[str] = ()) -> EllipseFound:
     """Return the ellipse or circle of a drawing that holds nothing else; raises GeometryError.
 
     It may be drawn as several arcs that close it.
     """
-    edges = edges_of(drawing)
+    edges = edges_of(drawing, picked)
     found = [_found(edge.Curve, drawing.Label) for edge in edges]
     if any(not _same(found[0], other) for other in found[1:]):
         raise GeometryError(

@@ -7,27 +7,33 @@ from typing import Any
 
 from CNCStepper.cycles.form import Setup
 from CNCStepper.gcode.interpret import interpret
-from CNCStepper.job.make import make_program
-from CNCStepper.job.model import Job
+from CNCStepper.job.make import is_split, make_parts, make_program
+from CNCStepper.job.model import Job, StockForm
 from CNCStepper.machine.profile import validated
 from CNCStepper.state import Start
 from CNCStepper.toolpath import Toolpath
 from CNCStepper.workbench.clamps import clamps_content
-from CNCStepper.workbench.features.base import values
+from CNCStepper.workbench.features.base import problem_of, values
 from CNCStepper.workbench.features.job import active_operations
 from CNCStepper.workbench.features.tool import model_of
 from CNCStepper.workbench.machines import machine_of
 from CNCStepper.workbench.stock import stock_content
 
-__all__ = ["job_of", "machine_of", "program", "read_back", "setup_of"]
+__all__ = ["job_of", "machine_of", "programs", "read_back", "setup_of"]
 
 
-def program(obj: Any) -> str:
-    """Return the program of a job object; raises what the core raises."""
-    job = job_of(obj)
+def programs(obj: Any) -> list[tuple[str, str]]:
+    """Return the names and texts of the programs of a job object; raises what the core raises.
+
+    It is one without a name, or several where the machine wants one a tool.
+    """
+    job = job_of(obj).on(machine_of(obj))
     pairs = zip(active_operations(obj), job.operation, strict=True)
     ready = tuple(each.Proxy.cut_once(cycle, job.setup(cycle)) for each, cycle in pairs)
-    return make_program(job.model_copy(update={"operation": ready}), machine_of(obj), obj.Label).program
+    job, machine = job.model_copy(update={"operation": ready}), machine_of(obj)
+    if is_split(job, machine):
+        return [(part.file_name, part.program) for part in make_parts(job, machine, obj.Label)]
+    return [("", make_program(job, machine, obj.Label).program)]
 
 
 def job_of(obj: Any) -> Job:
@@ -41,11 +47,27 @@ def job_of(obj: Any) -> Job:
     return validated(Job, content, obj.Label)
 
 
-def setup_of(job: Any, tool: Any) -> Setup:
-    """Return what a job object gives an operation with that tool; raises JobError for the tool."""
-    return Setup(model_of(tool), float(job.Clearance), float(job.Retract))
+def setup_of(obj: Any, operation: Any, cycle: Any) -> Setup:
+    """Return what a job object gives one of its operations, whose cycle is given, whatever is wrong with the others.
+
+    Raises JobError for the tool or the stock.
+    """
+    sound = [other for other in active_operations(obj) if other is not operation and not problem_of(other)]
+    contours = [other.Proxy.cycle(other, tuple(obj.WorkOrigin)) for other in sound if other.Proxy.CYCLE == "contour"]
+    job = Job.model_construct(
+        clearance_mm=float(obj.Clearance),
+        retract_mm=float(obj.Retract),
+        stock=validated(StockForm, stock_content(obj), obj.Label),
+        tool=(model_of(operation.Tool),),
+        operation=(cycle, *contours),
+        material=obj.Material,
+    )
+    return job.on(machine_of(obj)).setup(cycle)
 
 
 def read_back(job: Any, text: str) -> Toolpath:
     """Return the table of moves of a job's program text, in work coordinates (its work zero is not known)."""
-    return interpret(text, Start(), dialect=machine_of(job).controller, file=job.Label)
+    machine, start = machine_of(job), Start()
+    if machine.tool_length == "table":
+        start = job_of(job).started(start, machine) or start
+    return interpret(text, start, dialect=machine.controller, file=job.Label)

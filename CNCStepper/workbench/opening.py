@@ -21,7 +21,14 @@ def first(workbench: Any) -> None:
 
 @guarded
 def every() -> None:
-    """Look what is missing, and say so the first time; take up a machine that a window before this one left."""
+    """Look what is missing, and say so the first time; take up a machine that a window before this one left.
+
+    What a first cut needs is compiled, where it is not.
+    """
     missing.look_again()
     missing.tell_once()
+    if not missing.why_not():
+        from CNCStepper.workbench import warming
+
+        warming.begin()
     dock.greet()

@@ -14,10 +14,10 @@ def store(job: Any, text: str) -> None:
     """Let `text` be the job's program."""
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / NAME
-        path.write_bytes(text.encode("ascii"))
+        path.write_bytes(text.encode("utf-8"))
         job.Program = str(path)
 
 
 def load(job: Any) -> str:
     """Return the job's program, "" when it has none."""
-    return Path(job.Program).read_bytes().decode("ascii") if job.Program else ""
+    return Path(job.Program).read_bytes().decode("utf-8") if job.Program else ""

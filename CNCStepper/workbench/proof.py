@@ -7,7 +7,8 @@
     run.failed.connect(tell)        # CNCStepperError
     run.start()
 
-What is proven is the program text that stands in the document; a job whose text is missing or out of date is refused.
+What is proven is the program text that stands in the document, a job's own or an edited one; one that is missing or out
+of date is refused.
 A program that was proven last, from the same start state, is not proven again.
 """
 
@@ -25,6 +26,7 @@ from PySide import QtCore
 from CNCStepper.control.python_finder import PROOF, command, seek_python
 from CNCStepper.errors import CNCStepperError
 from CNCStepper.workbench import api, packages
+from CNCStepper.workbench.features.program import job_behind
 from CNCStepper.workbench.words import later, tr
 from CNCStepper.workbench.worker import kill, start_worker
 
@@ -144,10 +146,10 @@ class ProofRun(QtCore.QObject):
         self._program = api.program_text(self._job)
         self._folder = tempfile.TemporaryDirectory(prefix="cncstepper-", ignore_cleanup_errors=True)
         path = Path(self._folder.name)
-        model = job_of(self._job)
-        write_question(path, self._program, model, machine_of(self._job))
+        job = job_behind(self._job)
+        write_question(path, self._program, job_of(job), machine_of(job))
         write_start(path, self._begins)
-        self._origin_mm = tuple(self._job.WorkOrigin)
+        self._origin_mm = tuple(job.WorkOrigin)
         self._key = _fingerprint(path, self._job.Label, self._origin_mm)
         if ProofRun._last and ProofRun._last[0] == self._key:
             self._drop_folder()

@@ -39,5 +39,4 @@ def proposed(job: Any) -> Path:
 def _write(job: Any, path: str) -> None:
     from CNCStepper.workbench import api
 
-    api.save_program(job, path)
-    note(tr("Saved {0}").format(path))
+    note(tr("Saved {0}").format(", ".join(map(str, api.save_program(job, path)))))

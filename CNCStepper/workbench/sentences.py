@@ -21,7 +21,7 @@ VALUE = re.compile(r"\{\d+\}")
 WHOLE = re.compile(
     r"(?P<what>.+?)(?: \((?P<numbers>(?:value|limit) .+?)\))?(?:; (?P<advice>.+?))?(?P<code> \[[\w-]+\])?"
 )
-NUMBERS = re.compile(r"(value|limit) ")
+JOINT = re.compile(r"; | \((?:value|limit) ")
 
 
 def translated(english: str) -> str:
@@ -29,18 +29,27 @@ def translated(english: str) -> str:
 
     What the catalogue does not know stays English, and so do the names and values within.
     """
-    return _known(english) or _put_together(english) or _after_a_name(english) or english
+    return _said(english) or english
 
 
-def _known(english: str) -> str:
-    """Return the translation of a sentence that the catalogue holds, else ""."""
+def _said(english: str) -> str:
+    return _known(english) or _put_together(english) or _after_a_name(english) or _known(english, strict=False)
+
+
+def _known(english: str, strict: bool = True) -> str:
+    """Return the translation of a sentence that the catalogue holds, else ""; `strict`: its values are no sentences."""
     plain, with_values = _catalogue()
     if english in plain:
         return _look_up(english)
     for pieces, sentence in with_values:
-        if values := _values(pieces, english):
+        if (values := _values(pieces, english)) and not (strict and _joins(pieces, values)):
             return _look_up(sentence).format(*(_known(value) or value for value in values))
     return ""
+
+
+def _joins(pieces: list[str], values: list[str]) -> bool:
+    """Whether values hold what stands before or behind a sentence, as a short one takes all: "{0} has no {1}"."""
+    return any(map(JOINT.search, values)) or (not pieces[0] and ": " in values[0])
 
 
 def _put_together(english: str) -> str:
@@ -49,22 +58,31 @@ def _put_together(english: str) -> str:
     what = _known(parts["what"]) if parts and parts["what"] != english else ""
     if not parts or not what:
         return ""
-    numbers = f" ({NUMBERS.sub(_number_word, parts['numbers'])})" if parts["numbers"] else ""
-    advice = f"; {_known(parts['advice']) or parts['advice']}" if parts["advice"] else ""
+    numbers = f" ({_numbers(parts['numbers'])})" if parts["numbers"] else ""
+    advice = f"; {_advice(parts['advice'])}" if parts["advice"] else ""
     return f"{what}{numbers}{advice}{parts['code'] or ''}"
 
 
 def _after_a_name(english: str) -> str:
     """Return the translation of "Pocket: the tool is wider than the pocket", where an object's name stands first."""
     name, colon, rest = english.partition(": ")
-    said = (_known(rest) or _put_together(rest) or _after_a_name(rest)) if colon else ""
+    said = _said(rest) if colon else ""
     return f"{name}: {said}" if said else ""
 
 
-def _number_word(found: re.Match[str]) -> str:
+def _advice(english: str) -> str:
+    """Return the translation of one advice, or of several with "; " between them, as far as they are known."""
+    return _known(english) or "; ".join(_known(part) or part for part in english.split("; "))
+
+
+def _numbers(english: str) -> str:
+    """Return "value X60, limit at most 50 mm", or one of the two, translated; a value stays as it stands."""
     from CNCStepper.workbench.words import tr
 
-    return tr("value {0}").format("") if found[1] == "value" else tr("limit {0}").format("")
+    value, _, limit = f", {english}".partition(", limit ")
+    value = value.removeprefix(", value ")
+    said = [tr("value {0}").format(value)] if value else []
+    return ", ".join([*said, tr("limit {0}").format(_known(limit) or limit)] if limit else said)
 
 
 def _look_up(sentence: str) -> str:

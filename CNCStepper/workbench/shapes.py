@@ -7,6 +7,7 @@ Only X and Y of a drawing count: depths are measured from the top of the stock, 
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from typing import Any
 
 from CNCStepper.errors import GeometryError
@@ -15,12 +16,13 @@ CURVE_POINTS = 64  # of an edge, where its distance from the middle is looked fo
 FLAT_MM = 1e-4  # a drawing whose heights differ by less is flat
 
 
-def edges_of(drawing: Any) -> list[Any]:
+def edges_of(drawing: Any, picked: Sequence[str] = ()) -> list[Any]:
     """Return the edges of a sketch, wire or face in the document's coordinates; raises GeometryError when it has none.
 
-    Construction lines of a sketch are no part of its shape.
+    picked: the faces and edges of it that count ("Face3"), all where there is none. Construction lines of a sketch are
+    no part of its shape.
     """
-    edges = [edge for edge in placed_shape(drawing).Edges if not edge.Degenerated]
+    edges = [edge for part in parts_of(drawing, picked) for edge in part.Edges if not edge.Degenerated]
     if not edges:
         raise GeometryError(
             "drawing-empty",
@@ -29,6 +31,43 @@ def edges_of(drawing: Any) -> list[Any]:
         )
     refuse_unflat(edges, drawing.Label)
     return edges
+
+
+def require_closed(drawing: Any, picked: Sequence[str] = ()) -> None:
+    """Raise GeometryError, with the place, unless all lines of a drawing close, so that they enclose something."""
+    import Part
+
+    for chain in Part.sortEdges(edges_of(drawing, picked)):
+        wire = Part.Wire(chain)
+        if not wire.isClosed():
+            raise open_line(drawing.Label, tuple(wire.OrderedVertexes[-1].Point)[:2])
+
+
+def open_line(label: str, end_mm: tuple[float, ...]) -> GeometryError:
+    """Return the refusal of a drawing's line that ends at a place and does not close."""
+    return GeometryError(
+        "outline-open",
+        f"a line in '{label}' is open and encloses nothing",
+        value=f"it ends at X {end_mm[0]:.4g} Y {end_mm[1]:.4g}",
+        advice="close it, or leave only closed lines in the drawing",
+    )
+
+
+def parts_of(drawing: Any, picked: Sequence[str] = ()) -> list[Any]:
+    """Return the picked faces, edges and points of an object, the whole of it where nothing is picked.
+
+    Raises GeometryError for one that is not there any more.
+    """
+    shape = placed_shape(drawing)
+    try:
+        return [shape.getElement(name) for name in picked] or [shape]
+    except (ValueError, IndexError, RuntimeError) as error:
+        raise GeometryError(
+            "picked-missing",
+            f"what was picked of '{drawing.Label}' is not there any more",
+            value=", ".join(picked),
+            advice="pick it again",
+        ) from error
 
 
 def box_of(obj: Any) -> Any:
@@ -82,8 +121,10 @@ def placed_shape(drawing: Any) -> Any:
     if shape is None or shape.isNull():
         return Part.Shape()
     if hasattr(drawing, "getGlobalPlacement"):
-        shape = shape.copy()
-        shape.Placement = drawing.getGlobalPlacement()
+        moved = drawing.getGlobalPlacement().multiply(drawing.Placement.inverse())  # by what holds the object
+        # a Draft point is a bare vertex: FreeCAD 1.0 copies its placement twice
+        shape = Part.Compound([shape]) if shape.ShapeType == "Vertex" else shape.copy()
+        shape.Placement = moved.multiply(shape.Placement)
     return shape
 
 

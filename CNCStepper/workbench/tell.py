@@ -107,7 +107,8 @@ def ask(question: str, yes: str, no: str, more: str = "") -> bool:
 
 def sentence(problem: CNCStepperError) -> str:
     """Return what an error says, with its place, value and limit, without its advice and code."""
-    numbers = [part for part in (problem.value, problem.limit and tr("limit {0}").format(problem.limit)) if part]
+    limit = problem.limit and tr("limit {0}").format(translated(problem.limit))
+    numbers = [part for part in (problem.value, limit) if part]
     place = f"{problem.place}: " if problem.place else ""
     return f"{place}{translated(problem.what)}" + (f" ({', '.join(numbers)})" if numbers else "")
 

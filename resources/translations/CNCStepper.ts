@@ -8,7 +8,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>A sketch or wire that holds one circle; without it the numbers count</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>A sketch or wire that holds one ellipse; without it the numbers count</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A sketch or wire that holds one rectangle; without it the numbers count</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A sketch, wires or faces: closed lines, those inside are islands</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A tool of this shape has none</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>About the first corner, counter-clockwise</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16,7 +36,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Angle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Angle in</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Angle out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Arcs within a tolerance, or the published points</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Between neighbouring helices at most; 0: 0.4 of the tool's diameter</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -25,6 +61,14 @@
         </message>
         <message>
             <source>Between the two sides of a drill's point; 0: not given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Beyond</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Bridges that hold the part until it is broken out</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -37,6 +81,10 @@
         </message>
         <message>
             <source>Chip Load Min</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Circle</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -60,6 +108,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Closed lines round what is faced; without it the whole stock</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Columns</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Containers</source>
             <translation type="unfinished"></translation>
         </message>
@@ -80,6 +136,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Corner A</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Corner B</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Corner Radius</source>
             <translation type="unfinished"></translation>
         </message>
@@ -88,11 +152,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Count</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Cut</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Cutting</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Cycle</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -108,6 +180,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Depth Of</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Depth to</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Dialect</source>
             <translation type="unfinished"></translation>
         </message>
@@ -120,7 +200,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Dog-bones</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Dogbones</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Drawing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Dwell</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -133,6 +225,14 @@
         </message>
         <message>
             <source>Ellipse</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>End angle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Engagement</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -156,6 +256,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Feed Used</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Figures</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Finish</source>
             <translation type="unfinished"></translation>
         </message>
@@ -169,6 +277,14 @@
         </message>
         <message>
             <source>Finish Stepover</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>First corner</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>First hole</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -200,7 +316,31 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>From X to the first hole, counter-clockwise</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>From X to the last hole</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>From X to the lines of the pattern</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>From here down the tool feeds</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>From hole to hole along X and along Y</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>From one turn of the thread to the next</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>From the middle of the circle to the holes</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -224,6 +364,18 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Half the width of the pocket</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Hand</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Height</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Heights</source>
             <translation type="unfinished"></translation>
         </message>
@@ -236,7 +388,35 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Holes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How deep one peck goes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How far a closed line is followed beyond its begin</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How far an arc turns, or how far a line leans away from the contour</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How far apart tabs are at most</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>How far from the stock's edge cuts must stay; 0: the edge does not matter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How far one turn of the helix falls</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How far the cut line may leave the drawn one, to be of fewer moves; 0: not at all</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -244,7 +424,35 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>How far the wall may be off the ellipse</source>
+            <source>How far the tool's rim runs over the edge</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How far the wall may be off the drawing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How high a tab is above the bottom of the cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How many corners and narrow places the tool does not reach into</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How many holes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How many holes along X</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How many holes along Y</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How many holes are made</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -260,7 +468,31 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>How many tabs hold the part</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How many tabs on each line</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>How many teeth; 0: not given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How many there are: one, or one a tool in turn</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How many turns the thread has</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How much deeper the tool goes, to come out below</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How much of the rim may be in the material at most, as an angle</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -272,11 +504,55 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>How steeply the tool goes down along the line; 0: straight down</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How the area is cleared</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>How the cutter turns against the feed</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>How the drill goes down</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How the thread winds</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How the tool comes to the contour</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>How the tool goes down</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How the tool leaves the contour</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How wide a tab is at its top</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>In holes, or round bosses</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>In how many steps outwards</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>In the program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>In whole passes</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -288,6 +564,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Kerf</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Last hole</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Last stepdown</source>
             <translation type="unfinished"></translation>
         </message>
@@ -296,11 +580,71 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Lead In Angle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Lead In Kind</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Lead In Length</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Lead In Radius</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Lead Out Angle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Lead Out Kind</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Lead Out Length</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Lead Out Radius</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Lead-in</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Lead-out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Leads</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Least chip load</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Length</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Length Offset</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Length in</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Length offset</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Length out</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -336,11 +680,55 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Made From</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Made Of</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Made from</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Made of</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Major</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Major Diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Material</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Message</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Method</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Minor</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Minor Diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Minor Used</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Note</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -356,7 +744,31 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Of the bores; 0: that of each circle of the drawing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Of the corners seen from above; 0: as round as the tool</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Of the grid about its first hole</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Of the written program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>On which side of the lines the tool runs</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>One end of the diagonal, from the work zero</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>One hole at each point</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -368,7 +780,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Order</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Other corner</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Outlines of the clamps</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Overcut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Overhang</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -380,7 +808,87 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Pattern</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Pause</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Peck</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Picked</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Pitch</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Place Centre</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Place Columns</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Place Count</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Place End</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Place End Angle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Place Origin</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Place Points</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Place Radius</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Place Rotation</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Place Rows</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Place Spacing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Place Start</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Place Start Angle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Places</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Plunge</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Plunge Used</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -420,11 +928,43 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Program Part</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Program Parts</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Program number</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Programs</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Radial Passes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Radius</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Radius X</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Radius Y</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Radius in</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Radius out</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -436,11 +976,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Ramp</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Ramp Max</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Recalculated to whole passes</source>
+            <source>Rectangle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Region</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -448,7 +996,31 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Rest Corner</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Rest Corners</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Rest at most</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Rest corners</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Retract</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Retract To</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Retract to</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -456,7 +1028,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Rows</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Seconds at the bottom</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Shape</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Side</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Simplify</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -468,6 +1056,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Spacing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Spindle</source>
             <translation type="unfinished"></translation>
         </message>
@@ -476,7 +1068,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Spindle turns a minute</source>
+            <source>Spindle Used</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Spindle turns a minute; 0: those of the job's material</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Start angle</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -524,6 +1124,42 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Stock To Leave</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Stock to leave</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Style</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Tabs</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Tabs Count</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Tabs Height</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Tabs Made</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Tabs Spacing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Tabs Width</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Taper</source>
             <translation type="unfinished"></translation>
         </message>
@@ -536,7 +1172,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The circles and points of a sketch, or the circular edges of a solid</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The clamps seen from above, at the height of their tops</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The corner where the grid begins, from the work zero</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -552,7 +1196,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>The depth of the pocket, ap_total</source>
+            <source>The diameter at the other end of the flanks; 0: that of a metric thread</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -564,11 +1208,31 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The drawing gives this value</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The drawing it followed, when that was deleted</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The faces and edges of the drawing that count; none: all of it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The feed of the last pass at the wall; 0: the tool's own feed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The feed of the last pass; 0: the tool's own feed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The feed of the program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The fingerprint of the job's program from which this one was edited</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -577,6 +1241,14 @@
         </message>
         <message>
             <source>The form of the cutter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The height of the rapids between holes: G98 or G99</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The job whose machine, stock, tools and clamps the program is for</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -600,7 +1272,35 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The length of the lead's line</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The middle of a mill's end that does not cut; 0: it cuts over its centre</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The middle of the circle, from the work zero</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The minor diameter that is cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The nominal diameter; 0: that of each circle of the drawing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The order in which the holes are made</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The order in which the lines are cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The other end of the diagonal, before the rectangle is rotated</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -609,6 +1309,10 @@
         </message>
         <message>
             <source>The parts and bodies that the drawing moves with</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The plunge feed of the program</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -624,15 +1328,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The radius of the lead's arc</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The sketch, wire, B-spline or freehand line to follow</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>The speed of cutting moves</source>
+            <source>The sketch, wires or faces whose lines are followed</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>The speed straight down</source>
+            <source>The speed of cutting moves; 0: that of the job's material</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The speed straight down; 0: that of the job's material</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The spindle's speed in the program</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -641,6 +1357,14 @@
         </message>
         <message>
             <source>The thickest chip that a tooth bears; 0: not given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The thickest material left in inner corners</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The thickest material left in them</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -660,11 +1384,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The width of the cut where it is not the tool's diameter; 0: the tool's own</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The wire stays this close to every drawn point; 0 keeps every point that bends the line</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>The work coordinate system</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Through</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -704,6 +1436,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Tools without feeds or speed take theirs from its table</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Turns</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Units</source>
             <translation type="unfinished"></translation>
         </message>
@@ -716,11 +1456,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>What happened to the job's own program since</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>What is cut, in this order</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>What is switched on while cutting</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>What stays at the wall, for another operation to take</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>What the controller adds to Z, where the machine takes lengths from a table; 0: not given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>What the cutter is made of</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -740,7 +1496,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Where the holes stand</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Where the row begins, from the work zero</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Where the row ends</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Where the work zero lies in this document</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Whether inner corners are opened, so that a square corner fits in</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Whether the depth is that of the point or of the full diameter</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -752,11 +1528,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Which one is shown, checked and sent, where the machine wants one a tool</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Why it cannot be made; empty when it can</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Why there is no program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Width</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -787,9 +1571,25 @@
             <source>ap, recalculated to whole passes</source>
             <translation type="unfinished"></translation>
         </message>
+        <message>
+            <source>by numbers</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>none yet</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the whole stock</source>
+            <translation type="unfinished"></translation>
+        </message>
     </context>
     <context>
         <name>CNCStepper</name>
+        <message>
+            <source>'{0}' does not stand in the program</source>
+            <translation type="unfinished"></translation>
+        </message>
         <message>
             <source>'{0}' has no meaning in a number</source>
             <translation type="unfinished"></translation>
@@ -800,6 +1600,10 @@
         </message>
         <message>
             <source>'{0}' is no number</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>'{0}' is no place; write X; Y</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -847,7 +1651,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>A sketch or wire that holds one circle; without it the numbers count</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>A sketch or wire that holds one ellipse; without it the numbers count</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A sketch or wire that holds one rectangle; without it the numbers count</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A sketch, wires or faces: closed lines, those inside are islands</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -855,7 +1671,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>A turn, as they are counted</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>A value is missing here</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>About the first corner, counter-clockwise</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -875,11 +1699,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Add the tools of FreeCAD's library or of a tool table</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Add tool</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Alarm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>All</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -895,7 +1727,31 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Along X, mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Along Y, mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Along Z, mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>An expression gives this value; change it in the property editor</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Angle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Angle in</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Angle out</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -903,11 +1759,43 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Apply</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Arcs within a tolerance, or the published points</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>As many as can be made at most, in Hz</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Attached again to the controller at {0}.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Axis</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Axis arithmetic</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Axis whose sign changes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Backlash</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Belt's pitch</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Between neighbouring helices at most; 0: 0.4 of the tool's diameter</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -916,6 +1804,18 @@
         </message>
         <message>
             <source>Between the two sides of a drill's point; 0: not given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Beyond</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Boring</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Bridges that hold the part until it is broken out</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -932,6 +1832,10 @@
         </message>
         <message>
             <source>Centre</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Change</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -967,6 +1871,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Circle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Circular pocket</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Clamps</source>
             <translation type="unfinished"></translation>
         </message>
@@ -988,6 +1900,14 @@
         </message>
         <message>
             <source>Closed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Closed lines round what is faced; without it the whole stock</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Columns</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1023,7 +1943,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Contour</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Controller</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Convert units…</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1036,6 +1964,10 @@
         </message>
         <message>
             <source>Corner radius</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Count</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1063,6 +1995,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Cycle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Degrees, counter-clockwise</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Delete a point</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1076,6 +2016,10 @@
         </message>
         <message>
             <source>Depth</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Depth to</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1095,11 +2039,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Discard</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Disconnect</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Disconnect first: this is what the dock is connected to.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Distance</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Dog-bones</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1127,6 +2083,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Drilling</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Earlier</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1136,6 +2096,10 @@
         </message>
         <message>
             <source>Edit</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Edit program</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1155,6 +2119,26 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Encoder (closed loop)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Encoder's gear</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Encoder's pulses</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>End angle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Engagement</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Engraving</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1171,6 +2155,26 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>F is one over the minutes that a move takes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>F is the feed per minute</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>F is the feed per turn of the spindle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>FR4 (glass fibre)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Facing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Failed</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1180,6 +2184,22 @@
         </message>
         <message>
             <source>Feeding in air</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Feeds by a factor…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Feeds times</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Figures</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Find</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1195,11 +2215,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Finds and replaces (Ctrl+F)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Finish</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Finishing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>First corner</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>First hole</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>First number</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1251,11 +2287,91 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>From X to the first hole, counter-clockwise</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>From X to the last hole</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>From X to the lines of the pattern</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>From here down the tool feeds</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>From hole to hole along X and along Y</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>From one to the next</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>From one turn of the thread to the next</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>From the middle of the circle to the holes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>From the tip to the holder; 0: not given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>From tooth to tooth</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Full steps a turn</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>F{0} in/min</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>F{0} in/rev</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>F{0} mm/min</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>F{0} mm/rev</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>G73 pecks, chips</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>G81 straight</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>G82 with a pause</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>G83 pecks, all out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>G98 clearance</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>G99 retract</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Gear ratio</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1275,11 +2391,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>HDPE plastic</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Half the width along its second axis</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Half the width along the ellipse's first axis</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Half the width of the pocket</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Hand</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Height</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1292,6 +2424,10 @@
         </message>
         <message>
             <source>Held</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Highest feed</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1311,6 +2447,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Holes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Home</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1323,6 +2463,22 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>How deep one peck goes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How far a closed line is followed beyond its begin</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How far an arc turns, or how far a line leans away from the contour</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How far apart tabs are at most</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>How far from the stock's edge cuts must stay; 0: the edge does not matter</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1331,15 +2487,59 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>How far one turn of the helix falls</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How far the axis goes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How far the cut line may leave the drawn one, to be of fewer moves; 0: not at all</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>How far the path may be off an ellipse or a B-spline; lines and arcs are exact</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>How far the wall may be off the ellipse</source>
+            <source>How far the tool's rim runs over the edge</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How far the wall may be off the drawing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How fast the axis goes</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>How fast the machine moves while jogging; it never goes faster than it can.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How high a tab is above the bottom of the cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How many corners and narrow places the tool does not reach into</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How many holes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How many holes along X</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How many holes along Y</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How many holes are made</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1355,7 +2555,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>How many tabs hold the part</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How many tabs on each line</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>How many teeth; 0: not given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How many there are: one, or one a tool in turn</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1367,6 +2579,18 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>How many turns the thread has</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How much deeper the tool goes, to come out below</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How much of the rim may be in the material at most, as an angle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>How much of the rim may be in the material, as an angle; 0: not given</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1375,7 +2599,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>How steeply the tool goes down along the line; 0: straight down</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How the area is cleared</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>How the cutter turns against the feed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How the drill goes down</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How the thread winds</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How the tool comes to the contour</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1383,7 +2627,39 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>How the tool leaves the contour</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How wide a tab is at its top</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Idle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Import tools</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Import…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>In holes, or round bosses</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>In how many steps outwards</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>In the program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>In whole passes</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1423,6 +2699,18 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Keeps the text where it came from (Ctrl+S); a job's is kept beside it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Kerf</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Last hole</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Last stepdown</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1435,11 +2723,35 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Lead-in</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Lead-out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Leads</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Least chip load</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Leave out of the program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Length in</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Length offset</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Length out</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1471,6 +2783,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Line {0}: {1}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Lines</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1491,7 +2807,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>MDF board</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Machine</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Made from</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Made of</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Major</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1499,7 +2831,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Make shorter…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Make this position the work zero of the axis.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Material</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1515,7 +2855,31 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Microsteps</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Minor</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Mirror…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Motor angle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Motor speed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Motor steps: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Motor's steps</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1535,7 +2899,31 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Moved by</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Moves, scales, turns or rewrites the whole program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Move…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Never farther off than, mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>New job</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>New program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Next</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1563,6 +2951,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Nothing changes.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Nothing moves that could be held.</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1579,6 +2971,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Number the lines…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Of a bull nose; 0: not given</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1587,7 +2983,39 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Of the bores; 0: that of each circle of the drawing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Of the corners seen from above; 0: as round as the tool</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Of the driver, in a full step</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Of the grid about its first hole</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Of the pulley that drives the belt</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Of the written program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>On which side of the lines the tool runs</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>One end of the diagonal, from the work zero</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>One hole at each point</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1600,6 +3028,10 @@
         </message>
         <message>
             <source>One step on</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Open a G-code file</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1619,7 +3051,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Order</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Other corner</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Outlines of the clamps</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Overcut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Overhang</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1631,6 +3079,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>POM (acetal)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>PVC foam board</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Passes</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1639,7 +3095,31 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Pattern</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Pause</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Paused</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Peck</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Picked</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Pitch</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Places</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1652,6 +3132,10 @@
         </message>
         <message>
             <source>Plunge feed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Pocket</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1675,6 +3159,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Previous</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Problem</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1691,7 +3179,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Program number</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Program: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Programs</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Programs ({0})</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Pulley's teeth</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1699,7 +3203,39 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Pulse angle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Pulse rate</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Pulses</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Pulses of</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Pulses/s</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Put the stock around what is selected, or around the drawings of the operations</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Radius</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Radius in</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Radius out</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1711,11 +3247,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Ramp</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Rapid</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Rapids</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Reached</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1727,7 +3271,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Recalculated to whole passes</source>
+            <source>Rectangle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Rectangular pocket</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1736,6 +3284,10 @@
         </message>
         <message>
             <source>Refused by the machine</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Region</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1759,7 +3311,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Replace</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Replace with</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Resolution</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Rest at most</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Rest corners</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1771,11 +3339,43 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Retract to</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Reverse the contours</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Rotate…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Rotation</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Rows</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Running</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>S is the speed at the surface</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>S is turns per minute</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Save</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Save as…</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1784,6 +3384,22 @@
         </message>
         <message>
             <source>Saved {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Scale…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Screw</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Screw speed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Seconds at the bottom</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1803,6 +3419,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Select what is to be cleared: a sketch, closed wires, or faces of a solid</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Select what is to be cut out: a sketch, wires, or faces or edges of a solid</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Select what is to be engraved: a sketch, a wire, a B-spline or a freehand line</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1816,6 +3440,14 @@
         </message>
         <message>
             <source>Show the tool's path</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Side</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Simplify</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1835,6 +3467,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Spacing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Speed</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1843,11 +3479,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Spindle turns a minute</source>
+            <source>Spindle turns a minute; 0: those of the job's material</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Start</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Start angle</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1875,7 +3515,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Stepper motor (open loop)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Steps/mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Stock</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Stock to leave</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1903,6 +3555,18 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>S{0} clockwise</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>S{0} counter-clockwise</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Tabs</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Take into the program</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1916,6 +3580,10 @@
         </message>
         <message>
             <source>Take the alarm away without homing: only when the position is surely right.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Take the line numbers out</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1943,6 +3611,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The circles and points of a sketch, or the circular edges of a solid</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The clamps seen from above, at the height of their tops</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1967,6 +3639,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The corner where the grid begins, from the work zero</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The cut goes on without FreeCAD; the controller's panel finds it again the next time it is opened.</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1987,7 +3663,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>The depth of the pocket, ap_total</source>
+            <source>The diameter at the other end of the flanks; 0: that of a metric thread</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2007,7 +3683,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The faces and edges of the drawing that count; none: all of it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The feed of the last pass at the wall; 0: the tool's own feed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The feed of the last pass; 0: the tool's own feed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The feed of the program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The fingerprint of the job's program from which this one was edited</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2019,7 +3711,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The height of the rapids between holes: G98 or G99</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The job is being cut.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The job whose machine, stock, tools and clamps the program is for</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2040,6 +3740,10 @@
         </message>
         <message>
             <source>The length of the cutting edges; 0: not given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The length of the lead's line</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2087,6 +3791,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The machine whose dialect the program is read in</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The marked solid is no clamp any more; it stays</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2095,11 +3803,39 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The middle of the circle, from the work zero</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The minor diameter that is cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The nominal diameter; 0: that of each circle of the drawing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The order in which the holes are made</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The order in which the lines are cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The other end of the diagonal, before the rectangle is rotated</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The parts and bodies that the clamps move with</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>The parts and bodies that the drawing moves with</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The plunge feed of the program</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2131,15 +3867,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The radius of the lead's arc</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The sketch, wire, B-spline or freehand line to follow</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>The speed of cutting moves</source>
+            <source>The sketch, wires or faces whose lines are followed</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>The speed straight down</source>
+            <source>The speed of cutting moves; 0: that of the job's material</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The speed straight down; 0: that of the job's material</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The spindle's speed in the program</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2148,6 +3896,14 @@
         </message>
         <message>
             <source>The thickest chip that a tooth bears; 0: not given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The thickest material left in inner corners</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The thickest material left in them</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2164,6 +3920,10 @@
         </message>
         <message>
             <source>The width of one pass at most, ae</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The width of the cut where it is not the tool's diameter; 0: the tool's own</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2188,6 +3948,10 @@
         </message>
         <message>
             <source>This takes a number without a unit, not '{0}'</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Thread</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2235,7 +3999,39 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Tool tables in inches ({0})</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Tools</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Tools ({0})</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Tools without feeds or speed take theirs from its table</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Toothed belt</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Travel for a turn of the screw; with several starts its lead</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Turns</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Turns of the encoder for one of screw or pulley</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Turns of the motor for one of screw or pulley</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2275,6 +4071,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>What happened to the job's own program since</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>What is cut, in this order</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2284,6 +4084,22 @@
         </message>
         <message>
             <source>What is switched on while cutting</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>What stays at the wall, for another operation to take</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>What the axis loses at a reversal, as the profile says; moves that are sent take it up</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>What the controller adds to Z, where the machine takes lengths from a table; 0: not given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>What the cutter is made of</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2303,6 +4119,22 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Where the holes stand</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Where the mirror stands, mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Where the row begins, from the work zero</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Where the row ends</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Where the table stands is not known: home the machine, or set the work zero anew.</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2311,11 +4143,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Whether inner corners are opened, so that a square corner fits in</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Whether the depth is that of the point or of the full diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Whether the last point joins the first</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Whether the program holds it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Which one is shown, checked and sent, where the machine wants one a tool</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2331,6 +4175,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Width</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Work</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2343,7 +4191,39 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Writes the text into a file</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Writing the report…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>X times</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>X words are diameters</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>X words are radii</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>X; Y in {0}, one hole a line</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>XPS foam</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Y times</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Z times</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2351,7 +4231,43 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a comment</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a parameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>absolute</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>acrylic, cast</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>ae, recalculated to whole passes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>along the walls</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>aluminium 6061</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>angle about X</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>angle about Y</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>angle about Z</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2359,7 +4275,59 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>arc</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>arc centre along X</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>arc centre along Y</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>arc centre along Z</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>arc centres are absolute</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>arc centres are seen from the arc's begin</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>arc, clockwise</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>arc, counter-clockwise</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>arcs lie in the XY plane</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>arcs lie in the YZ plane</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>arcs lie in the ZX plane</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>arcs within the tolerance</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>as drawn</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>as given</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2367,7 +4335,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>bolt circle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>bounded engagement</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>box</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>brass</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2375,7 +4355,35 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>by numbers</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>calls a subprogram</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>canned cycles return to R</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>canned cycles return to where they began</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>carbide</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>carbon fibre</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>centre of the top</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>changes the tool</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2387,11 +4395,67 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>coolant off</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>coordinates are absolute</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>coordinates are steps from where the tool is</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>count</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>cubic spline</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>cuts a thread in several passes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>cylinder</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>depth of a peck</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>drill</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>drills</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>drills with a dwell at the bottom</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>drills, breaking chips</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>drills, lifting the chips out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>dwell for P</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>end of the program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>ends the canned cycle</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2407,7 +4471,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>flood</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>flood (M8)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>flood on</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>follows the path exactly</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2415,7 +4491,35 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>full diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>goes to the first stored place</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>goes to the second stored place</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>grid</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>hardwood</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>helix</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>high-speed steel</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>how often, or which</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2423,7 +4527,43 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>incremental</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>inside</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>into one side</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>into the corner</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>inverse time</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>jet (water, plasma, laser)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>leads the program elsewhere</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>left</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>lengths are inches</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>lengths are millimetres</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2431,7 +4571,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>line</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>line {0}, column {1}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>lines in one direction</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>make room in the folder for temporary files</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>mild steel</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2439,7 +4595,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>mist</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>mist (M7)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>mist on</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>moves in step with the spindle</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2459,6 +4627,22 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>names the present place</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>no cutter compensation</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>no errors</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>no tool length</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>none</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2467,7 +4651,31 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>none, the numbers count</source>
+            <source>not given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>number of the line</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>number of the tool</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>number of the tool for compensation</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>number of the tool length</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>of a drawing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>on the line</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2479,7 +4687,83 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>outside</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>pauses until it is told to go on</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>pauses where the operator wants it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>place along U</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>place along V</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>place along W</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>place along X</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>place along Y</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>place along Z</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>plywood</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>points</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>polycarbonate</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>probes away until it lets go</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>probes away until it lets go, an alarm where it does not</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>probes until it touches</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>probes until it touches, an alarm where it does not</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>profile: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>published points (DDA)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>quadratic spline</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>radius, or where a canned cycle begins</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2491,7 +4775,67 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>rapid: straight, as fast as the machine can</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>returns from a subprogram</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>right</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>rounds corners off to keep its speed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>sets offsets or tools</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>sheet</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>short rapids</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>softwood</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>spacing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>speed of the spindle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>spindle off</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>spindle on, clockwise</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>spindle on, counter-clockwise</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>spiral</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>stainless steel</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>straight cut, at the feed F</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2499,7 +4843,35 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>takes G92 back</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>takes a given tool length into account</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>takes the tool's length into account</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the cutter runs left of the path</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the cutter runs right of the path</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the machine's own</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the point</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the whole stock</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2511,6 +4883,22 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>this line is in machine coordinates</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>this line is not run</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>time, number or turns, as the code has it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>tool {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>value {0}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2519,11 +4907,35 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>work zero {0} of 9</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>zigzag</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{0} %</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{0} (edited)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{0} = 0</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} errors</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} has changed in the document meanwhile; here is still what you typed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} has changes that are not saved.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2535,7 +4947,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{0} lines change:</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{0} moves</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} of {1}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2543,7 +4963,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{0} replaced</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{0} rpm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} tools imported</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2574,15 +5002,47 @@
             <source>{0}× speed</source>
             <translation type="unfinished"></translation>
         </message>
+        <message>
+            <source>… and {0} more lines</source>
+            <translation type="unfinished"></translation>
+        </message>
     </context>
     <context>
         <name>CNCStepper core</name>
+        <message>
+            <source>! is a command to the controller (feed hold), not part of a program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>#&lt;{0}&gt; has no value here</source>
+            <translation type="unfinished"></translation>
+        </message>
         <message>
             <source>${0} is {1}, wanted {2}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>% may stand only alone on a line</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>% may stand only on the first and the last line</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>'{0}' cannot be read: {1}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>'{0}' cannot be {1}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>'{0}' is no kind of sheet that can be written</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>'{0}' is no length or angle that is known</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2591,6 +5051,10 @@
         </message>
         <message>
             <source>'{0}' is no solid and cannot be a clamp</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>'{0}' is no tool file that is known</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2610,7 +5074,39 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>(program {0} of {1}, tool {2})</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>/ (block delete) may stand only at the beginning of a line</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>0 to {0} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>; and {0} smaller ones</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>= is missing after the parameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>? is a command to the controller (status), not part of a program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>@ and ^ lie in the plane XY</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>@ and ^ stand for X and Y</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>ATAN needs a second value</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2618,7 +5114,39 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>D of {0} is the number of a tool</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>EXISTS asks for a parameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>FreeCAD has no tool bit for a {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>FreeCAD's Python lacks {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>G10 L{0} changes nothing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>G10 is read with L1, L2, L10, L11 and L20 only</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>G28 and G30 may not be used</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>G28 homes a Marlin machine: home it before the program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>G28.1 homes a Mach machine: home it before the program</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2626,11 +5154,187 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>G5 needs both I and J or neither</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>G5 needs both P and Q</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>G5.3 ends a NURBS: no other motion may share its line</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>G5.3 ends what no G5.2 began</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>G52 moves the zero about which the path is changed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>G53 and G28 have no place in work coordinates: give the work zero, or take them out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>G53 may not be used</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>G53 needs a G0 or G1 move</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>G53 takes X and Y only</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>G53 takes absolute coordinates only</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>G53 works only with G0 and G1</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>G64 P lets the machine cut corners: times and pulses do so, the simulated part shows the programmed path</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>G64 without P does not say how far the machine may cut corners; all is worked out for the programmed path</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>G76 moves X and Z only</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>G80 leaves no motion for the axis words</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>I of G76 may not be 0</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>I of {0} must be above 0</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>I, J and K are given from the start point of the arc</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>IJK distance mode changed to absolute</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>IJK distance mode changed to incremental</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>ISO 6983 has no such word: leave it out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>J and R make too many passes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>J of G76 must be above 0</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>K of G76 must be above J</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>L may not be negative</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>M6 depends on the machine's configuration: pause with M0, or split at tool changes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>M66 takes either P, a digital input, or E, an analogue one</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>M66 with L waits: it needs Q above 0</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>M98 needs a P word</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>M98 takes one P and one L</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Mach probes with G31</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Marlin has no end word (M30 deletes a file): leave it out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Marlin means something else with it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Marlin would read G91 or G90: leave it out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>O1234 ends with M99</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>O1234 is called by M98 P1234</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>P of G04 is seconds on some controls and milliseconds on others</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Q asks for too many pecks</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Q of M19 must be above 0</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>R lies below {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Reset to continue</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>T selects an extruder: pause with M0 where the tool is to be changed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>[ is missing after {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a G code has one decimal at most</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a G92 is in force where the tool is changed: a new program cannot rely on it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a NURBS of order {0} needs as many control points</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2642,11 +5346,43 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a canned cycle moves X, Y and Z only</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a canned cycle takes no inverse time feed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a chip load needs flutes</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a comment is closed that was not opened</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a comment may not hold another one</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a control point needs a weight P above 0</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a control point needs both X and Y</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a coordinate is not a length in mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a corner is either rounded (A) or broken (C)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a corner of the profile is too small for its fillet or chamfer</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2662,6 +5398,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a cutting move has no feed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a cutting move has no feed rate</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2670,11 +5410,43 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a difference of {0} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a distance must be a number</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a dog-bone would be too long</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a drill cannot cut along a contour</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a drill goes sideways through stock</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a feed of inverse time (G93) cannot stay where the axes are scaled differently</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a feed would become 0</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a height field needs two rows and two columns of finite heights at least</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a helix needs a known start point</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a hole lies in no outline</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2686,11 +5458,63 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a lathe tool is compensated in the plane ZX</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a lead of kind 'arc' needs radius_mm, and no length_mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a lead of kind 'line' needs length_mm, and no radius_mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a limit switch stayed pressed after homing</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>a limit switch was hit</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a line does not fit the controller's buffer</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a line holds one command</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a line in '{0}' is open and encloses nothing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a line needs at least two different points</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a line number begins with a digit</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a line number is written in digits</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a line of a parameter file is the number of a parameter and its value</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a line of a tool table names one tool, which stands in it once</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a line that begins with $ is a setting or command for the controller, not part of a program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a mesh and no line</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2706,6 +5530,38 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a number that no letter begins</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a part must have a length</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a part of another operation</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a path is mirrored along X or Y</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a point is too far away</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a probe or an input sets it on the machine</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a probe takes no feed per turn</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a program with subroutines, loops or branches is not rewritten</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a rapid crosses the stock with the beam on</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2718,7 +5574,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a rapid with the tool running is not above all cuts</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a rectangle's corner radius must not exceed half of its shorter side</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a request without the session's token</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a scale must be above 0</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2730,7 +5598,47 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a shape of the pattern is no circle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a spline moves X and Y only</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a subroutine in another file moves: it is not edited with the program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a subroutine in another file sets a feed: it is not edited with the program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a subroutine may not be defined inside another one</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a subroutine takes {0} arguments at most</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a tolerance must be above 0</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a tool bit is one tool</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a tool length lies along Z only</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a tool length of {0} mm is in force, wanted none (G49)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a tool of the library has no number nr or no path</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2738,7 +5646,31 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a tooth of the {0} tool takes too thick a chip for tool and material</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a tooth of the {0} tool takes too thin a chip: it rubs and grows hot</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a transform must not collapse the curve</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a value is missing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a value is negative where only positive ones are allowed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a whole number</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a whole number from 0</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2746,7 +5678,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a word is a letter and a number</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a word stands twice in one line</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a {0} cuts through at any height: no tabs, no ramp</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a {0} tool does not drill</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2758,7 +5702,43 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a {0} tool mills no thread</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>above 0 mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>above 0 mm/min</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>above 0, at most {0} deg, no tabs</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>above 0, below {0} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>above {0} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>add F, or write G94 before</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>add G0 or G1</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>add control points</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>add one before the first cut</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2766,7 +5746,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>add the other</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>add the tool or correct the T word</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>add them</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>add what it is to set</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2774,7 +5766,55 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>add {0} to the line</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>after a stop the first move names all its axes, on one straight way: let the machine stand above the work</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>all {0} lines are cut, the machine is idle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>an O-word begins a line of a whole program, in dialects that have them: here it is not read</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>an analogue input is only read, with L0</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>an arc by radius may not end where it starts</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>an arc in the plane {0} would be no arc any more</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>an arc needs a known start point</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>an arc scaled unevenly is no arc</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>an arc takes either R or a centre</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>an expression begins with [</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>an incremental move needs a known position</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>an inverse-time feed needs a known position</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2782,7 +5822,31 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>an operation uses tool {0}, which neither the job nor {1} has</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>an operator is missing or unknown</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>an order names an item that is not there</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>an outline or island is open</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>another task is open in the task panel</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>arcs are in XY</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>arcs outside the plane XY</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2790,7 +5854,31 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>assign it before</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>at least</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>at least {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>at least {0} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>at most</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>at most {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>at most {0} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2806,11 +5894,47 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>axis offsets may not be changed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>axis words stand where no command uses them</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>axis.{0} is missing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>axis.{0}.jerk_mm_s3 is missing: ramp = "s_curve" needs it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>backlash_mm must be below the travel of the axis</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>before it starts set the Z zero with its tool</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>begin farther away</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>begin lower or take smaller steps</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>begin operation:</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>begin operation: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>begin the comment with ;</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2826,11 +5950,39 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>belt_pitch_mm and pulley_teeth belong together</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>both radii must be positive</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>bring it to Idle first</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>canned cycles may not be used</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>change the distance or the tolerance a little</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>change the text to start it again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>change the tool at an M0 pause, or split the program at tool changes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>change to tool {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>change_ms is so small that there are more than {0} waits</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2882,6 +6034,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>check the file</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>check the probe's wiring and plate, then unlock with $X</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2891,6 +6047,14 @@
         </message>
         <message>
             <source>check the switches, and travel $130 to $132</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>check which curves are outlines and which are islands, and stock_to_leave_mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>checksums are not part of this dialect</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2906,7 +6070,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>choose a sketch with circles or points, or give the places by numbers</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>choose a sketch, closed wires or faces for it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>choose a sketch, wire, B-spline or freehand line for it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>choose a sketch, wires or faces for it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2914,7 +6090,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>choose a smaller tool or less stock to leave</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>choose a smaller tool, or drill</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>choose a solid, for example a box</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>choose a tool of at most {0} mm diameter</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2922,7 +6110,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>choose another side</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>choose its job</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>choose one of the job's tools for it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>choose one of them</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2938,6 +6138,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>close it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>close it and home again</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2947,6 +6151,26 @@
         </message>
         <message>
             <source>close it or set closed = false</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>close it with )</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>close it with &gt;</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>close it with ]</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>close it, or leave only closed lines in the drawing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>close it, or use side "left", "right" or "on"</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2974,6 +6198,26 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>closed belongs to points</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>compute it in several lines</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>constant surface speed became a speed a move</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>coordinate systems may not be changed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>coordinates alone may not follow {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>core_diameter_mm must not exceed diameter_mm</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2982,7 +6226,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>correct its spelling or take it out; known are: {0}</source>
+            <source>correct R or the end point</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>correct R or {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>correct its spelling or take it out; known {0}are: {1}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2998,7 +6250,31 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>correct that one first</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>correct that value</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>correct the centre or the end point</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>correct the diameters or pitch_mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>correct the end</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>correct the entry</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>correct the expression</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3006,7 +6282,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>correct the number</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>correct the path</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>correct the path, or save the file as UTF-8 text</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>correct the path, the tool's diameter or the depth</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>correct the profile</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3014,7 +6306,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>correct the word before</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>correct work zero or program, then unlock with $X; the position is kept</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>curve {0} has no length</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>curve {0} is closed, it has no {1}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>curve {0} is open, it has no {1}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3022,7 +6330,39 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>cut both in one operation, which leaves the gap standing, or use a smaller tool</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>cut in more levels, or take a longer tool</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>cut it before, or hold the piece by tabs</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>define it, or put its file beside the program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>describe it in a [[tool]] table</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>diameters must rise, and each range lead from its least value above 0 to its most</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>does not lie flat</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>dog-bones or a smaller tool take it away</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>draw a circle, or cut it as an elliptical pocket</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3030,11 +6370,47 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>draw circles or points where holes are wanted, or give the places by numbers</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>draw holes as circles, or give points</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>draw it in a [[shape]] table</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>draw it larger, or leave it out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>draw it on the XY plane or on one parallel to it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>draw lines, arcs, circles, polylines, ellipses or splines in its model space, on visible layers</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>draw one rectangle, its corners rounded alike or not at all, or cut it as a pocket</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>draw outlines with an area</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>draw something in it, or choose another drawing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>drop it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>drop the line</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3050,7 +6426,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>end it in .pdf or .html</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>end it with #</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>end other programs, or lower max_rate_mm_min in the machine's profile</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>enter by a helix or ramp, or in the middle of a hole drilled before</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>entry "plunge"</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3058,7 +6450,47 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>expand it into plain moves</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>expressions in brackets are not part of this dialect</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>feed mode set to inverse time</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>feed mode set to units per minute</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>feed mode set to units per revolution</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>feeds a turn became feeds a minute, at the speed that S asks for</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>feeds of inverse time became feeds a minute</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>find the cause, then home the machine: its position is lost</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>finish operation:</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>finish operation: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>finish_stepover_mm (ae_acab)</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3070,7 +6502,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>fit the scaled curve anew</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>flute_length_mm must not exceed length_mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>full circles became two arcs</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>gap {0} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3082,7 +6526,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>give G64 a P, or follow the exact path with G61</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>give I, J and K from the start point of the arc (G91.1)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>give X,Y,Z in mm, for example 100,70,20</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>give ^ with G90</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3094,11 +6550,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>give a file that ends in {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>give a finite number</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>give a start position of X, Y and Z</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>give a way of 0.0001 mm or more and a feed above 0</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>give all of them</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3110,11 +6578,31 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>give dwell_s, or use G81</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>give either screw_pitch_mm, or belt_pitch_mm and pulley_teeth</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>give every line as many</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>give every row as many</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>give heights over the bottom, and the largest as the stock's Z</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>give its centre</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>give its centre with I, J or K</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3126,6 +6614,18 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>give parameters {0} to {1} with the start state, or use G53</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>give peck_mm, or use G81</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>give the arc's centre with I and J</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>give the path of a TOML job file</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3134,11 +6634,35 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>give the text to be replaced</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>give the timeline its machine</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>give the tool a length_offset_mm, or choose another tool_length for the machine</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>give the tool a {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>give the tool its flutes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>give the tool its length_offset_mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>give the tool table with the start state</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>give the tool with the start state</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3147,6 +6671,30 @@
         </message>
         <message>
             <source>give two opposite corners of a rectangle, or three and more of a polygon in their order</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>give {0}, or a pattern of circles</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>grbl follows the exact path always: leave the word out or write G61</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>grbl has G54 to G59</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>grbl has no canned cycles: write the holes as plain moves</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>grbl moves X, Y and Z only</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>grblHAL takes arc centres from the start point only (G91.1)</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3163,6 +6711,10 @@
         </message>
         <message>
             <source>home the machine again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>home the machine before its next move</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3186,6 +6738,22 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>in absolute mode the control drives an axis without a word to 0</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>in inverse time every {0} needs its own F above 0</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>in the language of {0} no play can be taken up</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>incremental coordinates became absolute</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>install it for the Python that proves (python -m pip install NAME)</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3202,7 +6770,31 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>is read as a line of its own, in a whole program, where the dialect has subroutines</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>it ended with an error</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>it ends at X {0} Y {1}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>it ends too early</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>it has none</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>it has them on {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>it has {0}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3210,11 +6802,63 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>it is empty</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>it is one program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>it should be *{0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>its file '{0}' is neither here nor in ../Bit</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>its number is above {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>its shape '{0}' is none of {1}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>jog less far</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>kerf_mm is not what this tool cuts</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>large cuts are being prepared, once after an installation</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>laser mode needs a variable spindle output</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>lay the work in its axes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>leads had to be made smaller to stay in the scrap, down to {0} of their size</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>least_ms must not be above first_ms</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>leave '{0}' out, if the machine's operator does it by hand</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>leave it out: Marlin has only this mode</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3238,7 +6882,43 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>leave the others out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>leave them out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>left out: G61.1, the machine may round the corners</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>left out: G64, the exact path is followed as far as the machine does</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>left out: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>lengths of tools went into the coordinates</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>let Z always rise or always fall</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>let it plunge at the start of the contour</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>let the tool stick out farther</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>let them coincide, or keep them {0} mm apart</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3246,7 +6926,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>lift the tool between them</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>lift the tool over it, move the clamp or move the shape</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>line numbers begin at 0 or above and grow</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>lines with / are {0}: no switch deletes them any more</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>load the module ppdev, and let your user use the device</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>look at its case, or look in comments too</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3274,7 +6974,31 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>lower the feed, or turn the spindle faster</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>lower the stepover, enter by a helix, or leave less in the corners</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>machines with more than three axes are not written for Mach yet</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>machines with more than three axes are not written in this dialect</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>make D smaller</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>make I larger</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>make Q larger</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3286,6 +7010,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>make it shorter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>make it smaller, or islands remain</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3294,11 +7022,39 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>make spacing_mm larger</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>make stepover_mm larger</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>make the corner radius smaller</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>make the leads or the tool smaller, move the parts apart, or do without leads</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>make the passes, the levels, the resolution or the entry angle larger</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>make the program again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>make the program smaller, split it, or use a larger machine</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>make the tabs narrower or the tool smaller, or cut without tabs</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>make them lower</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3310,11 +7066,47 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>measure the width of its cut, or leave kerf_mm out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>mend that object first</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>mend the file that it was read from, where that is not meant</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>mini-lathe B</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>more of the {0} tool's rim is in the material than it may</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>more than</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>more than {0} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>more than {0} steps</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>motion mode set to none</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>move one of the corners</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>move other axes before</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3334,7 +7126,55 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>move them or the work zero</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>move there first with absolute coordinates, or give the start</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>move there with G90 first</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>move {0} on a line of its own</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>name X and Y in a rapid above the stock first</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>name a new file, or one that pulses were recorded in</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>name both axes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>name one of them</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>name one of: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>name the device file of a parallel port, such as /dev/parport0, or a file to record in</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>named parameters are not part of this dialect</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>no closed curves at that distance were found</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>no code on this line uses the word {0}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3346,11 +7186,43 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>no input may be read</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>no modes are kept here</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>no output may be set</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>no parallel curve that far inside</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>no position may be stored</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>no rapid leads to this way, and backwards it does not begin where the one before ends</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>no spline may be cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>no tab fits on any contour</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>nobody has confirmed the work zero</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>not a DXF file: {0}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3374,6 +7246,38 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>not a point: '{0}'</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>not a text file</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>not a tool bit: it has no shape or no parameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>not a tool bit: its {0} is no object</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>not a tool library: it has no list of tools</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>not a tool of a table: '{0}'</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>not all of a parallel of the wall is seen from the middle of the room</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>not all of the wall is seen from the middle of the room</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>not finite: {0}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3394,7 +7298,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>nothing may be probed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>nothing may follow {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>nothing moves</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>nothing moves in the plane {0}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3402,7 +7318,43 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>only a closed curve can start elsewhere</source>
+            <source>nothing that a tool could follow</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>numbers 1 to {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>o&lt;name&gt; sub ends with o&lt;name&gt; endsub</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>o&lt;name&gt; sub is called by o&lt;name&gt; call</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>on its line a contour has no scrap side for leads</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>on its line a contour has no wall for dog-bones, a finishing pass or stock to leave</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>one pass is {0} mm deep, deeper than the tool's diameter of {1} mm; give stepdown_mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>only X, Y and Z are edited, not {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>only arcs of G17 can be turned about Z</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>only the first control point goes without X and Y</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3414,11 +7366,75 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>outlines and islands lie too close to each other to be told apart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>overrides may not be switched</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>o{0} has no end: the text is over, and it is still being skipped</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>parameter 5220 names no work system</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>parameters (#) are not part of this dialect</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>parentheses are no comment here</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>part of the drawn shape lies beside the stock</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>peck_mm {0} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>pick it again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>pins.{0} is no signal; there are {1}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>pins.{0}: pin {1} is an input of the parallel port</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>pins.{0}: pin {1} is no output; outputs are 1 to 9, 14, 16 and 17</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>pins: two signals are on one pin</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>pitch_mm is lowered to {0} mm, for the helix must not fall by more than {1}°</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>places of the machine became those of the work, right for this work zero only</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>planes are an option of the build: leave it out, arcs are in XY</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>platformdirs is not installed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>play is told of three axes</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3438,11 +7454,43 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>prepare this program's own</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>programs are not written in the dialect {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>programs are read for machines with three axes, or with nine</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>programs of {0} are in one unit only</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>programs with more than the axes X, Y and Z are not written</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>prove parts of the program alone</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>pulses are those of a machine</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>put it before the way</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>put it in brackets</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>put some in named parameters</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3458,11 +7506,51 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>raise the feed, or turn the spindle slower</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>raise the pull-off $27 or check the switch</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>raise the tool first, or switch it off</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>ramp = "table" and planner.waits belong together</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>ramp {0} deg</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>rapids and cuts would be exchanged</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>rapids move at the feed in force: no F for them was given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>read the program as a whole</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>reading was cancelled</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>remove it; only plain ASCII without ? ! ~ may be sent</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>rename one of them</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>renumber by hand</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3474,7 +7562,35 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>retract mode set to old_z</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>retract mode set to r_plane</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>run 'make setup' beside the workbench, or let Tools &gt; Addon Manager install them, or install them for Python {0}.{1} into a folder of their own (pip install --target FOLDER) and name it in the environment variable CNCSTEPPER_PACKAGES</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>save it as DXF again, as R2000 or newer</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>save it as UTF-8</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>save it as a file</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>scale all axes alike</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>scale all axes alike, or write feeds a minute (G94)</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3486,7 +7602,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>select the plane with G17, G18, G19</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>send another one</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>send the wanted words by hand or reset the controller, look at the work zero, and send again</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3502,7 +7626,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>set backlash_mm to 0 in the machine profile</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>set it again, and do not start before it is right</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>set ramp_deg and no tabs, or use a mill that cuts over its centre</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3515,6 +7647,30 @@
         </message>
         <message>
             <source>set the zero there, or check the program again with the zero that is set (--work-zero)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>set the zero with G10 L2 instead</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>set up a program of that name on the machine</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>several turns of an arc became one arc a turn</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>shape '{0}' goes without the {1} {2} of its drawing: {3}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>shape '{0}' goes without {1} more things of its drawing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>shape '{0}': two ends lie {1} mm apart at X{2} Y{3}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3535,6 +7691,22 @@
         </message>
         <message>
             <source>something else than grbl answers</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>spacing_mm asks for more than {0} tabs on one contour</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>spindle, coolant or tool would be another</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>splines lie in the plane XY</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>split it there, or send it to a controller</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3562,7 +7734,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>stepover_mm (ae) is larger than the tool</source>
+            <source>stepover_mm (ae)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>stepover_mm asks for more than {0} passes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>stepover_mm asks for more than {0} turns</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>stepover_mm is too small for the engagement to be bounded by it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>steps_per_mm is {0}, but the drive gives {1}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3578,6 +7766,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>subroutines and loops were written out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>subroutines call each other too deep</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>switch it off with M5 before it</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3586,7 +7782,47 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>table_ms may hold no wait that is longer than the one before it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>tabs need either count or spacing_mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>take it out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>take it out of the program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>take it out or add its code</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>take one of them out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>take out R</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>take out the inner (</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>take out {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>taken as a flat mill: '{0}' names no shape that a table's words can tell</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>tapping became plain moves: the feed may be overridden, and nothing keeps it to the spindle</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3594,11 +7830,55 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the N word must be the first of its line</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the O-word is unknown</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the angle is not known at the zero of the work system</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the angle of the arc is so small that the controller would run a whole circle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the arc begins at a place that is not known</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the arc has neither I nor K nor R</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the arc has neither {0} nor {1} nor R</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the arc has no axis word of its plane</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the arc has no radius</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the arc in the concave corner cannot be reached by the tool without gouging</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the arc lacks its centre offset in the plane</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the arc needs {0} or {1} in plane {2}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the arc would go through another angle</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3610,11 +7890,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the arc's radius is not larger than the tool's</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the axes are X (radial) and Z (axial)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the beam is never on where it is to cut</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the bore leaves the tool no room for a helix</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the certificate cannot be read</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the certificate holds what no proof has</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3630,7 +7926,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the changed line would lead elsewhere than it must</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the changed program makes other moves</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the changed program would make other moves</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the character {0} would act as a command of its own or is not ASCII</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the checksum is wrong</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3639,6 +7951,26 @@
         </message>
         <message>
             <source>the command lacks its axis words</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the comment is not closed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the compensated arc would have two radii</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the compensated tool cannot reach this corner without gouging</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the computer came too late with a pulse and stopped after {0} writes in time, {1} s from the begin; spindle, beam and drives are off, and steps may be lost</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the contour goes through the stock and sets a piece free that no tab holds</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3718,11 +8050,35 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the converted program would go on after this</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the converted program would not come by this point</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the coordinate system in force may not be changed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the corners of a clamp enclose nothing</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the corners of a rectangle's diagonal must differ in x and in y</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the curve has no length</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the curve is not smooth here</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the curve is open, a closed one is needed</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3731,6 +8087,26 @@
         </message>
         <message>
             <source>the cut comes too near to the sheet's edge</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the cut goes into the part of another contour at X{0} Y{1}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the cut goes into {0} outline(s) that other contours leave standing, most at X{1} Y{2}, by {3} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the cut is taken to be {0} mm wide, the simulation cuts with the tool's {1} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the cut leads through the edge of a part that a contour leaves standing, {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the cycle takes too many passes</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3750,6 +8126,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the diameter of the tool is not known</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the digits of {0} cannot hold this feed: F would be {1} mm/min</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the drawing '{0}' does not lie flat</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3758,7 +8142,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the drawing '{0}' holds an ellipse and no circle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the drawing '{0}' holds more than one ellipse</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the drawing '{0}' holds no circles and no points</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3766,7 +8158,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the drawing '{0}' holds no single rectangle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the drawing '{0}' that it followed was deleted</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the drawing has no curves on a layer '{0}'</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the drawing holds no curves</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the drawing {0} is damaged, a part of it may be missing: {1}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the edited program has no job</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3778,7 +8190,63 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the entry arc of the compensation is not larger than the tool's radius</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the entry move of the compensation is not longer than the tool's radius</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the expression divides by 0</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the expression is nested too deep</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the expression is not closed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the factor must be above 0</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the feed asks more of {0} than its highest rate</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the feed would be another</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the feed would round to 0</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the file cannot be read: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the file holds no object</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the file is read-only</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the file is too large for the editor</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the grid has too many holes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the heights '{0}' cannot be read: {1}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3806,6 +8274,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the job's own program has changed since this one was edited</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the jog came too late to be safe</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3826,6 +8298,34 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the kernels are not compiled ahead: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the key {0} is missing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the largest disc of the {0} tool stands more than a pitch above its tip: it cuts no thread</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the leads fit nowhere in the scrap; the closest obstacle is {0} at X{1} Y{2}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the length of the tool before is in force after the change</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the length offset of tool {0} is not known</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the length offset of tool {0} is not known, it is taken as 0</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the line does not end where it began</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3834,7 +8334,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the line does not fit the buffer of {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the line has no length</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the line holds a byte that the controller acts upon wherever it stands</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the line in the concave corner cannot be reached by the tool without gouging</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3846,6 +8358,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the line is too long for the machine</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the line jumps to a line number</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the line map does not fit the lines</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3854,11 +8374,39 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the line number is out of range</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the line reads where the machine stands, which the edit would change</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the lines after this tool change do not stand alone</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the lines have different numbers of heights</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the lines to send are not those that were proven</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the lines to send were made from another program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the link to {0} broke: {1}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the locks of the order contradict each other</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the machine can do no better with this tool</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3871,6 +8419,10 @@
         </message>
         <message>
             <source>the machine has no {0} coolant</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the machine has one spindle, number 0</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3906,7 +8458,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the mill does not cut over its centre: it can neither plunge nor come down beside a tab</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the minor diameter does not fit the major one and the pitch</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the motor of {0} may lose steps: at {1} mm/s ({2} rpm) and {3} mm/s² it has too little torque</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the move after the end of a compensation must be a line</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3914,7 +8478,75 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the name is not closed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the number of turns is a whole number from 1</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the object of this program is no longer there</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the operation is too long for one program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the outlines enclose nothing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the outlines lie beside the stock</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the outlines, less islands and stock to leave, leave nothing to cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the overcut is longer than the contour</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the parameters of the file are not in the order of their numbers</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the part may differ from it by as much: lower P, or follow the exact path with G61</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the path begins where the machine happens to stand: it is told by ways (G91) alone</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the path mode may not be changed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the pattern cannot be read: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the pins of the machine are not known to this reader</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the plane may not be changed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the play of the axes cannot be taken up in an arc with an absolute centre</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the play of the axes cannot be taken up in coordinates that are turned</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the play of the axes cannot be taken up within this line</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3922,7 +8554,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the pocket is too narrow for its engagement to be bounded</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the point list '{0}' cannot be read: {1}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the points of a freehand line lie at different heights</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the position along {0} is not known here</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the position stored for {0} is not known</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the probe stands at its end already</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3946,7 +8598,43 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the process that reads the program has ended</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the profile cannot be reached from where the cycle begins</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the profile has no end</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the profile is smaller than its allowance</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the profile turns back along Z</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the program cannot be written: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the program changes no tool</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the program cuts along no way at one height</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the program has no F word</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the program has no end</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3954,7 +8642,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the program has too many labels</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the program has too many lines for these numbers</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the program has too many parameters</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the program is larger than the travel of {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the program is none of the job's parts</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3966,7 +8670,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the program needs more than one tool</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the program pauses while the spindle turns</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the program runs on and on: is there a loop without an end?</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the program waits or asks for what pulses cannot give</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3998,7 +8714,67 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the pulses were stopped before they were all sent</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the pulses were stopped on the way: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the pulses were stopped: no more of them came in time</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the radius at the end of the arc is {0} mm and at its start {1} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the radius is too small to reach the end of the arc</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the rapid that leads to a contour must lead to another place, and cannot be changed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the reading</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the record does not end</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the replacement cannot be made: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the resolution is too fine for the ellipse</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the retract mode may not be changed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the rim of the {0} tool is slow for the material</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the rim of the {0} tool is too fast for the material</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the room falls into parts away from its wall</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the room of the tool's centre has islands or several parts</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the row leads to an unknown place along {0}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4054,11 +8830,39 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the settings file of the machine is not known to this reader</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the shank of the {0} tool rubs along the wall over its flutes</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the shape '{0}' needs one of {1}; {2}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the shift of G92 went into the coordinates</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the spindle cannot turn at this speed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the spindle is switched on at S0, since no speed was said before</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the spindle runs while the tool is changed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the spindle's speed is set by hand</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the stand-alone interpreter moves X Y Z A B C only</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4078,7 +8882,31 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the timeline failed by a fault of its own: {0}: {1}</source>
+            <source>the subroutine o&lt;{0}&gt; has no end</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the subroutine's file {0} cannot be read: {1}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the subroutine's file {0} is too large</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the table gives it no diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the tabs are as high as the contour is deep</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the text is not found, or is the same already</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the timeline</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4106,7 +8934,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the tool does not go into the drilled hole</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the tool does not reach into {0} corners or narrow places; what stays there: {1}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the tool fits nowhere along curve {0}, which begins at X{1} Y{2}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the tool goes below the stock and cuts what lies under it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the tool goes up or down while it cuts: backwards it would enter at the full depth</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4114,11 +8958,55 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the tool is changed by hand: write one program a tool</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the tool is compensated already</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the tool is compensated in the planes XY and ZX only</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the tool is down while it is changed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the tool is wider than the pocket</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the tool may not be changed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the tool number is too large</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the tool offset may not be changed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the tool table cannot be read again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the tool's radius is compensated along this way (G41, G42)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the tool's radius went into the path, which is right for this tool only</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the turn of the work system went into the coordinates</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the value is no finite number</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4130,7 +9018,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the waits lie from {0} to {1} ms, beyond {2} to {3}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the wall may be up to {0} mm off: an ellipse is no offset of an ellipse, and the resolution adds to it; method "tolerance" keeps to tolerance_mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the way would be bent otherwise</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the word {0} has no number that can be read</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the words of {0} are not edited</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4147,6 +9051,14 @@
         </message>
         <message>
             <source>the {0} tool cuts deeper than its flutes are long</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the {0} tool does not cut over its centre: it must not go straight down into full material</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the {0} tool does not say how many flutes it has; its feed is reckoned with {1}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4170,6 +9082,18 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>there is no dialect '{0}'</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>there is no drawing '{0}'</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>there is no function {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>there is no job file '{0}'</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4182,7 +9106,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>there is no material '{0}'</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>there is no material '{0}'; use one of: {1}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>there is no motion that the coordinates could belong to</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>there is no outline and no stock to face</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>there is no override {0} {1}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>there is no parameter #{0}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4191,6 +9135,30 @@
         </message>
         <message>
             <source>there is no port {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>there is no room for a helix or ramp, and the tool does not cut over its centre</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>there is no room for a {0} at {1} of {2} places</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>there is no subroutine o&lt;{0}&gt;</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>there is no such part of the program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>there is no such verb</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>there is nothing to find</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4214,7 +9182,43 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>this comment would run Python on the machine</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>this computer cannot keep the rate of the program's pulses</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>this is no certificate</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>this language is in millimetres</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>this lathe moves in straight lines: write the arc as lines</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>this line is executed in modes that differ from one time to the next</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>this line is not executed (deleted, after the end or not led to): what it means is not known</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>this line stands within a way that is to run backwards, and does more than move</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>this one is made by itself when that is done, in about a minute</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>this reader knows no pockets</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4222,7 +9226,35 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>to turn a side round use mirror</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>tool changes by a pause</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>tool must be a list of tables with a number</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>tool {0} '{1}' cannot be used: {2}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>tool {0} '{1}' is left out: {2}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>tool {0} '{1}': a table has no {2}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>tool {0} cuts on without a stop to change tool {1}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>tool {0} does not stand in the tool table</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4231,6 +9263,10 @@
         </message>
         <message>
             <source>tool {0} is not known, so what it cuts is not checked</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>tool {0} of {1}: {2}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4254,7 +9290,31 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>turn the program instead</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>turn the spindle faster</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>turn the spindle slower</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>two arcs of the profile have one centre</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>two commands of one line both want axis words</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>two lines of the profile are parallel</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>two shapes have the name '{0}'</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4274,7 +9334,31 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>up to</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>update its firmware</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>use #&lt;_current_tool&gt;</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>use + - * / ** MOD EQ NE GT GE LT LE AND OR XOR</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>use 10 and 10</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>use G43 with the tool's number in H</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>use G43.1 with the length in Z</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4282,7 +9366,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>use G82, or leave dwell_s out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>use G83 or G73, or leave peck_mm out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>use I and J instead of R</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>use ROUND[...]</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>use X or Y</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>use a drill or a flat mill</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4290,11 +9394,55 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>use a mill, an engraver, a jet or a wire</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>use a mill, or lift the drill before it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>use a name of your own</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>use a smaller tool</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>use a smaller tool or one that plunges</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>use a smaller tool, a larger engagement_max_deg, or another pattern</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>use a smaller tool, or another contour</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>use a smaller tool, or round the corner off</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>use a thread mill with one tooth, given as an engraver with a large tip_diameter_mm or as flat</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>use a thread mill, given as an engraver or as flat</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>use a tool number up to 255</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>use a work offset (G54) instead</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>use entry "helix" or "ramp"</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4310,11 +9458,31 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>use one of carbide</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>use one of: {0}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>use one that `$` lists</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>use one work offset</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>use pattern "offset" or "zigzag"</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>use side "inside", "outside" or "on"</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>use {0} or ATAN</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4350,7 +9518,51 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>waits need table_ms, or first_ms, change_ms and least_ms, or acceleration_steps_s2 and steps</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>wake it up with a reset, then home it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>what #{0} will hold is known only when the program runs</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>what happens between the moves would not be the same</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>what it does is the machine's own: leave it out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>what stands here is no word that can be edited</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>what was picked of '{0}' is not there any more</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>where the tool stands along {0} is not known here, and turning needs both coordinates</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>where this rapid begins is not known</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>where this way begins is not known</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>words for the spindle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>words for this coolant</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4366,7 +9578,79 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>write ATAN[y]/[x]</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write EXISTS[#&lt;name&gt;]</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write F and S above 0 before</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write F on a line of its own</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write G0, G1, G2 or G3</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write G17 before</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write G17 on a line before</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write G17 or G18 before</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write G17, G18 or G19 before</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write G18 before</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>write G4 P{0} after the spindle starts</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write G40 before</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write G43 or G49 after the change</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write G5.2 before</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write G90 (absolute) or G91 (incremental): they are the words for straight cuts</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write G90 first</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write G94 before</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write M2 or M30 as its last line</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write M5 before</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4374,11 +9658,131 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>write M70 before, in the same subroutine</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write S before</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write X and the seconds</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write a G0 or G1 before</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write a G0 with numbers before it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write a decimal number after the letter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write a library, with the ending .fctl</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write a line</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write a line such as: T3 P3 D6.0 Z+41.5 ;6 mm end mill</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write a move with G90 before it, or move the work zero</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write a number, #parameter or [expression]</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write a point for decimals</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write a rapid to its begin</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write a straight line</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write an F word above 0 before</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write endsub, or M99 in a subprogram of Fanuc's form</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>write for example XYZ, or Z alone</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>write for grbl or linuxcnc</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write it as two</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write it in two lines, or make the comment shorter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write it on a line of its own</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write it on the next line</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write its end point</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write its endif, endwhile, endrepeat, while or endsub</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write numbers in mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write one of them</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>write one of: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write one program a tool, or pause at tool changes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write one x,y in mm a line</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write out what it does first: cncstepper convert</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write plain moves, each in a line of its own, in coordinates that are not turned</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4394,11 +9798,75 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>write the curve as lines and arcs</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write the end point itself</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write the motion word again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>write the program for the dialect grbl</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>write the program in mm, or choose a higher feed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write the value itself</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write the way of the tool's centre</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write the words with plain numbers</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write them on two lines</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write with G54 to G59</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write x,y in mm, or x;y where the comma is the decimal sign</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write {0} = "name"</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write {0} [condition]</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write {0} alone</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write {0} before</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>zero of {0} set in {1}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} and {1} may not share a line: they set the same mode</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} and {1} would both use the axis words</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4407,6 +9875,26 @@
         </message>
         <message>
             <source>{0} asks for more than {1} passes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} became lines, at most {1} mm away</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} became plain moves</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} blunts tools of HSS at once</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} by way of a place cannot be turned</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} by {1} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4422,7 +9910,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{0} cannot be written: {1}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{0} cannot be {1}: {2}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} cannot change tools by '{1}'</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4430,11 +9926,39 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{0} cuts into a piece that {1} has set free: nothing holds it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} does not accept {1}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{0} does not answer {1}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{0} does not drill in pecks</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} does not wait at the bottom</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} drills in pecks and needs peck_mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} failed by a fault of its own: {1}: {2}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{0} goes into clamp {1}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} goes on from the point before: neither with {1} nor under G91</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4446,7 +9970,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{0} has no axis {1}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{0} has no drawing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} has no feed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} has no feed: a feed per turn needs F and a spindle that turns</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4454,7 +9990,47 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{0} has no programs in {1}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} has no setting '{1}'</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{0} has no tool</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} has no value for {1}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} has no word {1}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} has no work offset {1}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} has no {1}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} has no {1} with the label {2} before it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} has too few values</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} is absent: the axis stays here, but the published control would drive it to 0</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} is in force, wanted {1}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4466,7 +10042,43 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{0} is larger than the tool</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} is missing, and only the circles of a drawing have one of their own</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} is missing: absolute arc centres need both words</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} is no centre word in plane {1}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} is no number</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} is no parallel port</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} is no parallel port that can be had: {1}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{0} is no port: {1}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} is no recording of pulses, and is not written over</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} is not read in {1}, a plane of the axes U, V and W</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4474,11 +10086,43 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{0} is out of range</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{0} is {1}, wanted {2} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{0} lines more than the text has</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} may not be assigned</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} may not be negative</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{0} may not be opened by this user</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} may not be used</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} mm ({1} mm²) at X{2} Y{3}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} mm deep</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} mm from the tool's centre</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4494,11 +10138,31 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{0} mm to ramp on</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} mm wide</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} mm with the stock to leave</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{0} mm, {1} mm/min</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>{0} mm/min</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} moves in one block</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} moves with the spindle, whose speed is not set</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4510,11 +10174,91 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{0} must be a whole number</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} must be the name of a shape, or a list of names</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} names the shape '{1}', which the job does not have</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{0} needs X, Y or X, Y, Z</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{0} needs X, Y or Z</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} needs a closed shape, but '{1}' does not end where it begins</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} needs a {1} word</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} needs a {1} word: none is in force</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} needs both I and J</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} needs the spindle to turn</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} needs the spindle to turn clockwise (M3)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} needs the spindle to turn counter-clockwise (M4)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} needs the whole program: the profile is a subroutine</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} of the {1} holes stand where others do and are made once</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} of {1} must be {2} 0</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} of {1} open, the first from {2}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} of {1} runs cannot be entered from the side; a {2} is used</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} of {1} tabs fit on the contour that begins at X{2} Y{3}; make them narrower to have more</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} other things</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} piece(s) stay joined to others, for the tool does not fit between them; the tightest place is at X{1} Y{2}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{0} points, {1} bulges</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} programs are written without '{1}'</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4526,11 +10270,124 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{0} says nothing with G10 L{1}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{0} sends no line ends</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{0} sets the zero from where the tool stands after moves of the path</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} stands in line {1} of {2} already</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} stands outside any subroutine</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} stands twice on the line</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} stands where a whole number must</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} takes no F: the spindle drives it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{0} to {1} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} waits at the bottom and needs dwell_s</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} while the tool is compensated</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} works in the plane ZX</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} writes/s, the worst {1} µs late</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} writes/s, {1} µs</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} {1} mm of material stays in {2} inside corner(s) that are sharper than the tool; {3}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} {1} {2} is no finite number</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} µs late</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0}, and end other programs before the next try</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0}, program {1} of {2}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0}, which is to be run before it, is refused</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0}; a {1} is used</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>~ is a command to the controller (cycle start), not part of a program</source>
+            <translation type="unfinished"></translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_Bore</name>
+        <message>
+            <source>Bore</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Cuts holes wider than the tool along helices: the selected circles</source>
+            <translation type="unfinished"></translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_CircularPocket</name>
+        <message>
+            <source>Circular pocket</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Cuts a pocket: the selected circle, or one by numbers</source>
+            <translation type="unfinished"></translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_Contour</name>
+        <message>
+            <source>Contour</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Cuts along the selected lines or faces: outside, inside or on</source>
             <translation type="unfinished"></translation>
         </message>
     </context>
@@ -4542,6 +10399,28 @@
         </message>
         <message>
             <source>Shows the machine: state, position, hold, stop, jog, zero</source>
+            <translation type="unfinished"></translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_Drill</name>
+        <message>
+            <source>Drill</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Drills at the selected circles and points, or in a pattern</source>
+            <translation type="unfinished"></translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_EditProgram</name>
+        <message>
+            <source>Edit program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Opens the program of the job in the editor</source>
             <translation type="unfinished"></translation>
         </message>
     </context>
@@ -4568,6 +10447,17 @@
         </message>
     </context>
     <context>
+        <name>CNCStepper_Face</name>
+        <message>
+            <source>Face</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Makes the top flat: of the stock, or of what is selected</source>
+            <translation type="unfinished"></translation>
+        </message>
+    </context>
+    <context>
         <name>CNCStepper_Freehand</name>
         <message>
             <source>Draws a line with the mouse: press, move, release</source>
@@ -4579,6 +10469,17 @@
         </message>
     </context>
     <context>
+        <name>CNCStepper_ImportTools</name>
+        <message>
+            <source>Adds the tools of FreeCAD's library or of a tool table</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Import tools…</source>
+            <translation type="unfinished"></translation>
+        </message>
+    </context>
+    <context>
         <name>CNCStepper_NewJob</name>
         <message>
             <source>Makes a job. A selected solid or drawing gives its stock</source>
@@ -4586,6 +10487,39 @@
         </message>
         <message>
             <source>New job</source>
+            <translation type="unfinished"></translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_OpenProgram</name>
+        <message>
+            <source>Open G-code file…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Opens a G-code file in the editor</source>
+            <translation type="unfinished"></translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_Pocket</name>
+        <message>
+            <source>Clears what the selected closed lines or faces enclose</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Pocket</source>
+            <translation type="unfinished"></translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_RectangularPocket</name>
+        <message>
+            <source>Cuts a pocket: the selected rectangle, or one by numbers</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Rectangular pocket</source>
             <translation type="unfinished"></translation>
         </message>
     </context>
@@ -4608,6 +10542,17 @@
         </message>
         <message>
             <source>Checks the program of the job and shows what it cuts</source>
+            <translation type="unfinished"></translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_Thread</name>
+        <message>
+            <source>Mills threads at the selected circles, or in a pattern</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Thread</source>
             <translation type="unfinished"></translation>
         </message>
     </context>

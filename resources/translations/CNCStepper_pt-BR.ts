@@ -8,16 +8,52 @@
             <translation>O nome de um perfil fornecido, ou o arquivo de um perfil</translation>
         </message>
         <message>
+            <source>A sketch or wire that holds one circle; without it the numbers count</source>
+            <translation>Um esboço ou fio que contenha um círculo; sem ele valem os números</translation>
+        </message>
+        <message>
             <source>A sketch or wire that holds one ellipse; without it the numbers count</source>
             <translation>Um esboço ou arame com uma elipse; sem ele valem os números</translation>
+        </message>
+        <message>
+            <source>A sketch or wire that holds one rectangle; without it the numbers count</source>
+            <translation>Um esboço ou fio que contenha um retângulo; sem ele valem os números</translation>
+        </message>
+        <message>
+            <source>A sketch, wires or faces: closed lines, those inside are islands</source>
+            <translation>Um esboço, fios ou faces: linhas fechadas, as de dentro são ilhas</translation>
+        </message>
+        <message>
+            <source>A tool of this shape has none</source>
+            <translation>Uma ferramenta desta forma não tem este valor</translation>
+        </message>
+        <message>
+            <source>About the first corner, counter-clockwise</source>
+            <translation>Em torno do primeiro canto, no sentido anti-horário</translation>
         </message>
         <message>
             <source>Active</source>
             <translation>Ativa</translation>
         </message>
         <message>
+            <source>Angle</source>
+            <translation>Ângulo</translation>
+        </message>
+        <message>
+            <source>Angle in</source>
+            <translation>Ângulo entrada</translation>
+        </message>
+        <message>
+            <source>Angle out</source>
+            <translation>Ângulo saída</translation>
+        </message>
+        <message>
             <source>Arcs within a tolerance, or the published points</source>
             <translation>Arcos dentro de uma tolerância, ou os pontos publicados</translation>
+        </message>
+        <message>
+            <source>Between neighbouring helices at most; 0: 0.4 of the tool's diameter</source>
+            <translation>Entre hélices vizinhas no máximo; 0: 0,4 do diâmetro da ferramenta</translation>
         </message>
         <message>
             <source>Between the two sides of a V-bit or engraver; 0: not given</source>
@@ -26,6 +62,14 @@
         <message>
             <source>Between the two sides of a drill's point; 0: not given</source>
             <translation>Entre os dois lados da ponta de uma broca; 0: não informado</translation>
+        </message>
+        <message>
+            <source>Beyond</source>
+            <translation>Além</translation>
+        </message>
+        <message>
+            <source>Bridges that hold the part until it is broken out</source>
+            <translation>Pontes que seguram a peça até ela ser destacada</translation>
         </message>
         <message>
             <source>Centre</source>
@@ -38,6 +82,10 @@
         <message>
             <source>Chip Load Min</source>
             <translation>Avanço por dente mínimo</translation>
+        </message>
+        <message>
+            <source>Circle</source>
+            <translation>Círculo</translation>
         </message>
         <message>
             <source>Clamp Containers</source>
@@ -60,6 +108,14 @@
             <translation>Fechada</translation>
         </message>
         <message>
+            <source>Closed lines round what is faced; without it the whole stock</source>
+            <translation>Linhas fechadas em volta do que é faceado; sem elas, o bloco inteiro</translation>
+        </message>
+        <message>
+            <source>Columns</source>
+            <translation>Colunas</translation>
+        </message>
+        <message>
             <source>Containers</source>
             <translation>Recipientes</translation>
         </message>
@@ -80,6 +136,14 @@
             <translation>Diâmetro do núcleo</translation>
         </message>
         <message>
+            <source>Corner A</source>
+            <translation>Canto A</translation>
+        </message>
+        <message>
+            <source>Corner B</source>
+            <translation>Canto B</translation>
+        </message>
+        <message>
             <source>Corner Radius</source>
             <translation>Raio de canto</translation>
         </message>
@@ -88,12 +152,20 @@
             <translation>Raio de canto</translation>
         </message>
         <message>
+            <source>Count</source>
+            <translation>Quantidade</translation>
+        </message>
+        <message>
             <source>Cut</source>
             <translation>Corte</translation>
         </message>
         <message>
             <source>Cutting</source>
             <translation>Corte</translation>
+        </message>
+        <message>
+            <source>Cycle</source>
+            <translation>Ciclo</translation>
         </message>
         <message>
             <source>Deleted Drawing</source>
@@ -108,6 +180,14 @@
             <translation>Profundidade</translation>
         </message>
         <message>
+            <source>Depth Of</source>
+            <translation>Profundidade de</translation>
+        </message>
+        <message>
+            <source>Depth to</source>
+            <translation>Profundidade até</translation>
+        </message>
+        <message>
             <source>Dialect</source>
             <translation>Dialeto</translation>
         </message>
@@ -120,8 +200,20 @@
             <translation>Sentido</translation>
         </message>
         <message>
+            <source>Dog-bones</source>
+            <translation>Alívio de cantos</translation>
+        </message>
+        <message>
+            <source>Dogbones</source>
+            <translation>Alívio de cantos</translation>
+        </message>
+        <message>
             <source>Drawing</source>
             <translation>Desenho</translation>
+        </message>
+        <message>
+            <source>Dwell</source>
+            <translation>Pausa</translation>
         </message>
         <message>
             <source>Edge Margin</source>
@@ -134,6 +226,14 @@
         <message>
             <source>Ellipse</source>
             <translation>Elipse</translation>
+        </message>
+        <message>
+            <source>End angle</source>
+            <translation>Ângulo final</translation>
+        </message>
+        <message>
+            <source>Engagement</source>
+            <translation>Engajamento</translation>
         </message>
         <message>
             <source>Engagement Max</source>
@@ -156,6 +256,14 @@
             <translation>Avanço</translation>
         </message>
         <message>
+            <source>Feed Used</source>
+            <translation>Avanço usado</translation>
+        </message>
+        <message>
+            <source>Figures</source>
+            <translation>Valores</translation>
+        </message>
+        <message>
             <source>Finish</source>
             <translation>Acabamento</translation>
         </message>
@@ -170,6 +278,14 @@
         <message>
             <source>Finish Stepover</source>
             <translation>Última penetração de trabalho</translation>
+        </message>
+        <message>
+            <source>First corner</source>
+            <translation>Primeiro canto</translation>
+        </message>
+        <message>
+            <source>First hole</source>
+            <translation>Primeiro furo</translation>
         </message>
         <message>
             <source>Flute Length</source>
@@ -200,8 +316,32 @@
             <translation>De X até o primeiro eixo da elipse</translation>
         </message>
         <message>
+            <source>From X to the first hole, counter-clockwise</source>
+            <translation>De X ao primeiro furo, no sentido anti-horário</translation>
+        </message>
+        <message>
+            <source>From X to the last hole</source>
+            <translation>De X ao último furo</translation>
+        </message>
+        <message>
+            <source>From X to the lines of the pattern</source>
+            <translation>De X às linhas do padrão</translation>
+        </message>
+        <message>
             <source>From here down the tool feeds</source>
             <translation>Daqui para baixo a ferramenta avança em velocidade de corte</translation>
+        </message>
+        <message>
+            <source>From hole to hole along X and along Y</source>
+            <translation>De furo a furo ao longo de X e ao longo de Y</translation>
+        </message>
+        <message>
+            <source>From one turn of the thread to the next</source>
+            <translation>De uma volta da rosca à seguinte</translation>
+        </message>
+        <message>
+            <source>From the middle of the circle to the holes</source>
+            <translation>Do meio do círculo até os furos</translation>
         </message>
         <message>
             <source>From the tip to the holder; 0: not given</source>
@@ -224,6 +364,18 @@
             <translation>Metade da largura ao longo do primeiro eixo da elipse</translation>
         </message>
         <message>
+            <source>Half the width of the pocket</source>
+            <translation>Metade da largura do bolsão</translation>
+        </message>
+        <message>
+            <source>Hand</source>
+            <translation>Sentido da rosca</translation>
+        </message>
+        <message>
+            <source>Height</source>
+            <translation>Altura</translation>
+        </message>
+        <message>
             <source>Heights</source>
             <translation>Alturas</translation>
         </message>
@@ -236,16 +388,72 @@
             <translation>Diâmetro do porta-ferramenta</translation>
         </message>
         <message>
+            <source>Holes</source>
+            <translation>Furos</translation>
+        </message>
+        <message>
+            <source>How deep one peck goes</source>
+            <translation>Quanto desce cada bicada</translation>
+        </message>
+        <message>
+            <source>How far a closed line is followed beyond its begin</source>
+            <translation>Quanto se segue uma linha fechada além do seu começo</translation>
+        </message>
+        <message>
+            <source>How far an arc turns, or how far a line leans away from the contour</source>
+            <translation>Quanto um arco gira, ou quanto uma linha se afasta do contorno</translation>
+        </message>
+        <message>
+            <source>How far apart tabs are at most</source>
+            <translation>A distância máxima entre as pontes</translation>
+        </message>
+        <message>
             <source>How far from the stock's edge cuts must stay; 0: the edge does not matter</source>
             <translation>A que distância da borda do bloco os cortes devem ficar; 0: a borda não importa</translation>
+        </message>
+        <message>
+            <source>How far one turn of the helix falls</source>
+            <translation>Quanto desce uma volta da hélice</translation>
+        </message>
+        <message>
+            <source>How far the cut line may leave the drawn one, to be of fewer moves; 0: not at all</source>
+            <translation>Quanto a linha cortada pode se afastar da desenhada para ter menos movimentos; 0: nada</translation>
         </message>
         <message>
             <source>How far the path may be off an ellipse or a B-spline; lines and arcs are exact</source>
             <translation>Quanto a trajetória pode desviar de uma elipse ou B-spline; retas e arcos são exatos</translation>
         </message>
         <message>
-            <source>How far the wall may be off the ellipse</source>
-            <translation>Quanto a parede pode desviar da elipse</translation>
+            <source>How far the tool's rim runs over the edge</source>
+            <translation>Quanto a borda da ferramenta passa da aresta</translation>
+        </message>
+        <message>
+            <source>How far the wall may be off the drawing</source>
+            <translation>Quanto a parede pode se afastar do desenho</translation>
+        </message>
+        <message>
+            <source>How high a tab is above the bottom of the cut</source>
+            <translation>A altura de uma ponte acima do fundo do corte</translation>
+        </message>
+        <message>
+            <source>How many corners and narrow places the tool does not reach into</source>
+            <translation>Em quantos cantos e lugares estreitos a ferramenta não entra</translation>
+        </message>
+        <message>
+            <source>How many holes</source>
+            <translation>Quantos furos</translation>
+        </message>
+        <message>
+            <source>How many holes along X</source>
+            <translation>Quantos furos ao longo de X</translation>
+        </message>
+        <message>
+            <source>How many holes along Y</source>
+            <translation>Quantos furos ao longo de Y</translation>
+        </message>
+        <message>
+            <source>How many holes are made</source>
+            <translation>Quantos furos são feitos</translation>
         </message>
         <message>
             <source>How many passes at each depth</source>
@@ -260,8 +468,32 @@
             <translation>Número de pontos do arame</translation>
         </message>
         <message>
+            <source>How many tabs hold the part</source>
+            <translation>Quantas pontes seguram a peça</translation>
+        </message>
+        <message>
+            <source>How many tabs on each line</source>
+            <translation>Quantas pontes em cada linha</translation>
+        </message>
+        <message>
             <source>How many teeth; 0: not given</source>
             <translation>Quantos dentes; 0: não informado</translation>
+        </message>
+        <message>
+            <source>How many there are: one, or one a tool in turn</source>
+            <translation>Quantos são: um, ou um por ferramenta na sequência</translation>
+        </message>
+        <message>
+            <source>How many turns the thread has</source>
+            <translation>Quantas voltas a rosca tem</translation>
+        </message>
+        <message>
+            <source>How much deeper the tool goes, to come out below</source>
+            <translation>Quanto a ferramenta desce a mais para sair por baixo</translation>
+        </message>
+        <message>
+            <source>How much of the rim may be in the material at most, as an angle</source>
+            <translation>Quanto da borda pode estar no material no máximo, como ângulo</translation>
         </message>
         <message>
             <source>How much of the rim may be in the material, as an angle; 0: not given</source>
@@ -272,12 +504,56 @@
             <translation>Inclinação com que a hélice ou rampa desce</translation>
         </message>
         <message>
+            <source>How steeply the tool goes down along the line; 0: straight down</source>
+            <translation>Com que inclinação a ferramenta desce ao longo da linha; 0: na vertical</translation>
+        </message>
+        <message>
+            <source>How the area is cleared</source>
+            <translation>Como a área é esvaziada</translation>
+        </message>
+        <message>
             <source>How the cutter turns against the feed</source>
             <translation>Como a fresa gira em relação ao avanço</translation>
         </message>
         <message>
+            <source>How the drill goes down</source>
+            <translation>Como a broca desce</translation>
+        </message>
+        <message>
+            <source>How the thread winds</source>
+            <translation>Para que lado a rosca gira</translation>
+        </message>
+        <message>
+            <source>How the tool comes to the contour</source>
+            <translation>Como a ferramenta chega ao contorno</translation>
+        </message>
+        <message>
             <source>How the tool goes down</source>
             <translation>Como a ferramenta desce</translation>
+        </message>
+        <message>
+            <source>How the tool leaves the contour</source>
+            <translation>Como a ferramenta deixa o contorno</translation>
+        </message>
+        <message>
+            <source>How wide a tab is at its top</source>
+            <translation>A largura de uma ponte no topo</translation>
+        </message>
+        <message>
+            <source>In holes, or round bosses</source>
+            <translation>Em furos ou em volta de ressaltos</translation>
+        </message>
+        <message>
+            <source>In how many steps outwards</source>
+            <translation>Em quantos passos para fora</translation>
+        </message>
+        <message>
+            <source>In the program</source>
+            <translation>No programa</translation>
+        </message>
+        <message>
+            <source>In whole passes</source>
+            <translation>Em passes inteiros</translation>
         </message>
         <message>
             <source>Job</source>
@@ -288,6 +564,14 @@
             <translation>Pontos mantidos</translation>
         </message>
         <message>
+            <source>Kerf</source>
+            <translation>Largura do corte</translation>
+        </message>
+        <message>
+            <source>Last hole</source>
+            <translation>Último furo</translation>
+        </message>
+        <message>
             <source>Last stepdown</source>
             <translation>Última profundidade de corte</translation>
         </message>
@@ -296,12 +580,72 @@
             <translation>Última penetração de trabalho</translation>
         </message>
         <message>
+            <source>Lead In Angle</source>
+            <translation>Ângulo de entrada</translation>
+        </message>
+        <message>
+            <source>Lead In Kind</source>
+            <translation>Tipo de entrada</translation>
+        </message>
+        <message>
+            <source>Lead In Length</source>
+            <translation>Comprimento de entrada</translation>
+        </message>
+        <message>
+            <source>Lead In Radius</source>
+            <translation>Raio de entrada</translation>
+        </message>
+        <message>
+            <source>Lead Out Angle</source>
+            <translation>Ângulo de saída</translation>
+        </message>
+        <message>
+            <source>Lead Out Kind</source>
+            <translation>Tipo de saída</translation>
+        </message>
+        <message>
+            <source>Lead Out Length</source>
+            <translation>Comprimento de saída</translation>
+        </message>
+        <message>
+            <source>Lead Out Radius</source>
+            <translation>Raio de saída</translation>
+        </message>
+        <message>
+            <source>Lead-in</source>
+            <translation>Entrada</translation>
+        </message>
+        <message>
+            <source>Lead-out</source>
+            <translation>Saída</translation>
+        </message>
+        <message>
+            <source>Leads</source>
+            <translation>Entrada e saída</translation>
+        </message>
+        <message>
             <source>Least chip load</source>
             <translation>Avanço por dente mínimo</translation>
         </message>
         <message>
             <source>Length</source>
             <translation>Comprimento livre</translation>
+        </message>
+        <message>
+            <source>Length Offset</source>
+            <translation>Correção de comprimento</translation>
+        </message>
+        <message>
+            <source>Length in</source>
+            <translation>Comprimento entrada</translation>
+        </message>
+        <message>
+            <source>Length offset</source>
+            <translation>Correção de comprimento</translation>
+        </message>
+        <message>
+            <source>Length out</source>
+            <translation>Comprimento saída</translation>
         </message>
         <message>
             <source>Length, width and height; of a cylinder, which stands, the length is its diameter</source>
@@ -336,12 +680,56 @@
             <translation>Máquina</translation>
         </message>
         <message>
+            <source>Made From</source>
+            <translation>Feito a partir de</translation>
+        </message>
+        <message>
+            <source>Made Of</source>
+            <translation>Feita de</translation>
+        </message>
+        <message>
+            <source>Made from</source>
+            <translation>Feito a partir de</translation>
+        </message>
+        <message>
+            <source>Made of</source>
+            <translation>Feita de</translation>
+        </message>
+        <message>
+            <source>Major</source>
+            <translation>Maior</translation>
+        </message>
+        <message>
+            <source>Major Diameter</source>
+            <translation>Diâmetro maior</translation>
+        </message>
+        <message>
+            <source>Material</source>
+            <translation>Material</translation>
+        </message>
+        <message>
             <source>Message</source>
             <translation>Mensagem</translation>
         </message>
         <message>
             <source>Method</source>
             <translation>Método</translation>
+        </message>
+        <message>
+            <source>Minor</source>
+            <translation>Menor</translation>
+        </message>
+        <message>
+            <source>Minor Diameter</source>
+            <translation>Diâmetro menor</translation>
+        </message>
+        <message>
+            <source>Minor Used</source>
+            <translation>Diâmetro menor usado</translation>
+        </message>
+        <message>
+            <source>Note</source>
+            <translation>Observação</translation>
         </message>
         <message>
             <source>Number</source>
@@ -356,8 +744,32 @@
             <translation>De uma parede deixada pelo jato ou fio, em relação à vertical; 0: nenhuma</translation>
         </message>
         <message>
+            <source>Of the bores; 0: that of each circle of the drawing</source>
+            <translation>Dos furos; 0: o de cada círculo do desenho</translation>
+        </message>
+        <message>
+            <source>Of the corners seen from above; 0: as round as the tool</source>
+            <translation>Dos cantos vistos de cima; 0: tão redondos quanto a ferramenta</translation>
+        </message>
+        <message>
+            <source>Of the grid about its first hole</source>
+            <translation>Da grade em torno do seu primeiro furo</translation>
+        </message>
+        <message>
             <source>Of the written program</source>
             <translation>Do programa gerado</translation>
+        </message>
+        <message>
+            <source>On which side of the lines the tool runs</source>
+            <translation>De que lado das linhas a ferramenta corre</translation>
+        </message>
+        <message>
+            <source>One end of the diagonal, from the work zero</source>
+            <translation>Uma ponta da diagonal, a partir do zero da peça</translation>
+        </message>
+        <message>
+            <source>One hole at each point</source>
+            <translation>Um furo em cada ponto</translation>
         </message>
         <message>
             <source>Operation</source>
@@ -368,8 +780,24 @@
             <translation>Operações</translation>
         </message>
         <message>
+            <source>Order</source>
+            <translation>Ordem</translation>
+        </message>
+        <message>
+            <source>Other corner</source>
+            <translation>Outro canto</translation>
+        </message>
+        <message>
             <source>Outlines of the clamps</source>
             <translation>Contornos dos grampos</translation>
+        </message>
+        <message>
+            <source>Overcut</source>
+            <translation>Sobrecorte</translation>
+        </message>
+        <message>
+            <source>Overhang</source>
+            <translation>Passagem da borda</translation>
         </message>
         <message>
             <source>Passes</source>
@@ -380,8 +808,88 @@
             <translation>Trajetória</translation>
         </message>
         <message>
+            <source>Pattern</source>
+            <translation>Padrão</translation>
+        </message>
+        <message>
+            <source>Pause</source>
+            <translation>Pausa</translation>
+        </message>
+        <message>
+            <source>Peck</source>
+            <translation>Bicada</translation>
+        </message>
+        <message>
+            <source>Picked</source>
+            <translation>Escolhidas</translation>
+        </message>
+        <message>
+            <source>Pitch</source>
+            <translation>Passo</translation>
+        </message>
+        <message>
+            <source>Place Centre</source>
+            <translation>Centro dos lugares</translation>
+        </message>
+        <message>
+            <source>Place Columns</source>
+            <translation>Colunas</translation>
+        </message>
+        <message>
+            <source>Place Count</source>
+            <translation>Quantidade de lugares</translation>
+        </message>
+        <message>
+            <source>Place End</source>
+            <translation>Último lugar</translation>
+        </message>
+        <message>
+            <source>Place End Angle</source>
+            <translation>Ângulo final</translation>
+        </message>
+        <message>
+            <source>Place Origin</source>
+            <translation>Origem da grade</translation>
+        </message>
+        <message>
+            <source>Place Points</source>
+            <translation>Pontos</translation>
+        </message>
+        <message>
+            <source>Place Radius</source>
+            <translation>Raio dos lugares</translation>
+        </message>
+        <message>
+            <source>Place Rotation</source>
+            <translation>Rotação da grade</translation>
+        </message>
+        <message>
+            <source>Place Rows</source>
+            <translation>Linhas da grade</translation>
+        </message>
+        <message>
+            <source>Place Spacing</source>
+            <translation>Espaçamento da grade</translation>
+        </message>
+        <message>
+            <source>Place Start</source>
+            <translation>Primeiro lugar</translation>
+        </message>
+        <message>
+            <source>Place Start Angle</source>
+            <translation>Ângulo inicial</translation>
+        </message>
+        <message>
+            <source>Places</source>
+            <translation>Lugares</translation>
+        </message>
+        <message>
             <source>Plunge</source>
             <translation>Mergulho</translation>
+        </message>
+        <message>
+            <source>Plunge Used</source>
+            <translation>Mergulho usado</translation>
         </message>
         <message>
             <source>Plunge feed</source>
@@ -420,12 +928,44 @@
             <translation>Programa</translation>
         </message>
         <message>
+            <source>Program Part</source>
+            <translation>Parte do programa</translation>
+        </message>
+        <message>
+            <source>Program Parts</source>
+            <translation>Partes do programa</translation>
+        </message>
+        <message>
+            <source>Program number</source>
+            <translation>Número do programa</translation>
+        </message>
+        <message>
+            <source>Programs</source>
+            <translation>Programas</translation>
+        </message>
+        <message>
+            <source>Radial Passes</source>
+            <translation>Passes radiais</translation>
+        </message>
+        <message>
+            <source>Radius</source>
+            <translation>Raio</translation>
+        </message>
+        <message>
             <source>Radius X</source>
             <translation>Semieixo X</translation>
         </message>
         <message>
             <source>Radius Y</source>
             <translation>Semieixo Y</translation>
+        </message>
+        <message>
+            <source>Radius in</source>
+            <translation>Raio entrada</translation>
+        </message>
+        <message>
+            <source>Radius out</source>
+            <translation>Raio saída</translation>
         </message>
         <message>
             <source>Radius x</source>
@@ -436,28 +976,76 @@
             <translation>Semieixo y</translation>
         </message>
         <message>
+            <source>Ramp</source>
+            <translation>Rampa</translation>
+        </message>
+        <message>
             <source>Ramp Max</source>
             <translation>Rampa máxima</translation>
         </message>
         <message>
-            <source>Recalculated to whole passes</source>
-            <translation>Em passes inteiros</translation>
+            <source>Rectangle</source>
+            <translation>Retângulo</translation>
+        </message>
+        <message>
+            <source>Region</source>
+            <translation>Região</translation>
         </message>
         <message>
             <source>Resolution</source>
             <translation>Resolução</translation>
         </message>
         <message>
+            <source>Rest Corner</source>
+            <translation>Resto no canto</translation>
+        </message>
+        <message>
+            <source>Rest Corners</source>
+            <translation>Cantos com resto</translation>
+        </message>
+        <message>
+            <source>Rest at most</source>
+            <translation>Resto máximo</translation>
+        </message>
+        <message>
+            <source>Rest corners</source>
+            <translation>Cantos com resto</translation>
+        </message>
+        <message>
             <source>Retract</source>
             <translation>Retração</translation>
+        </message>
+        <message>
+            <source>Retract To</source>
+            <translation>Recuar até</translation>
+        </message>
+        <message>
+            <source>Retract to</source>
+            <translation>Recuar até</translation>
         </message>
         <message>
             <source>Rotation</source>
             <translation>Rotação</translation>
         </message>
         <message>
+            <source>Rows</source>
+            <translation>Linhas</translation>
+        </message>
+        <message>
+            <source>Seconds at the bottom</source>
+            <translation>Segundos no fundo</translation>
+        </message>
+        <message>
             <source>Shape</source>
             <translation>Forma</translation>
+        </message>
+        <message>
+            <source>Side</source>
+            <translation>Lado</translation>
+        </message>
+        <message>
+            <source>Simplify</source>
+            <translation>Simplificar</translation>
         </message>
         <message>
             <source>Size</source>
@@ -468,6 +1056,10 @@
             <translation>Sólidos que prendem a peça e em que a ferramenta não pode tocar</translation>
         </message>
         <message>
+            <source>Spacing</source>
+            <translation>Espaçamento</translation>
+        </message>
+        <message>
             <source>Spindle</source>
             <translation>Spindle</translation>
         </message>
@@ -476,8 +1068,16 @@
             <translation>Rotação do spindle</translation>
         </message>
         <message>
-            <source>Spindle turns a minute</source>
-            <translation>Rotações do spindle por minuto</translation>
+            <source>Spindle Used</source>
+            <translation>Rotação usada</translation>
+        </message>
+        <message>
+            <source>Spindle turns a minute; 0: those of the job's material</source>
+            <translation>Rotações do spindle por minuto; 0: as do material do trabalho</translation>
+        </message>
+        <message>
+            <source>Start angle</source>
+            <translation>Ângulo inicial</translation>
         </message>
         <message>
             <source>Steepest ramp</source>
@@ -524,6 +1124,42 @@
             <translation>Tamanho do bloco</translation>
         </message>
         <message>
+            <source>Stock To Leave</source>
+            <translation>Sobremetal</translation>
+        </message>
+        <message>
+            <source>Stock to leave</source>
+            <translation>Sobremetal</translation>
+        </message>
+        <message>
+            <source>Style</source>
+            <translation>Estilo</translation>
+        </message>
+        <message>
+            <source>Tabs</source>
+            <translation>Pontes</translation>
+        </message>
+        <message>
+            <source>Tabs Count</source>
+            <translation>Quantidade de pontes</translation>
+        </message>
+        <message>
+            <source>Tabs Height</source>
+            <translation>Altura das pontes</translation>
+        </message>
+        <message>
+            <source>Tabs Made</source>
+            <translation>Pontes feitas</translation>
+        </message>
+        <message>
+            <source>Tabs Spacing</source>
+            <translation>Espaçamento das pontes</translation>
+        </message>
+        <message>
+            <source>Tabs Width</source>
+            <translation>Largura das pontes</translation>
+        </message>
+        <message>
             <source>Taper</source>
             <translation>Conicidade</translation>
         </message>
@@ -536,8 +1172,16 @@
             <translation>O centro, a partir do zero-peça</translation>
         </message>
         <message>
+            <source>The circles and points of a sketch, or the circular edges of a solid</source>
+            <translation>Os círculos e pontos de um esboço ou as arestas circulares de um sólido</translation>
+        </message>
+        <message>
             <source>The clamps seen from above, at the height of their tops</source>
             <translation>Os grampos vistos de cima, na altura dos seus topos</translation>
+        </message>
+        <message>
+            <source>The corner where the grid begins, from the work zero</source>
+            <translation>O canto onde a grade começa, a partir do zero da peça</translation>
         </message>
         <message>
             <source>The depth below the top of the stock</source>
@@ -552,8 +1196,8 @@
             <translation>A profundidade máxima de um passe; 0: tudo de uma vez</translation>
         </message>
         <message>
-            <source>The depth of the pocket, ap_total</source>
-            <translation>A profundidade do bolsão, ap_total</translation>
+            <source>The diameter at the other end of the flanks; 0: that of a metric thread</source>
+            <translation>O diâmetro na outra ponta dos flancos; 0: o de uma rosca métrica</translation>
         </message>
         <message>
             <source>The diameter of the cutter</source>
@@ -564,12 +1208,32 @@
             <translation>O diâmetro do que segura a ferramenta; 0: não informado</translation>
         </message>
         <message>
+            <source>The drawing gives this value</source>
+            <translation>O desenho define este valor</translation>
+        </message>
+        <message>
             <source>The drawing it followed, when that was deleted</source>
             <translation>O desenho que ela seguia, se foi excluído</translation>
         </message>
         <message>
+            <source>The faces and edges of the drawing that count; none: all of it</source>
+            <translation>As faces e arestas do desenho que valem; nenhuma: todo ele</translation>
+        </message>
+        <message>
             <source>The feed of the last pass at the wall; 0: the tool's own feed</source>
             <translation>O avanço do último passe na parede; 0: o avanço da própria ferramenta</translation>
+        </message>
+        <message>
+            <source>The feed of the last pass; 0: the tool's own feed</source>
+            <translation>O avanço do último passe; 0: o avanço da própria ferramenta</translation>
+        </message>
+        <message>
+            <source>The feed of the program</source>
+            <translation>O avanço do programa</translation>
+        </message>
+        <message>
+            <source>The fingerprint of the job's program from which this one was edited</source>
+            <translation>A impressão digital do programa do trabalho a partir do qual este foi editado</translation>
         </message>
         <message>
             <source>The flat at the tip of a V-bit or engraver; 0: it is pointed</source>
@@ -578,6 +1242,14 @@
         <message>
             <source>The form of the cutter</source>
             <translation>A forma da fresa</translation>
+        </message>
+        <message>
+            <source>The height of the rapids between holes: G98 or G99</source>
+            <translation>A altura dos rápidos entre furos: G98 ou G99</translation>
+        </message>
+        <message>
+            <source>The job whose machine, stock, tools and clamps the program is for</source>
+            <translation>O trabalho para cuja máquina, bloco, ferramentas e grampos o programa é feito</translation>
         </message>
         <message>
             <source>The job whose program is shown</source>
@@ -600,8 +1272,36 @@
             <translation>O comprimento das arestas de corte; 0: não informado</translation>
         </message>
         <message>
+            <source>The length of the lead's line</source>
+            <translation>O comprimento da linha de entrada ou saída</translation>
+        </message>
+        <message>
             <source>The middle of a mill's end that does not cut; 0: it cuts over its centre</source>
             <translation>O meio do topo da fresa que não corta; 0: ela tem corte no centro</translation>
+        </message>
+        <message>
+            <source>The middle of the circle, from the work zero</source>
+            <translation>O meio do círculo, a partir do zero da peça</translation>
+        </message>
+        <message>
+            <source>The minor diameter that is cut</source>
+            <translation>O diâmetro menor que é cortado</translation>
+        </message>
+        <message>
+            <source>The nominal diameter; 0: that of each circle of the drawing</source>
+            <translation>O diâmetro nominal; 0: o de cada círculo do desenho</translation>
+        </message>
+        <message>
+            <source>The order in which the holes are made</source>
+            <translation>A ordem em que os furos são feitos</translation>
+        </message>
+        <message>
+            <source>The order in which the lines are cut</source>
+            <translation>A ordem em que as linhas são cortadas</translation>
+        </message>
+        <message>
+            <source>The other end of the diagonal, before the rectangle is rotated</source>
+            <translation>A outra ponta da diagonal, antes de o retângulo ser girado</translation>
         </message>
         <message>
             <source>The parts and bodies that the clamps move with</source>
@@ -610,6 +1310,10 @@
         <message>
             <source>The parts and bodies that the drawing moves with</source>
             <translation>As peças e corpos com que o desenho se move</translation>
+        </message>
+        <message>
+            <source>The plunge feed of the program</source>
+            <translation>O avanço de mergulho do programa</translation>
         </message>
         <message>
             <source>The points as they were drawn</source>
@@ -624,16 +1328,28 @@
             <translation>O programa, guardado neste documento</translation>
         </message>
         <message>
+            <source>The radius of the lead's arc</source>
+            <translation>O raio do arco de entrada ou saída</translation>
+        </message>
+        <message>
             <source>The sketch, wire, B-spline or freehand line to follow</source>
             <translation>O esboço, arame, B-spline ou linha à mão livre a seguir</translation>
         </message>
         <message>
-            <source>The speed of cutting moves</source>
-            <translation>A velocidade dos movimentos de corte</translation>
+            <source>The sketch, wires or faces whose lines are followed</source>
+            <translation>O esboço, fios ou faces cujas linhas são seguidas</translation>
         </message>
         <message>
-            <source>The speed straight down</source>
-            <translation>A velocidade descendo na vertical</translation>
+            <source>The speed of cutting moves; 0: that of the job's material</source>
+            <translation>A velocidade dos movimentos de corte; 0: a do material do trabalho</translation>
+        </message>
+        <message>
+            <source>The speed straight down; 0: that of the job's material</source>
+            <translation>A velocidade de descida reta; 0: a do material do trabalho</translation>
+        </message>
+        <message>
+            <source>The spindle's speed in the program</source>
+            <translation>A rotação do spindle no programa</translation>
         </message>
         <message>
             <source>The step of the published method</source>
@@ -642,6 +1358,14 @@
         <message>
             <source>The thickest chip that a tooth bears; 0: not given</source>
             <translation>O cavaco mais espesso que um dente suporta; 0: não informado</translation>
+        </message>
+        <message>
+            <source>The thickest material left in inner corners</source>
+            <translation>O material mais grosso que fica em cantos internos</translation>
+        </message>
+        <message>
+            <source>The thickest material left in them</source>
+            <translation>O material mais grosso que fica neles</translation>
         </message>
         <message>
             <source>The thinnest chip of a tooth, below which it rubs; 0: not given</source>
@@ -660,12 +1384,20 @@
             <translation>A largura máxima de um passe, ae</translation>
         </message>
         <message>
+            <source>The width of the cut where it is not the tool's diameter; 0: the tool's own</source>
+            <translation>A largura do corte onde não é o diâmetro da ferramenta; 0: a da própria ferramenta</translation>
+        </message>
+        <message>
             <source>The wire stays this close to every drawn point; 0 keeps every point that bends the line</source>
             <translation>O arame fica a no máximo esta distância de cada ponto desenhado; 0 mantém todos os pontos que curvam a linha</translation>
         </message>
         <message>
             <source>The work coordinate system</source>
             <translation>O sistema de coordenadas da peça</translation>
+        </message>
+        <message>
+            <source>Through</source>
+            <translation>Além</translation>
         </message>
         <message>
             <source>Tip</source>
@@ -704,6 +1436,14 @@
             <translation>Ferramentas</translation>
         </message>
         <message>
+            <source>Tools without feeds or speed take theirs from its table</source>
+            <translation>Ferramentas sem avanço ou rotação tomam os da sua tabela</translation>
+        </message>
+        <message>
+            <source>Turns</source>
+            <translation>Voltas</translation>
+        </message>
+        <message>
             <source>Units</source>
             <translation>Unidades</translation>
         </message>
@@ -716,12 +1456,28 @@
             <translation>Avanço na parede</translation>
         </message>
         <message>
+            <source>What happened to the job's own program since</source>
+            <translation>O que aconteceu desde então com o programa do próprio trabalho</translation>
+        </message>
+        <message>
             <source>What is cut, in this order</source>
             <translation>O que é usinado, nesta ordem</translation>
         </message>
         <message>
             <source>What is switched on while cutting</source>
             <translation>O que fica ligado durante o corte</translation>
+        </message>
+        <message>
+            <source>What stays at the wall, for another operation to take</source>
+            <translation>O que fica na parede para outra operação tirar</translation>
+        </message>
+        <message>
+            <source>What the controller adds to Z, where the machine takes lengths from a table; 0: not given</source>
+            <translation>O que o controlador soma a Z, onde a máquina toma os comprimentos de uma tabela; 0: não informado</translation>
+        </message>
+        <message>
+            <source>What the cutter is made of</source>
+            <translation>De que a ferramenta é feita</translation>
         </message>
         <message>
             <source>What the raw material looks like</source>
@@ -740,8 +1496,28 @@
             <translation>Altura dos movimentos rápidos sobre a peça</translation>
         </message>
         <message>
+            <source>Where the holes stand</source>
+            <translation>Onde ficam os furos</translation>
+        </message>
+        <message>
+            <source>Where the row begins, from the work zero</source>
+            <translation>Onde a fileira começa, a partir do zero da peça</translation>
+        </message>
+        <message>
+            <source>Where the row ends</source>
+            <translation>Onde a fileira termina</translation>
+        </message>
+        <message>
             <source>Where the work zero lies in this document</source>
             <translation>Onde fica o zero-peça neste documento</translation>
+        </message>
+        <message>
+            <source>Whether inner corners are opened, so that a square corner fits in</source>
+            <translation>Se os cantos internos são abertos para que um canto vivo caiba</translation>
+        </message>
+        <message>
+            <source>Whether the depth is that of the point or of the full diameter</source>
+            <translation>Se a profundidade é a da ponta ou a do diâmetro pleno</translation>
         </message>
         <message>
             <source>Whether the last point joins the first</source>
@@ -752,12 +1528,20 @@
             <translation>Se o programa a contém</translation>
         </message>
         <message>
+            <source>Which one is shown, checked and sent, where the machine wants one a tool</source>
+            <translation>Qual é mostrado, verificado e enviado, onde a máquina quer um por ferramenta</translation>
+        </message>
+        <message>
             <source>Why it cannot be made; empty when it can</source>
             <translation>Por que não pode ser feito; vazio quando pode</translation>
         </message>
         <message>
             <source>Why there is no program</source>
             <translation>Por que não há programa</translation>
+        </message>
+        <message>
+            <source>Width</source>
+            <translation>Largura</translation>
         </message>
         <message>
             <source>Work Offset</source>
@@ -787,9 +1571,25 @@
             <source>ap, recalculated to whole passes</source>
             <translation>ap, recalculada para passes inteiros</translation>
         </message>
+        <message>
+            <source>by numbers</source>
+            <translation>por números</translation>
+        </message>
+        <message>
+            <source>none yet</source>
+            <translation>nenhum ainda</translation>
+        </message>
+        <message>
+            <source>the whole stock</source>
+            <translation>o bloco todo</translation>
+        </message>
     </context>
     <context>
         <name>CNCStepper</name>
+        <message>
+            <source>'{0}' does not stand in the program</source>
+            <translation>'{0}' não aparece no programa</translation>
+        </message>
         <message>
             <source>'{0}' has no meaning in a number</source>
             <translation>'{0}' não faz sentido em um número</translation>
@@ -801,6 +1601,10 @@
         <message>
             <source>'{0}' is no number</source>
             <translation>'{0}' não é um número</translation>
+        </message>
+        <message>
+            <source>'{0}' is no place; write X; Y</source>
+            <translation>'{0}' não é um lugar; escreva X; Y</translation>
         </message>
         <message>
             <source>'{0}' is no value in {1}</source>
@@ -847,16 +1651,36 @@
             <translation>O nome de um perfil fornecido, ou o arquivo de um perfil</translation>
         </message>
         <message>
+            <source>A sketch or wire that holds one circle; without it the numbers count</source>
+            <translation>Um esboço ou fio que contenha um círculo; sem ele valem os números</translation>
+        </message>
+        <message>
             <source>A sketch or wire that holds one ellipse; without it the numbers count</source>
             <translation>Um esboço ou arame com uma elipse; sem ele valem os números</translation>
+        </message>
+        <message>
+            <source>A sketch or wire that holds one rectangle; without it the numbers count</source>
+            <translation>Um esboço ou fio que contenha um retângulo; sem ele valem os números</translation>
+        </message>
+        <message>
+            <source>A sketch, wires or faces: closed lines, those inside are islands</source>
+            <translation>Um esboço, fios ou faces: linhas fechadas, as de dentro são ilhas</translation>
         </message>
         <message>
             <source>A tool of this shape has none</source>
             <translation>Uma ferramenta desta forma não tem este valor</translation>
         </message>
         <message>
+            <source>A turn, as they are counted</source>
+            <translation>Por volta, como são contados</translation>
+        </message>
+        <message>
             <source>A value is missing here</source>
             <translation>Falta um valor aqui</translation>
+        </message>
+        <message>
+            <source>About the first corner, counter-clockwise</source>
+            <translation>Em torno do primeiro canto, no sentido anti-horário</translation>
         </message>
         <message>
             <source>Active</source>
@@ -875,12 +1699,20 @@
             <translation>Acrescentar ao documento, como malha, a peça tal como está agora</translation>
         </message>
         <message>
+            <source>Add the tools of FreeCAD's library or of a tool table</source>
+            <translation>Adiciona as ferramentas da biblioteca do FreeCAD ou de uma tabela de ferramentas</translation>
+        </message>
+        <message>
             <source>Add tool</source>
             <translation>Adicionar</translation>
         </message>
         <message>
             <source>Alarm</source>
             <translation>Alarme</translation>
+        </message>
+        <message>
+            <source>All</source>
+            <translation>Todos</translation>
         </message>
         <message>
             <source>All = 0</source>
@@ -895,20 +1727,76 @@
             <translation>Todas as linhas foram enviadas; os últimos movimentos estão sendo usinados.</translation>
         </message>
         <message>
+            <source>Along X, mm</source>
+            <translation>Ao longo de X, mm</translation>
+        </message>
+        <message>
+            <source>Along Y, mm</source>
+            <translation>Ao longo de Y, mm</translation>
+        </message>
+        <message>
+            <source>Along Z, mm</source>
+            <translation>Ao longo de Z, mm</translation>
+        </message>
+        <message>
             <source>An expression gives this value; change it in the property editor</source>
             <translation>Uma expressão define este valor; altere-o no editor de propriedades</translation>
+        </message>
+        <message>
+            <source>Angle</source>
+            <translation>Ângulo</translation>
+        </message>
+        <message>
+            <source>Angle in</source>
+            <translation>Ângulo entrada</translation>
+        </message>
+        <message>
+            <source>Angle out</source>
+            <translation>Ângulo saída</translation>
         </message>
         <message>
             <source>Another machine?</source>
             <translation>Outra máquina?</translation>
         </message>
         <message>
+            <source>Apply</source>
+            <translation>Aplicar</translation>
+        </message>
+        <message>
             <source>Arcs within a tolerance, or the published points</source>
             <translation>Arcos dentro de uma tolerância, ou os pontos publicados</translation>
         </message>
         <message>
+            <source>As many as can be made at most, in Hz</source>
+            <translation>Quantos podem ser gerados no máximo, em Hz</translation>
+        </message>
+        <message>
             <source>Attached again to the controller at {0}.</source>
             <translation>Reconectado ao controlador em {0}.</translation>
+        </message>
+        <message>
+            <source>Axis</source>
+            <translation>Eixo</translation>
+        </message>
+        <message>
+            <source>Axis arithmetic</source>
+            <translation>Cálculo do eixo</translation>
+        </message>
+        <message>
+            <source>Axis whose sign changes</source>
+            <translation>Eixo cujo sinal muda</translation>
+        </message>
+        <message>
+            <source>Backlash</source>
+            <translation>Folga</translation>
+        </message>
+        <message>
+            <source>Belt's pitch</source>
+            <translation>Passo da correia</translation>
+        </message>
+        <message>
+            <source>Between neighbouring helices at most; 0: 0.4 of the tool's diameter</source>
+            <translation>Entre hélices vizinhas no máximo; 0: 0,4 do diâmetro da ferramenta</translation>
         </message>
         <message>
             <source>Between the two sides of a V-bit or engraver; 0: not given</source>
@@ -917,6 +1805,18 @@
         <message>
             <source>Between the two sides of a drill's point; 0: not given</source>
             <translation>Entre os dois lados da ponta de uma broca; 0: não informado</translation>
+        </message>
+        <message>
+            <source>Beyond</source>
+            <translation>Além</translation>
+        </message>
+        <message>
+            <source>Boring</source>
+            <translation>Mandrilamento</translation>
+        </message>
+        <message>
+            <source>Bridges that hold the part until it is broken out</source>
+            <translation>Pontes que seguram a peça até ela ser destacada</translation>
         </message>
         <message>
             <source>Busy</source>
@@ -933,6 +1833,10 @@
         <message>
             <source>Centre</source>
             <translation>Centro</translation>
+        </message>
+        <message>
+            <source>Change</source>
+            <translation>Alterar</translation>
         </message>
         <message>
             <source>Change the programmed value while cutting, in percent.</source>
@@ -967,6 +1871,14 @@
             <translation>Escolha aqui</translation>
         </message>
         <message>
+            <source>Circle</source>
+            <translation>Círculo</translation>
+        </message>
+        <message>
+            <source>Circular pocket</source>
+            <translation>Bolsão circular</translation>
+        </message>
+        <message>
             <source>Clamps</source>
             <translation>Grampos</translation>
         </message>
@@ -989,6 +1901,14 @@
         <message>
             <source>Closed</source>
             <translation>Fechada</translation>
+        </message>
+        <message>
+            <source>Closed lines round what is faced; without it the whole stock</source>
+            <translation>Linhas fechadas em volta do que é faceado; sem elas, o bloco inteiro</translation>
+        </message>
+        <message>
+            <source>Columns</source>
+            <translation>Colunas</translation>
         </message>
         <message>
             <source>Comparing the cut with the drawing…</source>
@@ -1023,8 +1943,16 @@
             <translation>Recipientes dos grampos</translation>
         </message>
         <message>
+            <source>Contour</source>
+            <translation>Contorno</translation>
+        </message>
+        <message>
             <source>Controller</source>
             <translation>Controlador</translation>
+        </message>
+        <message>
+            <source>Convert units…</source>
+            <translation>Converter unidades…</translation>
         </message>
         <message>
             <source>Coolant</source>
@@ -1037,6 +1965,10 @@
         <message>
             <source>Corner radius</source>
             <translation>Raio de canto</translation>
+        </message>
+        <message>
+            <source>Count</source>
+            <translation>Quantidade</translation>
         </message>
         <message>
             <source>Cut</source>
@@ -1063,6 +1995,14 @@
             <translation>Usinando a peça…</translation>
         </message>
         <message>
+            <source>Cycle</source>
+            <translation>Ciclo</translation>
+        </message>
+        <message>
+            <source>Degrees, counter-clockwise</source>
+            <translation>Graus, anti-horário</translation>
+        </message>
+        <message>
             <source>Delete a point</source>
             <translation>Excluir um ponto</translation>
         </message>
@@ -1077,6 +2017,10 @@
         <message>
             <source>Depth</source>
             <translation>Profundidade</translation>
+        </message>
+        <message>
+            <source>Depth to</source>
+            <translation>Profundidade até</translation>
         </message>
         <message>
             <source>Dialect</source>
@@ -1095,12 +2039,24 @@
             <translation>Sentido</translation>
         </message>
         <message>
+            <source>Discard</source>
+            <translation>Descartar</translation>
+        </message>
+        <message>
             <source>Disconnect</source>
             <translation>Desconectar</translation>
         </message>
         <message>
             <source>Disconnect first: this is what the dock is connected to.</source>
             <translation>Desconecte antes: é a isto que o painel está conectado.</translation>
+        </message>
+        <message>
+            <source>Distance</source>
+            <translation>Distância</translation>
+        </message>
+        <message>
+            <source>Dog-bones</source>
+            <translation>Alívio de cantos</translation>
         </message>
         <message>
             <source>Done</source>
@@ -1127,6 +2083,10 @@
             <translation>Desenho</translation>
         </message>
         <message>
+            <source>Drilling</source>
+            <translation>Furação</translation>
+        </message>
+        <message>
             <source>Earlier</source>
             <translation>Antes</translation>
         </message>
@@ -1137,6 +2097,10 @@
         <message>
             <source>Edit</source>
             <translation>Editar</translation>
+        </message>
+        <message>
+            <source>Edit program</source>
+            <translation>Editar programa</translation>
         </message>
         <message>
             <source>Edit {0}</source>
@@ -1155,6 +2119,26 @@
             <translation>Bolsão elíptico</translation>
         </message>
         <message>
+            <source>Encoder (closed loop)</source>
+            <translation>Encoder (malha fechada)</translation>
+        </message>
+        <message>
+            <source>Encoder's gear</source>
+            <translation>Redução do encoder</translation>
+        </message>
+        <message>
+            <source>Encoder's pulses</source>
+            <translation>Pulsos do encoder</translation>
+        </message>
+        <message>
+            <source>End angle</source>
+            <translation>Ângulo final</translation>
+        </message>
+        <message>
+            <source>Engagement</source>
+            <translation>Engajamento</translation>
+        </message>
+        <message>
             <source>Engraving</source>
             <translation>Gravação</translation>
         </message>
@@ -1171,6 +2155,26 @@
             <translation>Erro</translation>
         </message>
         <message>
+            <source>F is one over the minutes that a move takes</source>
+            <translation>F é um dividido pelos minutos que o movimento dura</translation>
+        </message>
+        <message>
+            <source>F is the feed per minute</source>
+            <translation>F é o avanço por minuto</translation>
+        </message>
+        <message>
+            <source>F is the feed per turn of the spindle</source>
+            <translation>F é o avanço por volta do fuso</translation>
+        </message>
+        <message>
+            <source>FR4 (glass fibre)</source>
+            <translation>FR4 (fibra de vidro)</translation>
+        </message>
+        <message>
+            <source>Facing</source>
+            <translation>Faceamento</translation>
+        </message>
+        <message>
             <source>Failed</source>
             <translation>Falhou</translation>
         </message>
@@ -1181,6 +2185,22 @@
         <message>
             <source>Feeding in air</source>
             <translation>Avanço no ar</translation>
+        </message>
+        <message>
+            <source>Feeds by a factor…</source>
+            <translation>Avanços por um fator…</translation>
+        </message>
+        <message>
+            <source>Feeds times</source>
+            <translation>Avanços vezes</translation>
+        </message>
+        <message>
+            <source>Figures</source>
+            <translation>Valores</translation>
+        </message>
+        <message>
+            <source>Find</source>
+            <translation>Localizar</translation>
         </message>
         <message>
             <source>Find the cause, then home the machine or unlock it.</source>
@@ -1195,12 +2215,28 @@
             <translation>Ocorrências ({0}): o programa não pode ser enviado</translation>
         </message>
         <message>
+            <source>Finds and replaces (Ctrl+F)</source>
+            <translation>Localiza e substitui (Ctrl+F)</translation>
+        </message>
+        <message>
             <source>Finish</source>
             <translation>Acabamento</translation>
         </message>
         <message>
             <source>Finishing</source>
             <translation>Terminando</translation>
+        </message>
+        <message>
+            <source>First corner</source>
+            <translation>Primeiro canto</translation>
+        </message>
+        <message>
+            <source>First hole</source>
+            <translation>Primeiro furo</translation>
+        </message>
+        <message>
+            <source>First number</source>
+            <translation>Primeiro número</translation>
         </message>
         <message>
             <source>Fit to drawing</source>
@@ -1251,12 +2287,92 @@
             <translation>De X até o primeiro eixo da elipse</translation>
         </message>
         <message>
+            <source>From X to the first hole, counter-clockwise</source>
+            <translation>De X ao primeiro furo, no sentido anti-horário</translation>
+        </message>
+        <message>
+            <source>From X to the last hole</source>
+            <translation>De X ao último furo</translation>
+        </message>
+        <message>
+            <source>From X to the lines of the pattern</source>
+            <translation>De X às linhas do padrão</translation>
+        </message>
+        <message>
             <source>From here down the tool feeds</source>
             <translation>Daqui para baixo a ferramenta avança em velocidade de corte</translation>
         </message>
         <message>
+            <source>From hole to hole along X and along Y</source>
+            <translation>De furo a furo ao longo de X e ao longo de Y</translation>
+        </message>
+        <message>
+            <source>From one to the next</source>
+            <translation>De um ao seguinte</translation>
+        </message>
+        <message>
+            <source>From one turn of the thread to the next</source>
+            <translation>De uma volta da rosca à seguinte</translation>
+        </message>
+        <message>
+            <source>From the middle of the circle to the holes</source>
+            <translation>Do meio do círculo até os furos</translation>
+        </message>
+        <message>
             <source>From the tip to the holder; 0: not given</source>
             <translation>Da ponta ao porta-ferramenta; 0: não informado</translation>
+        </message>
+        <message>
+            <source>From tooth to tooth</source>
+            <translation>De dente a dente</translation>
+        </message>
+        <message>
+            <source>Full steps a turn</source>
+            <translation>Passos inteiros por volta</translation>
+        </message>
+        <message>
+            <source>F{0} in/min</source>
+            <translation>F{0} pol/min</translation>
+        </message>
+        <message>
+            <source>F{0} in/rev</source>
+            <translation>F{0} pol/volta</translation>
+        </message>
+        <message>
+            <source>F{0} mm/min</source>
+            <translation>F{0} mm/min</translation>
+        </message>
+        <message>
+            <source>F{0} mm/rev</source>
+            <translation>F{0} mm/volta</translation>
+        </message>
+        <message>
+            <source>G73 pecks, chips</source>
+            <translation>G73 quebra-cavaco</translation>
+        </message>
+        <message>
+            <source>G81 straight</source>
+            <translation>G81 direta</translation>
+        </message>
+        <message>
+            <source>G82 with a pause</source>
+            <translation>G82 com pausa</translation>
+        </message>
+        <message>
+            <source>G83 pecks, all out</source>
+            <translation>G83 bicadas</translation>
+        </message>
+        <message>
+            <source>G98 clearance</source>
+            <translation>G98 segurança</translation>
+        </message>
+        <message>
+            <source>G99 retract</source>
+            <translation>G99 recuo</translation>
+        </message>
+        <message>
+            <source>Gear ratio</source>
+            <translation>Redução</translation>
         </message>
         <message>
             <source>Go on</source>
@@ -1275,12 +2391,28 @@
             <translation>Ângulo de contato máximo</translation>
         </message>
         <message>
+            <source>HDPE plastic</source>
+            <translation>plástico PEAD</translation>
+        </message>
+        <message>
             <source>Half the width along its second axis</source>
             <translation>Metade da largura ao longo do segundo eixo</translation>
         </message>
         <message>
             <source>Half the width along the ellipse's first axis</source>
             <translation>Metade da largura ao longo do primeiro eixo da elipse</translation>
+        </message>
+        <message>
+            <source>Half the width of the pocket</source>
+            <translation>Metade da largura do bolsão</translation>
+        </message>
+        <message>
+            <source>Hand</source>
+            <translation>Sentido da rosca</translation>
+        </message>
+        <message>
+            <source>Height</source>
+            <translation>Altura</translation>
         </message>
         <message>
             <source>Height above the top of the stock; lines: where the tool's tip goes</source>
@@ -1293,6 +2425,10 @@
         <message>
             <source>Held</source>
             <translation>Em pausa</translation>
+        </message>
+        <message>
+            <source>Highest feed</source>
+            <translation>Avanço máximo</translation>
         </message>
         <message>
             <source>Hold</source>
@@ -1311,6 +2447,10 @@
             <translation>Pausando…</translation>
         </message>
         <message>
+            <source>Holes</source>
+            <translation>Furos</translation>
+        </message>
+        <message>
             <source>Home</source>
             <translation>Referenciar</translation>
         </message>
@@ -1323,6 +2463,22 @@
             <translation>Só é possível referenciar com a máquina pronta ou em alarme.</translation>
         </message>
         <message>
+            <source>How deep one peck goes</source>
+            <translation>Quanto desce cada bicada</translation>
+        </message>
+        <message>
+            <source>How far a closed line is followed beyond its begin</source>
+            <translation>Quanto se segue uma linha fechada além do seu começo</translation>
+        </message>
+        <message>
+            <source>How far an arc turns, or how far a line leans away from the contour</source>
+            <translation>Quanto um arco gira, ou quanto uma linha se afasta do contorno</translation>
+        </message>
+        <message>
+            <source>How far apart tabs are at most</source>
+            <translation>A distância máxima entre as pontes</translation>
+        </message>
+        <message>
             <source>How far from the stock's edge cuts must stay; 0: the edge does not matter</source>
             <translation>A que distância da borda do bloco os cortes devem ficar; 0: a borda não importa</translation>
         </message>
@@ -1331,16 +2487,60 @@
             <translation>Quanto um clique move a máquina.</translation>
         </message>
         <message>
+            <source>How far one turn of the helix falls</source>
+            <translation>Quanto desce uma volta da hélice</translation>
+        </message>
+        <message>
+            <source>How far the axis goes</source>
+            <translation>Quanto o eixo percorre</translation>
+        </message>
+        <message>
+            <source>How far the cut line may leave the drawn one, to be of fewer moves; 0: not at all</source>
+            <translation>Quanto a linha cortada pode se afastar da desenhada para ter menos movimentos; 0: nada</translation>
+        </message>
+        <message>
             <source>How far the path may be off an ellipse or a B-spline; lines and arcs are exact</source>
             <translation>Quanto a trajetória pode desviar de uma elipse ou B-spline; retas e arcos são exatos</translation>
         </message>
         <message>
-            <source>How far the wall may be off the ellipse</source>
-            <translation>Quanto a parede pode desviar da elipse</translation>
+            <source>How far the tool's rim runs over the edge</source>
+            <translation>Quanto a borda da ferramenta passa da aresta</translation>
+        </message>
+        <message>
+            <source>How far the wall may be off the drawing</source>
+            <translation>Quanto a parede pode se afastar do desenho</translation>
+        </message>
+        <message>
+            <source>How fast the axis goes</source>
+            <translation>Com que velocidade o eixo anda</translation>
         </message>
         <message>
             <source>How fast the machine moves while jogging; it never goes faster than it can.</source>
             <translation>Velocidade da máquina no movimento manual; nunca acima do que ela pode.</translation>
+        </message>
+        <message>
+            <source>How high a tab is above the bottom of the cut</source>
+            <translation>A altura de uma ponte acima do fundo do corte</translation>
+        </message>
+        <message>
+            <source>How many corners and narrow places the tool does not reach into</source>
+            <translation>Em quantos cantos e lugares estreitos a ferramenta não entra</translation>
+        </message>
+        <message>
+            <source>How many holes</source>
+            <translation>Quantos furos</translation>
+        </message>
+        <message>
+            <source>How many holes along X</source>
+            <translation>Quantos furos ao longo de X</translation>
+        </message>
+        <message>
+            <source>How many holes along Y</source>
+            <translation>Quantos furos ao longo de Y</translation>
+        </message>
+        <message>
+            <source>How many holes are made</source>
+            <translation>Quantos furos são feitos</translation>
         </message>
         <message>
             <source>How many passes at each depth</source>
@@ -1355,8 +2555,20 @@
             <translation>Número de pontos do arame</translation>
         </message>
         <message>
+            <source>How many tabs hold the part</source>
+            <translation>Quantas pontes seguram a peça</translation>
+        </message>
+        <message>
+            <source>How many tabs on each line</source>
+            <translation>Quantas pontes em cada linha</translation>
+        </message>
+        <message>
             <source>How many teeth; 0: not given</source>
             <translation>Quantos dentes; 0: não informado</translation>
+        </message>
+        <message>
+            <source>How many there are: one, or one a tool in turn</source>
+            <translation>Quantos são: um, ou um por ferramenta na sequência</translation>
         </message>
         <message>
             <source>How many times faster than a real one the virtual machine moves</source>
@@ -1367,6 +2579,18 @@
             <translation>Quantas vezes mais rápido que a máquina</translation>
         </message>
         <message>
+            <source>How many turns the thread has</source>
+            <translation>Quantas voltas a rosca tem</translation>
+        </message>
+        <message>
+            <source>How much deeper the tool goes, to come out below</source>
+            <translation>Quanto a ferramenta desce a mais para sair por baixo</translation>
+        </message>
+        <message>
+            <source>How much of the rim may be in the material at most, as an angle</source>
+            <translation>Quanto da borda pode estar no material no máximo, como ângulo</translation>
+        </message>
+        <message>
             <source>How much of the rim may be in the material, as an angle; 0: not given</source>
             <translation>Quanto do contorno pode estar no material, em ângulo; 0: não informado</translation>
         </message>
@@ -1375,16 +2599,68 @@
             <translation>Inclinação com que a hélice ou rampa desce</translation>
         </message>
         <message>
+            <source>How steeply the tool goes down along the line; 0: straight down</source>
+            <translation>Com que inclinação a ferramenta desce ao longo da linha; 0: na vertical</translation>
+        </message>
+        <message>
+            <source>How the area is cleared</source>
+            <translation>Como a área é esvaziada</translation>
+        </message>
+        <message>
             <source>How the cutter turns against the feed</source>
             <translation>Como a fresa gira em relação ao avanço</translation>
+        </message>
+        <message>
+            <source>How the drill goes down</source>
+            <translation>Como a broca desce</translation>
+        </message>
+        <message>
+            <source>How the thread winds</source>
+            <translation>Para que lado a rosca gira</translation>
+        </message>
+        <message>
+            <source>How the tool comes to the contour</source>
+            <translation>Como a ferramenta chega ao contorno</translation>
         </message>
         <message>
             <source>How the tool goes down</source>
             <translation>Como a ferramenta desce</translation>
         </message>
         <message>
+            <source>How the tool leaves the contour</source>
+            <translation>Como a ferramenta deixa o contorno</translation>
+        </message>
+        <message>
+            <source>How wide a tab is at its top</source>
+            <translation>A largura de uma ponte no topo</translation>
+        </message>
+        <message>
             <source>Idle</source>
             <translation>Pronta</translation>
+        </message>
+        <message>
+            <source>Import tools</source>
+            <translation>Importar ferramentas</translation>
+        </message>
+        <message>
+            <source>Import…</source>
+            <translation>Importar…</translation>
+        </message>
+        <message>
+            <source>In holes, or round bosses</source>
+            <translation>Em furos ou em volta de ressaltos</translation>
+        </message>
+        <message>
+            <source>In how many steps outwards</source>
+            <translation>Em quantos passos para fora</translation>
+        </message>
+        <message>
+            <source>In the program</source>
+            <translation>No programa</translation>
+        </message>
+        <message>
+            <source>In whole passes</source>
+            <translation>Em passes inteiros</translation>
         </message>
         <message>
             <source>Is the work zero set on the stock and the way free?</source>
@@ -1423,6 +2699,18 @@
             <translation>Guardar a peça cortada como malha</translation>
         </message>
         <message>
+            <source>Keeps the text where it came from (Ctrl+S); a job's is kept beside it</source>
+            <translation>Guarda o texto de onde ele veio (Ctrl+S); o de um trabalho fica ao lado dele</translation>
+        </message>
+        <message>
+            <source>Kerf</source>
+            <translation>Largura do corte</translation>
+        </message>
+        <message>
+            <source>Last hole</source>
+            <translation>Último furo</translation>
+        </message>
+        <message>
             <source>Last stepdown</source>
             <translation>Última profundidade de corte</translation>
         </message>
@@ -1435,12 +2723,36 @@
             <translation>Depois</translation>
         </message>
         <message>
+            <source>Lead-in</source>
+            <translation>Entrada</translation>
+        </message>
+        <message>
+            <source>Lead-out</source>
+            <translation>Saída</translation>
+        </message>
+        <message>
+            <source>Leads</source>
+            <translation>Entrada e saída</translation>
+        </message>
+        <message>
             <source>Least chip load</source>
             <translation>Avanço por dente mínimo</translation>
         </message>
         <message>
             <source>Leave out of the program</source>
             <translation>Deixar fora do programa</translation>
+        </message>
+        <message>
+            <source>Length in</source>
+            <translation>Comprimento entrada</translation>
+        </message>
+        <message>
+            <source>Length offset</source>
+            <translation>Correção de comprimento</translation>
+        </message>
+        <message>
+            <source>Length out</source>
+            <translation>Comprimento saída</translation>
         </message>
         <message>
             <source>Length, width and height; of a cylinder, which stands, the length is its diameter</source>
@@ -1471,6 +2783,10 @@
             <translation>Comprimento das linhas</translation>
         </message>
         <message>
+            <source>Line {0}: {1}</source>
+            <translation>Linha {0}: {1}</translation>
+        </message>
+        <message>
             <source>Lines</source>
             <translation>Linhas</translation>
         </message>
@@ -1491,16 +2807,40 @@
             <translation>Procurando um Python…</translation>
         </message>
         <message>
+            <source>MDF board</source>
+            <translation>MDF</translation>
+        </message>
+        <message>
             <source>Machine</source>
             <translation>Máquina</translation>
+        </message>
+        <message>
+            <source>Made from</source>
+            <translation>Feito a partir de</translation>
+        </message>
+        <message>
+            <source>Made of</source>
+            <translation>Feita de</translation>
+        </message>
+        <message>
+            <source>Major</source>
+            <translation>Maior</translation>
         </message>
         <message>
             <source>Make a job first, with New job</source>
             <translation>Crie antes um trabalho, com Novo trabalho</translation>
         </message>
         <message>
+            <source>Make shorter…</source>
+            <translation>Encurtar…</translation>
+        </message>
+        <message>
             <source>Make this position the work zero of the axis.</source>
             <translation>Faz desta posição o zero-peça do eixo.</translation>
+        </message>
+        <message>
+            <source>Material</source>
+            <translation>Material</translation>
         </message>
         <message>
             <source>Message</source>
@@ -1515,8 +2855,32 @@
             <translation>Método</translation>
         </message>
         <message>
+            <source>Microsteps</source>
+            <translation>Micropassos</translation>
+        </message>
+        <message>
+            <source>Minor</source>
+            <translation>Menor</translation>
+        </message>
+        <message>
+            <source>Mirror…</source>
+            <translation>Espelhar…</translation>
+        </message>
+        <message>
+            <source>Motor angle</source>
+            <translation>Ângulo do motor</translation>
+        </message>
+        <message>
+            <source>Motor speed</source>
+            <translation>Rotação do motor</translation>
+        </message>
+        <message>
             <source>Motor steps: {0}</source>
             <translation>Passos dos motores: {0}</translation>
+        </message>
+        <message>
+            <source>Motor's steps</source>
+            <translation>Passos do motor</translation>
         </message>
         <message>
             <source>Move</source>
@@ -1535,8 +2899,32 @@
             <translation>Move a máquina neste sentido.</translation>
         </message>
         <message>
+            <source>Moved by</source>
+            <translation>Acionado por</translation>
+        </message>
+        <message>
+            <source>Moves, scales, turns or rewrites the whole program</source>
+            <translation>Move, escala, gira ou reescreve o programa inteiro</translation>
+        </message>
+        <message>
+            <source>Move…</source>
+            <translation>Mover…</translation>
+        </message>
+        <message>
+            <source>Never farther off than, mm</source>
+            <translation>Nunca mais longe que, mm</translation>
+        </message>
+        <message>
             <source>New job</source>
             <translation>Novo trabalho</translation>
+        </message>
+        <message>
+            <source>New program</source>
+            <translation>Programa novo</translation>
+        </message>
+        <message>
+            <source>Next</source>
+            <translation>Próximo</translation>
         </message>
         <message>
             <source>No connection</source>
@@ -1563,6 +2951,10 @@
             <translation>Observação</translation>
         </message>
         <message>
+            <source>Nothing changes.</source>
+            <translation>Nada muda.</translation>
+        </message>
+        <message>
             <source>Nothing moves that could be held.</source>
             <translation>Nada se move que possa ser pausado.</translation>
         </message>
@@ -1579,6 +2971,10 @@
             <translation>Número</translation>
         </message>
         <message>
+            <source>Number the lines…</source>
+            <translation>Numerar as linhas…</translation>
+        </message>
+        <message>
             <source>Of a bull nose; 0: not given</source>
             <translation>De uma fresa toroidal; 0: não informado</translation>
         </message>
@@ -1587,8 +2983,40 @@
             <translation>De uma parede deixada pelo jato ou fio, em relação à vertical; 0: nenhuma</translation>
         </message>
         <message>
+            <source>Of the bores; 0: that of each circle of the drawing</source>
+            <translation>Dos furos; 0: o de cada círculo do desenho</translation>
+        </message>
+        <message>
+            <source>Of the corners seen from above; 0: as round as the tool</source>
+            <translation>Dos cantos vistos de cima; 0: tão redondos quanto a ferramenta</translation>
+        </message>
+        <message>
+            <source>Of the driver, in a full step</source>
+            <translation>Do driver, em um passo inteiro</translation>
+        </message>
+        <message>
+            <source>Of the grid about its first hole</source>
+            <translation>Da grade em torno do seu primeiro furo</translation>
+        </message>
+        <message>
+            <source>Of the pulley that drives the belt</source>
+            <translation>Da polia que aciona a correia</translation>
+        </message>
+        <message>
             <source>Of the written program</source>
             <translation>Do programa gerado</translation>
+        </message>
+        <message>
+            <source>On which side of the lines the tool runs</source>
+            <translation>De que lado das linhas a ferramenta corre</translation>
+        </message>
+        <message>
+            <source>One end of the diagonal, from the work zero</source>
+            <translation>Uma ponta da diagonal, a partir do zero da peça</translation>
+        </message>
+        <message>
+            <source>One hole at each point</source>
+            <translation>Um furo em cada ponto</translation>
         </message>
         <message>
             <source>One step back</source>
@@ -1601,6 +3029,10 @@
         <message>
             <source>One step on</source>
             <translation>Um passo adiante</translation>
+        </message>
+        <message>
+            <source>Open a G-code file</source>
+            <translation>Abrir um arquivo G-code</translation>
         </message>
         <message>
             <source>Open or make a document first</source>
@@ -1619,8 +3051,24 @@
             <translation>Operações</translation>
         </message>
         <message>
+            <source>Order</source>
+            <translation>Ordem</translation>
+        </message>
+        <message>
+            <source>Other corner</source>
+            <translation>Outro canto</translation>
+        </message>
+        <message>
             <source>Outlines of the clamps</source>
             <translation>Contornos dos grampos</translation>
+        </message>
+        <message>
+            <source>Overcut</source>
+            <translation>Sobrecorte</translation>
+        </message>
+        <message>
+            <source>Overhang</source>
+            <translation>Passagem da borda</translation>
         </message>
         <message>
             <source>Overrides</source>
@@ -1631,6 +3079,14 @@
             <translation>Os ajustes só funcionam com a máquina pronta ou usinando.</translation>
         </message>
         <message>
+            <source>POM (acetal)</source>
+            <translation>POM (acetal)</translation>
+        </message>
+        <message>
+            <source>PVC foam board</source>
+            <translation>PVC expandido</translation>
+        </message>
+        <message>
             <source>Passes</source>
             <translation>Passes</translation>
         </message>
@@ -1639,8 +3095,32 @@
             <translation>Trajetória</translation>
         </message>
         <message>
+            <source>Pattern</source>
+            <translation>Padrão</translation>
+        </message>
+        <message>
+            <source>Pause</source>
+            <translation>Pausa</translation>
+        </message>
+        <message>
             <source>Paused</source>
             <translation>Em espera</translation>
+        </message>
+        <message>
+            <source>Peck</source>
+            <translation>Bicada</translation>
+        </message>
+        <message>
+            <source>Picked</source>
+            <translation>Escolhidas</translation>
+        </message>
+        <message>
+            <source>Pitch</source>
+            <translation>Passo</translation>
+        </message>
+        <message>
+            <source>Places</source>
+            <translation>Lugares</translation>
         </message>
         <message>
             <source>Play or pause</source>
@@ -1653,6 +3133,10 @@
         <message>
             <source>Plunge feed</source>
             <translation>Avanço de mergulho</translation>
+        </message>
+        <message>
+            <source>Pocket</source>
+            <translation>Bolsão</translation>
         </message>
         <message>
             <source>Point angle</source>
@@ -1675,6 +3159,10 @@
             <translation>Prévia</translation>
         </message>
         <message>
+            <source>Previous</source>
+            <translation>Anterior</translation>
+        </message>
+        <message>
             <source>Problem</source>
             <translation>Problema</translation>
         </message>
@@ -1691,16 +3179,64 @@
             <translation>Programa</translation>
         </message>
         <message>
+            <source>Program number</source>
+            <translation>Número do programa</translation>
+        </message>
+        <message>
+            <source>Program: {0}</source>
+            <translation>Programa: {0}</translation>
+        </message>
+        <message>
+            <source>Programs</source>
+            <translation>Programas</translation>
+        </message>
+        <message>
             <source>Programs ({0})</source>
             <translation>Programas ({0})</translation>
+        </message>
+        <message>
+            <source>Pulley's teeth</source>
+            <translation>Dentes da polia</translation>
         </message>
         <message>
             <source>Pulse</source>
             <translation>Pulso</translation>
         </message>
         <message>
+            <source>Pulse angle</source>
+            <translation>Ângulo por pulso</translation>
+        </message>
+        <message>
+            <source>Pulse rate</source>
+            <translation>Frequência</translation>
+        </message>
+        <message>
+            <source>Pulses</source>
+            <translation>Pulsos</translation>
+        </message>
+        <message>
+            <source>Pulses of</source>
+            <translation>Pulsos de</translation>
+        </message>
+        <message>
+            <source>Pulses/s</source>
+            <translation>Pulsos/s</translation>
+        </message>
+        <message>
             <source>Put the stock around what is selected, or around the drawings of the operations</source>
             <translation>Põe o bloco em torno do que está selecionado, ou dos desenhos das operações</translation>
+        </message>
+        <message>
+            <source>Radius</source>
+            <translation>Raio</translation>
+        </message>
+        <message>
+            <source>Radius in</source>
+            <translation>Raio entrada</translation>
+        </message>
+        <message>
+            <source>Radius out</source>
+            <translation>Raio saída</translation>
         </message>
         <message>
             <source>Radius x</source>
@@ -1711,12 +3247,20 @@
             <translation>Semieixo y</translation>
         </message>
         <message>
+            <source>Ramp</source>
+            <translation>Rampa</translation>
+        </message>
+        <message>
             <source>Rapid</source>
             <translation>Rápido</translation>
         </message>
         <message>
             <source>Rapids</source>
             <translation>Rápidos</translation>
+        </message>
+        <message>
+            <source>Reached</source>
+            <translation>Alcançado</translation>
         </message>
         <message>
             <source>Reading the job…</source>
@@ -1727,8 +3271,12 @@
             <translation>Relendo o programa…</translation>
         </message>
         <message>
-            <source>Recalculated to whole passes</source>
-            <translation>Em passes inteiros</translation>
+            <source>Rectangle</source>
+            <translation>Retângulo</translation>
+        </message>
+        <message>
+            <source>Rectangular pocket</source>
+            <translation>Bolsão retangular</translation>
         </message>
         <message>
             <source>Refused</source>
@@ -1737,6 +3285,10 @@
         <message>
             <source>Refused by the machine</source>
             <translation>Recusado pela máquina</translation>
+        </message>
+        <message>
+            <source>Region</source>
+            <translation>Região</translation>
         </message>
         <message>
             <source>Release to close the line. Esc: give up this line.</source>
@@ -1759,8 +3311,24 @@
             <translation>Removido</translation>
         </message>
         <message>
+            <source>Replace</source>
+            <translation>Substituir</translation>
+        </message>
+        <message>
+            <source>Replace with</source>
+            <translation>Substituir por</translation>
+        </message>
+        <message>
             <source>Resolution</source>
             <translation>Resolução</translation>
+        </message>
+        <message>
+            <source>Rest at most</source>
+            <translation>Resto máximo</translation>
+        </message>
+        <message>
+            <source>Rest corners</source>
+            <translation>Cantos com resto</translation>
         </message>
         <message>
             <source>Resume</source>
@@ -1771,12 +3339,44 @@
             <translation>Retração</translation>
         </message>
         <message>
+            <source>Retract to</source>
+            <translation>Recuar até</translation>
+        </message>
+        <message>
+            <source>Reverse the contours</source>
+            <translation>Inverter os contornos</translation>
+        </message>
+        <message>
+            <source>Rotate…</source>
+            <translation>Girar…</translation>
+        </message>
+        <message>
             <source>Rotation</source>
             <translation>Rotação</translation>
         </message>
         <message>
+            <source>Rows</source>
+            <translation>Linhas</translation>
+        </message>
+        <message>
             <source>Running</source>
             <translation>Usinando</translation>
+        </message>
+        <message>
+            <source>S is the speed at the surface</source>
+            <translation>S é a velocidade na superfície</translation>
+        </message>
+        <message>
+            <source>S is turns per minute</source>
+            <translation>S são rotações por minuto</translation>
+        </message>
+        <message>
+            <source>Save</source>
+            <translation>Salvar</translation>
+        </message>
+        <message>
+            <source>Save as…</source>
+            <translation>Salvar como…</translation>
         </message>
         <message>
             <source>Save program as…</source>
@@ -1785,6 +3385,22 @@
         <message>
             <source>Saved {0}</source>
             <translation>{0} salvo</translation>
+        </message>
+        <message>
+            <source>Scale…</source>
+            <translation>Escalar…</translation>
+        </message>
+        <message>
+            <source>Screw</source>
+            <translation>Fuso</translation>
+        </message>
+        <message>
+            <source>Screw speed</source>
+            <translation>Rotação do fuso</translation>
+        </message>
+        <message>
+            <source>Seconds at the bottom</source>
+            <translation>Segundos no fundo</translation>
         </message>
         <message>
             <source>Select a drawing in the tree or in the 3D view first</source>
@@ -1803,6 +3419,14 @@
             <translation>Selecione o trabalho na árvore: este documento tem vários</translation>
         </message>
         <message>
+            <source>Select what is to be cleared: a sketch, closed wires, or faces of a solid</source>
+            <translation>Selecione o que esvaziar: um esboço, fios fechados ou faces de um sólido</translation>
+        </message>
+        <message>
+            <source>Select what is to be cut out: a sketch, wires, or faces or edges of a solid</source>
+            <translation>Selecione o que recortar: um esboço, fios, ou faces ou arestas de um sólido</translation>
+        </message>
+        <message>
             <source>Select what is to be engraved: a sketch, a wire, a B-spline or a freehand line</source>
             <translation>Selecione o que será gravado: um esboço, um arame, uma B-spline ou uma linha à mão livre</translation>
         </message>
@@ -1817,6 +3441,14 @@
         <message>
             <source>Show the tool's path</source>
             <translation>Mostra a trajetória da ferramenta</translation>
+        </message>
+        <message>
+            <source>Side</source>
+            <translation>Lado</translation>
+        </message>
+        <message>
+            <source>Simplify</source>
+            <translation>Simplificar</translation>
         </message>
         <message>
             <source>Simulate again</source>
@@ -1835,6 +3467,10 @@
             <translation>Sólidos em que a ferramenta não pode tocar; as ocorrências os citam pelo número</translation>
         </message>
         <message>
+            <source>Spacing</source>
+            <translation>Espaçamento</translation>
+        </message>
+        <message>
             <source>Speed</source>
             <translation>Velocidade</translation>
         </message>
@@ -1843,12 +3479,16 @@
             <translation>Spindle</translation>
         </message>
         <message>
-            <source>Spindle turns a minute</source>
-            <translation>Rotações do spindle por minuto</translation>
+            <source>Spindle turns a minute; 0: those of the job's material</source>
+            <translation>Rotações do spindle por minuto; 0: as do material do trabalho</translation>
         </message>
         <message>
             <source>Start</source>
             <translation>Iniciar</translation>
+        </message>
+        <message>
+            <source>Start angle</source>
+            <translation>Ângulo inicial</translation>
         </message>
         <message>
             <source>Starting</source>
@@ -1875,8 +3515,20 @@
             <translation>Penetração de trabalho ae</translation>
         </message>
         <message>
+            <source>Stepper motor (open loop)</source>
+            <translation>Motor de passo (malha aberta)</translation>
+        </message>
+        <message>
+            <source>Steps/mm</source>
+            <translation>Passos/mm</translation>
+        </message>
+        <message>
             <source>Stock</source>
             <translation>Bloco</translation>
+        </message>
+        <message>
+            <source>Stock to leave</source>
+            <translation>Sobremetal</translation>
         </message>
         <message>
             <source>Stop</source>
@@ -1903,6 +3555,18 @@
             <translation>Alternar {0}</translation>
         </message>
         <message>
+            <source>S{0} clockwise</source>
+            <translation>S{0} horário</translation>
+        </message>
+        <message>
+            <source>S{0} counter-clockwise</source>
+            <translation>S{0} anti-horário</translation>
+        </message>
+        <message>
+            <source>Tabs</source>
+            <translation>Pontes</translation>
+        </message>
+        <message>
             <source>Take into the program</source>
             <translation>Incluir no programa</translation>
         </message>
@@ -1917,6 +3581,10 @@
         <message>
             <source>Take the alarm away without homing: only when the position is surely right.</source>
             <translation>Retira o alarme sem referenciar: só quando a posição está certa com certeza.</translation>
+        </message>
+        <message>
+            <source>Take the line numbers out</source>
+            <translation>Tirar os números de linha</translation>
         </message>
         <message>
             <source>Take the solids that are selected for clamps</source>
@@ -1943,6 +3611,10 @@
             <translation>A verificação encontrou erros: nada foi enviado. Corrija-os e envie de novo.</translation>
         </message>
         <message>
+            <source>The circles and points of a sketch, or the circular edges of a solid</source>
+            <translation>Os círculos e pontos de um esboço ou as arestas circulares de um sólido</translation>
+        </message>
+        <message>
             <source>The clamps seen from above, at the height of their tops</source>
             <translation>Os grampos vistos de cima, na altura dos seus topos</translation>
         </message>
@@ -1967,6 +3639,10 @@
             <translation>As configurações do controlador são comparadas.</translation>
         </message>
         <message>
+            <source>The corner where the grid begins, from the work zero</source>
+            <translation>O canto onde a grade começa, a partir do zero da peça</translation>
+        </message>
+        <message>
             <source>The cut goes on without FreeCAD; the controller's panel finds it again the next time it is opened.</source>
             <translation>O corte continua sem o FreeCAD; o painel do controlador o reencontra na próxima vez que for aberto.</translation>
         </message>
@@ -1987,8 +3663,8 @@
             <translation>A profundidade máxima de um passe; 0: tudo de uma vez</translation>
         </message>
         <message>
-            <source>The depth of the pocket, ap_total</source>
-            <translation>A profundidade do bolsão, ap_total</translation>
+            <source>The diameter at the other end of the flanks; 0: that of a metric thread</source>
+            <translation>O diâmetro na outra ponta dos flancos; 0: o de uma rosca métrica</translation>
         </message>
         <message>
             <source>The diameter of the cutter</source>
@@ -2007,8 +3683,24 @@
             <translation>O desenho que ela seguia, se foi excluído</translation>
         </message>
         <message>
+            <source>The faces and edges of the drawing that count; none: all of it</source>
+            <translation>As faces e arestas do desenho que valem; nenhuma: todo ele</translation>
+        </message>
+        <message>
             <source>The feed of the last pass at the wall; 0: the tool's own feed</source>
             <translation>O avanço do último passe na parede; 0: o avanço da própria ferramenta</translation>
+        </message>
+        <message>
+            <source>The feed of the last pass; 0: the tool's own feed</source>
+            <translation>O avanço do último passe; 0: o avanço da própria ferramenta</translation>
+        </message>
+        <message>
+            <source>The feed of the program</source>
+            <translation>O avanço do programa</translation>
+        </message>
+        <message>
+            <source>The fingerprint of the job's program from which this one was edited</source>
+            <translation>A impressão digital do programa do trabalho a partir do qual este foi editado</translation>
         </message>
         <message>
             <source>The flat at the tip of a V-bit or engraver; 0: it is pointed</source>
@@ -2019,8 +3711,16 @@
             <translation>A forma da fresa</translation>
         </message>
         <message>
+            <source>The height of the rapids between holes: G98 or G99</source>
+            <translation>A altura dos rápidos entre furos: G98 ou G99</translation>
+        </message>
+        <message>
             <source>The job is being cut.</source>
             <translation>O trabalho está sendo usinado.</translation>
+        </message>
+        <message>
+            <source>The job whose machine, stock, tools and clamps the program is for</source>
+            <translation>O trabalho para cuja máquina, bloco, ferramentas e grampos o programa é feito</translation>
         </message>
         <message>
             <source>The job whose program is shown</source>
@@ -2041,6 +3741,10 @@
         <message>
             <source>The length of the cutting edges; 0: not given</source>
             <translation>O comprimento das arestas de corte; 0: não informado</translation>
+        </message>
+        <message>
+            <source>The length of the lead's line</source>
+            <translation>O comprimento da linha de entrada ou saída</translation>
         </message>
         <message>
             <source>The link to the controller is being started.</source>
@@ -2087,6 +3791,10 @@
             <translation>A máquina está parada; nada se perdeu. Retome ou pare.</translation>
         </message>
         <message>
+            <source>The machine whose dialect the program is read in</source>
+            <translation>A máquina em cujo dialeto o programa é lido</translation>
+        </message>
+        <message>
             <source>The marked solid is no clamp any more; it stays</source>
             <translation>O sólido marcado deixa de ser grampo; ele continua no documento</translation>
         </message>
@@ -2095,12 +3803,40 @@
             <translation>O meio do topo da fresa que não corta; 0: ela tem corte no centro</translation>
         </message>
         <message>
+            <source>The middle of the circle, from the work zero</source>
+            <translation>O meio do círculo, a partir do zero da peça</translation>
+        </message>
+        <message>
+            <source>The minor diameter that is cut</source>
+            <translation>O diâmetro menor que é cortado</translation>
+        </message>
+        <message>
+            <source>The nominal diameter; 0: that of each circle of the drawing</source>
+            <translation>O diâmetro nominal; 0: o de cada círculo do desenho</translation>
+        </message>
+        <message>
+            <source>The order in which the holes are made</source>
+            <translation>A ordem em que os furos são feitos</translation>
+        </message>
+        <message>
+            <source>The order in which the lines are cut</source>
+            <translation>A ordem em que as linhas são cortadas</translation>
+        </message>
+        <message>
+            <source>The other end of the diagonal, before the rectangle is rotated</source>
+            <translation>A outra ponta da diagonal, antes de o retângulo ser girado</translation>
+        </message>
+        <message>
             <source>The parts and bodies that the clamps move with</source>
             <translation>As peças e os corpos com que os grampos se movem</translation>
         </message>
         <message>
             <source>The parts and bodies that the drawing moves with</source>
             <translation>As peças e corpos com que o desenho se move</translation>
+        </message>
+        <message>
+            <source>The plunge feed of the program</source>
+            <translation>O avanço de mergulho do programa</translation>
         </message>
         <message>
             <source>The points as they were drawn</source>
@@ -2131,16 +3867,28 @@
             <translation>O programa, guardado neste documento</translation>
         </message>
         <message>
+            <source>The radius of the lead's arc</source>
+            <translation>O raio do arco de entrada ou saída</translation>
+        </message>
+        <message>
             <source>The sketch, wire, B-spline or freehand line to follow</source>
             <translation>O esboço, arame, B-spline ou linha à mão livre a seguir</translation>
         </message>
         <message>
-            <source>The speed of cutting moves</source>
-            <translation>A velocidade dos movimentos de corte</translation>
+            <source>The sketch, wires or faces whose lines are followed</source>
+            <translation>O esboço, fios ou faces cujas linhas são seguidas</translation>
         </message>
         <message>
-            <source>The speed straight down</source>
-            <translation>A velocidade descendo na vertical</translation>
+            <source>The speed of cutting moves; 0: that of the job's material</source>
+            <translation>A velocidade dos movimentos de corte; 0: a do material do trabalho</translation>
+        </message>
+        <message>
+            <source>The speed straight down; 0: that of the job's material</source>
+            <translation>A velocidade de descida reta; 0: a do material do trabalho</translation>
+        </message>
+        <message>
+            <source>The spindle's speed in the program</source>
+            <translation>A rotação do spindle no programa</translation>
         </message>
         <message>
             <source>The step of the published method</source>
@@ -2149,6 +3897,14 @@
         <message>
             <source>The thickest chip that a tooth bears; 0: not given</source>
             <translation>O cavaco mais espesso que um dente suporta; 0: não informado</translation>
+        </message>
+        <message>
+            <source>The thickest material left in inner corners</source>
+            <translation>O material mais grosso que fica em cantos internos</translation>
+        </message>
+        <message>
+            <source>The thickest material left in them</source>
+            <translation>O material mais grosso que fica neles</translation>
         </message>
         <message>
             <source>The thinnest chip of a tooth, below which it rubs; 0: not given</source>
@@ -2165,6 +3921,10 @@
         <message>
             <source>The width of one pass at most, ae</source>
             <translation>A largura máxima de um passe, ae</translation>
+        </message>
+        <message>
+            <source>The width of the cut where it is not the tool's diameter; 0: the tool's own</source>
+            <translation>A largura do corte onde não é o diâmetro da ferramenta; 0: a da própria ferramenta</translation>
         </message>
         <message>
             <source>The wire stays this close to every drawn point; 0 keeps every point that bends the line</source>
@@ -2189,6 +3949,10 @@
         <message>
             <source>This takes a number without a unit, not '{0}'</source>
             <translation>Aqui vai um número sem unidade, não '{0}'</translation>
+        </message>
+        <message>
+            <source>Thread</source>
+            <translation>Rosquear</translation>
         </message>
         <message>
             <source>Time</source>
@@ -2235,8 +3999,40 @@
             <translation>Ferramenta</translation>
         </message>
         <message>
+            <source>Tool tables in inches ({0})</source>
+            <translation>Tabelas de ferramentas em polegadas ({0})</translation>
+        </message>
+        <message>
             <source>Tools</source>
             <translation>Ferramentas</translation>
+        </message>
+        <message>
+            <source>Tools ({0})</source>
+            <translation>Ferramentas ({0})</translation>
+        </message>
+        <message>
+            <source>Tools without feeds or speed take theirs from its table</source>
+            <translation>Ferramentas sem avanço ou rotação tomam os da sua tabela</translation>
+        </message>
+        <message>
+            <source>Toothed belt</source>
+            <translation>Correia dentada</translation>
+        </message>
+        <message>
+            <source>Travel for a turn of the screw; with several starts its lead</source>
+            <translation>Percurso por volta do fuso; com várias entradas, o avanço da rosca</translation>
+        </message>
+        <message>
+            <source>Turns</source>
+            <translation>Voltas</translation>
+        </message>
+        <message>
+            <source>Turns of the encoder for one of screw or pulley</source>
+            <translation>Voltas do encoder por volta do fuso ou da polia</translation>
+        </message>
+        <message>
+            <source>Turns of the motor for one of screw or pulley</source>
+            <translation>Voltas do motor por volta do fuso ou da polia</translation>
         </message>
         <message>
             <source>Units</source>
@@ -2275,6 +4071,10 @@
             <translation>Avisos</translation>
         </message>
         <message>
+            <source>What happened to the job's own program since</source>
+            <translation>O que aconteceu desde então com o programa do próprio trabalho</translation>
+        </message>
+        <message>
             <source>What is cut, in this order</source>
             <translation>O que é usinado, nesta ordem</translation>
         </message>
@@ -2285,6 +4085,22 @@
         <message>
             <source>What is switched on while cutting</source>
             <translation>O que fica ligado durante o corte</translation>
+        </message>
+        <message>
+            <source>What stays at the wall, for another operation to take</source>
+            <translation>O que fica na parede para outra operação tirar</translation>
+        </message>
+        <message>
+            <source>What the axis loses at a reversal, as the profile says; moves that are sent take it up</source>
+            <translation>O que o eixo perde em uma inversão, como diz o perfil; os movimentos enviados compensam</translation>
+        </message>
+        <message>
+            <source>What the controller adds to Z, where the machine takes lengths from a table; 0: not given</source>
+            <translation>O que o controlador soma a Z, onde a máquina toma os comprimentos de uma tabela; 0: não informado</translation>
+        </message>
+        <message>
+            <source>What the cutter is made of</source>
+            <translation>De que a ferramenta é feita</translation>
         </message>
         <message>
             <source>What the raw material looks like</source>
@@ -2303,6 +4119,22 @@
             <translation>Altura dos movimentos rápidos sobre a peça</translation>
         </message>
         <message>
+            <source>Where the holes stand</source>
+            <translation>Onde ficam os furos</translation>
+        </message>
+        <message>
+            <source>Where the mirror stands, mm</source>
+            <translation>Onde fica o espelho, mm</translation>
+        </message>
+        <message>
+            <source>Where the row begins, from the work zero</source>
+            <translation>Onde a fileira começa, a partir do zero da peça</translation>
+        </message>
+        <message>
+            <source>Where the row ends</source>
+            <translation>Onde a fileira termina</translation>
+        </message>
+        <message>
             <source>Where the table stands is not known: home the machine, or set the work zero anew.</source>
             <translation>Não se sabe onde a mesa está: referencie a máquina ou defina de novo o zero-peça.</translation>
         </message>
@@ -2311,12 +4143,24 @@
             <translation>Onde fica o zero-peça neste documento</translation>
         </message>
         <message>
+            <source>Whether inner corners are opened, so that a square corner fits in</source>
+            <translation>Se os cantos internos são abertos para que um canto vivo caiba</translation>
+        </message>
+        <message>
+            <source>Whether the depth is that of the point or of the full diameter</source>
+            <translation>Se a profundidade é a da ponta ou a do diâmetro pleno</translation>
+        </message>
+        <message>
             <source>Whether the last point joins the first</source>
             <translation>Se o último ponto se une ao primeiro</translation>
         </message>
         <message>
             <source>Whether the program holds it</source>
             <translation>Se o programa a contém</translation>
+        </message>
+        <message>
+            <source>Which one is shown, checked and sent, where the machine wants one a tool</source>
+            <translation>Qual é mostrado, verificado e enviado, onde a máquina quer um por ferramenta</translation>
         </message>
         <message>
             <source>While pressed</source>
@@ -2331,6 +4175,10 @@
             <translation>Por que não há programa</translation>
         </message>
         <message>
+            <source>Width</source>
+            <translation>Largura</translation>
+        </message>
+        <message>
             <source>Work</source>
             <translation>Peça</translation>
         </message>
@@ -2343,40 +4191,200 @@
             <translation>Zero-peça</translation>
         </message>
         <message>
+            <source>Writes the text into a file</source>
+            <translation>Grava o texto em um arquivo</translation>
+        </message>
+        <message>
             <source>Writing the report…</source>
             <translation>Escrevendo o relatório…</translation>
+        </message>
+        <message>
+            <source>X times</source>
+            <translation>X vezes</translation>
+        </message>
+        <message>
+            <source>X words are diameters</source>
+            <translation>palavras X são diâmetros</translation>
+        </message>
+        <message>
+            <source>X words are radii</source>
+            <translation>palavras X são raios</translation>
+        </message>
+        <message>
+            <source>X; Y in {0}, one hole a line</source>
+            <translation>X; Y em {0}, um furo por linha</translation>
+        </message>
+        <message>
+            <source>XPS foam</source>
+            <translation>espuma XPS</translation>
+        </message>
+        <message>
+            <source>Y times</source>
+            <translation>Y vezes</translation>
+        </message>
+        <message>
+            <source>Z times</source>
+            <translation>Z vezes</translation>
         </message>
         <message>
             <source>Zero's place</source>
             <translation>Lugar do zero</translation>
         </message>
         <message>
+            <source>a comment</source>
+            <translation>um comentário</translation>
+        </message>
+        <message>
+            <source>a parameter</source>
+            <translation>um parâmetro</translation>
+        </message>
+        <message>
+            <source>absolute</source>
+            <translation>absoluto</translation>
+        </message>
+        <message>
+            <source>acrylic, cast</source>
+            <translation>acrílico fundido</translation>
+        </message>
+        <message>
             <source>ae, recalculated to whole passes</source>
             <translation>ae, recalculada para passes inteiros</translation>
+        </message>
+        <message>
+            <source>along the walls</source>
+            <translation>paralelo</translation>
+        </message>
+        <message>
+            <source>aluminium 6061</source>
+            <translation>alumínio 6061</translation>
+        </message>
+        <message>
+            <source>angle about X</source>
+            <translation>ângulo em torno de X</translation>
+        </message>
+        <message>
+            <source>angle about Y</source>
+            <translation>ângulo em torno de Y</translation>
+        </message>
+        <message>
+            <source>angle about Z</source>
+            <translation>ângulo em torno de Z</translation>
         </message>
         <message>
             <source>ap, recalculated to whole passes</source>
             <translation>ap, recalculada para passes inteiros</translation>
         </message>
         <message>
+            <source>arc</source>
+            <translation>arco</translation>
+        </message>
+        <message>
+            <source>arc centre along X</source>
+            <translation>centro do arco ao longo de X</translation>
+        </message>
+        <message>
+            <source>arc centre along Y</source>
+            <translation>centro do arco ao longo de Y</translation>
+        </message>
+        <message>
+            <source>arc centre along Z</source>
+            <translation>centro do arco ao longo de Z</translation>
+        </message>
+        <message>
+            <source>arc centres are absolute</source>
+            <translation>centros de arco são absolutos</translation>
+        </message>
+        <message>
+            <source>arc centres are seen from the arc's begin</source>
+            <translation>centros de arco são vistos do início do arco</translation>
+        </message>
+        <message>
+            <source>arc, clockwise</source>
+            <translation>arco, horário</translation>
+        </message>
+        <message>
+            <source>arc, counter-clockwise</source>
+            <translation>arco, anti-horário</translation>
+        </message>
+        <message>
+            <source>arcs lie in the XY plane</source>
+            <translation>os arcos ficam no plano XY</translation>
+        </message>
+        <message>
+            <source>arcs lie in the YZ plane</source>
+            <translation>os arcos ficam no plano YZ</translation>
+        </message>
+        <message>
+            <source>arcs lie in the ZX plane</source>
+            <translation>os arcos ficam no plano ZX</translation>
+        </message>
+        <message>
             <source>arcs within the tolerance</source>
             <translation>arcos dentro da tolerância</translation>
+        </message>
+        <message>
+            <source>as drawn</source>
+            <translation>como desenhada</translation>
+        </message>
+        <message>
+            <source>as given</source>
+            <translation>como dada</translation>
         </message>
         <message>
             <source>ball end mill</source>
             <translation>fresa de topo esférico</translation>
         </message>
         <message>
+            <source>bolt circle</source>
+            <translation>em círculo</translation>
+        </message>
+        <message>
+            <source>bounded engagement</source>
+            <translation>engajamento limitado</translation>
+        </message>
+        <message>
             <source>box</source>
             <translation>bloco</translation>
+        </message>
+        <message>
+            <source>brass</source>
+            <translation>latão</translation>
         </message>
         <message>
             <source>bull nose</source>
             <translation>fresa toroidal</translation>
         </message>
         <message>
+            <source>by numbers</source>
+            <translation>por números</translation>
+        </message>
+        <message>
+            <source>calls a subprogram</source>
+            <translation>chama um subprograma</translation>
+        </message>
+        <message>
+            <source>canned cycles return to R</source>
+            <translation>ciclos fixos retornam a R</translation>
+        </message>
+        <message>
+            <source>canned cycles return to where they began</source>
+            <translation>ciclos fixos retornam aonde começaram</translation>
+        </message>
+        <message>
+            <source>carbide</source>
+            <translation>metal duro</translation>
+        </message>
+        <message>
+            <source>carbon fibre</source>
+            <translation>fibra de carbono</translation>
+        </message>
+        <message>
             <source>centre of the top</source>
             <translation>centro do topo</translation>
+        </message>
+        <message>
+            <source>changes the tool</source>
+            <translation>troca a ferramenta</translation>
         </message>
         <message>
             <source>climb</source>
@@ -2387,12 +4395,68 @@
             <translation>discordante</translation>
         </message>
         <message>
+            <source>coolant off</source>
+            <translation>refrigeração desligada</translation>
+        </message>
+        <message>
+            <source>coordinates are absolute</source>
+            <translation>as coordenadas são absolutas</translation>
+        </message>
+        <message>
+            <source>coordinates are steps from where the tool is</source>
+            <translation>as coordenadas são passos a partir de onde está a ferramenta</translation>
+        </message>
+        <message>
+            <source>count</source>
+            <translation>quantidade</translation>
+        </message>
+        <message>
+            <source>cubic spline</source>
+            <translation>spline cúbica</translation>
+        </message>
+        <message>
+            <source>cuts a thread in several passes</source>
+            <translation>corta uma rosca em vários passes</translation>
+        </message>
+        <message>
             <source>cylinder</source>
             <translation>cilindro</translation>
         </message>
         <message>
+            <source>depth of a peck</source>
+            <translation>profundidade de uma bicada</translation>
+        </message>
+        <message>
             <source>drill</source>
             <translation>broca</translation>
+        </message>
+        <message>
+            <source>drills</source>
+            <translation>fura</translation>
+        </message>
+        <message>
+            <source>drills with a dwell at the bottom</source>
+            <translation>fura com uma pausa no fundo</translation>
+        </message>
+        <message>
+            <source>drills, breaking chips</source>
+            <translation>fura, quebrando o cavaco</translation>
+        </message>
+        <message>
+            <source>drills, lifting the chips out</source>
+            <translation>fura, retirando o cavaco</translation>
+        </message>
+        <message>
+            <source>dwell for P</source>
+            <translation>pausa de P</translation>
+        </message>
+        <message>
+            <source>end of the program</source>
+            <translation>fim do programa</translation>
+        </message>
+        <message>
+            <source>ends the canned cycle</source>
+            <translation>encerra o ciclo fixo</translation>
         </message>
         <message>
             <source>engraver</source>
@@ -2407,40 +4471,144 @@
             <translation>fresa de topo reto</translation>
         </message>
         <message>
+            <source>flood</source>
+            <translation>jato</translation>
+        </message>
+        <message>
             <source>flood (M8)</source>
             <translation>jato (M8)</translation>
+        </message>
+        <message>
+            <source>flood on</source>
+            <translation>jato ligado</translation>
+        </message>
+        <message>
+            <source>follows the path exactly</source>
+            <translation>segue a trajetória exatamente</translation>
         </message>
         <message>
             <source>front left corner of the top</source>
             <translation>canto frontal esquerdo do topo</translation>
         </message>
         <message>
+            <source>full diameter</source>
+            <translation>diâmetro pleno</translation>
+        </message>
+        <message>
+            <source>goes to the first stored place</source>
+            <translation>vai ao primeiro lugar guardado</translation>
+        </message>
+        <message>
+            <source>goes to the second stored place</source>
+            <translation>vai ao segundo lugar guardado</translation>
+        </message>
+        <message>
+            <source>grid</source>
+            <translation>grade</translation>
+        </message>
+        <message>
+            <source>hardwood</source>
+            <translation>madeira dura</translation>
+        </message>
+        <message>
             <source>helix</source>
             <translation>hélice</translation>
+        </message>
+        <message>
+            <source>high-speed steel</source>
+            <translation>aço rápido</translation>
+        </message>
+        <message>
+            <source>how often, or which</source>
+            <translation>quantas vezes, ou qual</translation>
         </message>
         <message>
             <source>inches (G20)</source>
             <translation>polegadas (G20)</translation>
         </message>
         <message>
+            <source>incremental</source>
+            <translation>incremental</translation>
+        </message>
+        <message>
+            <source>inside</source>
+            <translation>por dentro</translation>
+        </message>
+        <message>
+            <source>into one side</source>
+            <translation>para um lado</translation>
+        </message>
+        <message>
+            <source>into the corner</source>
+            <translation>para o canto</translation>
+        </message>
+        <message>
+            <source>inverse time</source>
+            <translation>tempo inverso</translation>
+        </message>
+        <message>
             <source>jet (water, plasma, laser)</source>
             <translation>jato (água, plasma, laser)</translation>
+        </message>
+        <message>
+            <source>leads the program elsewhere</source>
+            <translation>leva o programa a outro lugar</translation>
+        </message>
+        <message>
+            <source>left</source>
+            <translation>esquerda</translation>
+        </message>
+        <message>
+            <source>lengths are inches</source>
+            <translation>os comprimentos são polegadas</translation>
+        </message>
+        <message>
+            <source>lengths are millimetres</source>
+            <translation>os comprimentos são milímetros</translation>
         </message>
         <message>
             <source>limit {0}</source>
             <translation>limite {0}</translation>
         </message>
         <message>
+            <source>line</source>
+            <translation>linha</translation>
+        </message>
+        <message>
+            <source>line {0}, column {1}</source>
+            <translation>linha {0}, coluna {1}</translation>
+        </message>
+        <message>
+            <source>lines in one direction</source>
+            <translation>linhas em um só sentido</translation>
+        </message>
+        <message>
             <source>make room in the folder for temporary files</source>
             <translation>libere espaço na pasta de arquivos temporários</translation>
+        </message>
+        <message>
+            <source>mild steel</source>
+            <translation>aço doce</translation>
         </message>
         <message>
             <source>millimetres (G21)</source>
             <translation>milímetros (G21)</translation>
         </message>
         <message>
+            <source>mist</source>
+            <translation>névoa</translation>
+        </message>
+        <message>
             <source>mist (M7)</source>
             <translation>névoa (M7)</translation>
+        </message>
+        <message>
+            <source>mist on</source>
+            <translation>névoa ligada</translation>
+        </message>
+        <message>
+            <source>moves in step with the spindle</source>
+            <translation>move-se em sincronia com o fuso</translation>
         </message>
         <message>
             <source>must be above {0}</source>
@@ -2459,6 +4627,22 @@
             <translation>deve ser menor que {0}</translation>
         </message>
         <message>
+            <source>names the present place</source>
+            <translation>dá nome ao lugar atual</translation>
+        </message>
+        <message>
+            <source>no cutter compensation</source>
+            <translation>sem compensação da ferramenta</translation>
+        </message>
+        <message>
+            <source>no errors</source>
+            <translation>nenhum erro</translation>
+        </message>
+        <message>
+            <source>no tool length</source>
+            <translation>sem comprimento de ferramenta</translation>
+        </message>
+        <message>
             <source>none</source>
             <translation>nenhuma</translation>
         </message>
@@ -2467,8 +4651,32 @@
             <translation>nenhum ainda</translation>
         </message>
         <message>
-            <source>none, the numbers count</source>
-            <translation>nenhum, valem os números</translation>
+            <source>not given</source>
+            <translation>não informado</translation>
+        </message>
+        <message>
+            <source>number of the line</source>
+            <translation>número da linha</translation>
+        </message>
+        <message>
+            <source>number of the tool</source>
+            <translation>número da ferramenta</translation>
+        </message>
+        <message>
+            <source>number of the tool for compensation</source>
+            <translation>número da ferramenta para a compensação</translation>
+        </message>
+        <message>
+            <source>number of the tool length</source>
+            <translation>número do comprimento da ferramenta</translation>
+        </message>
+        <message>
+            <source>of a drawing</source>
+            <translation>de um desenho</translation>
+        </message>
+        <message>
+            <source>on the line</source>
+            <translation>sobre a linha</translation>
         </message>
         <message>
             <source>open a document or its 3D view</source>
@@ -2479,8 +4687,84 @@
             <translation>abra uma e simule de novo</translation>
         </message>
         <message>
+            <source>outside</source>
+            <translation>por fora</translation>
+        </message>
+        <message>
+            <source>pauses until it is told to go on</source>
+            <translation>pausa até que mandem continuar</translation>
+        </message>
+        <message>
+            <source>pauses where the operator wants it</source>
+            <translation>pausa quando o operador quer</translation>
+        </message>
+        <message>
+            <source>place along U</source>
+            <translation>posição ao longo de U</translation>
+        </message>
+        <message>
+            <source>place along V</source>
+            <translation>posição ao longo de V</translation>
+        </message>
+        <message>
+            <source>place along W</source>
+            <translation>posição ao longo de W</translation>
+        </message>
+        <message>
+            <source>place along X</source>
+            <translation>posição ao longo de X</translation>
+        </message>
+        <message>
+            <source>place along Y</source>
+            <translation>posição ao longo de Y</translation>
+        </message>
+        <message>
+            <source>place along Z</source>
+            <translation>posição ao longo de Z</translation>
+        </message>
+        <message>
+            <source>plywood</source>
+            <translation>compensado</translation>
+        </message>
+        <message>
+            <source>points</source>
+            <translation>pontos</translation>
+        </message>
+        <message>
+            <source>polycarbonate</source>
+            <translation>policarbonato</translation>
+        </message>
+        <message>
+            <source>probes away until it lets go</source>
+            <translation>sonda afastando até soltar</translation>
+        </message>
+        <message>
+            <source>probes away until it lets go, an alarm where it does not</source>
+            <translation>sonda afastando até soltar; alarme se não soltar</translation>
+        </message>
+        <message>
+            <source>probes until it touches</source>
+            <translation>sonda até tocar</translation>
+        </message>
+        <message>
+            <source>probes until it touches, an alarm where it does not</source>
+            <translation>sonda até tocar; alarme se não tocar</translation>
+        </message>
+        <message>
+            <source>profile: {0}</source>
+            <translation>perfil: {0}</translation>
+        </message>
+        <message>
             <source>published points (DDA)</source>
             <translation>pontos publicados (DDA)</translation>
+        </message>
+        <message>
+            <source>quadratic spline</source>
+            <translation>spline quadrática</translation>
+        </message>
+        <message>
+            <source>radius, or where a canned cycle begins</source>
+            <translation>raio, ou onde um ciclo fixo começa</translation>
         </message>
         <message>
             <source>ramp</source>
@@ -2491,16 +4775,104 @@
             <translation>rápido</translation>
         </message>
         <message>
+            <source>rapid: straight, as fast as the machine can</source>
+            <translation>rápido: reto, tão rápido quanto a máquina pode</translation>
+        </message>
+        <message>
+            <source>returns from a subprogram</source>
+            <translation>retorna de um subprograma</translation>
+        </message>
+        <message>
+            <source>right</source>
+            <translation>direita</translation>
+        </message>
+        <message>
+            <source>rounds corners off to keep its speed</source>
+            <translation>arredonda cantos para manter a velocidade</translation>
+        </message>
+        <message>
+            <source>sets offsets or tools</source>
+            <translation>define deslocamentos ou ferramentas</translation>
+        </message>
+        <message>
             <source>sheet</source>
             <translation>chapa</translation>
+        </message>
+        <message>
+            <source>short rapids</source>
+            <translation>rápidos curtos</translation>
+        </message>
+        <message>
+            <source>softwood</source>
+            <translation>madeira macia</translation>
+        </message>
+        <message>
+            <source>spacing</source>
+            <translation>distância</translation>
+        </message>
+        <message>
+            <source>speed of the spindle</source>
+            <translation>velocidade do fuso</translation>
+        </message>
+        <message>
+            <source>spindle off</source>
+            <translation>fuso desligado</translation>
+        </message>
+        <message>
+            <source>spindle on, clockwise</source>
+            <translation>fuso ligado, horário</translation>
+        </message>
+        <message>
+            <source>spindle on, counter-clockwise</source>
+            <translation>fuso ligado, anti-horário</translation>
+        </message>
+        <message>
+            <source>spiral</source>
+            <translation>espiral</translation>
+        </message>
+        <message>
+            <source>stainless steel</source>
+            <translation>aço inoxidável</translation>
+        </message>
+        <message>
+            <source>straight cut, at the feed F</source>
+            <translation>corte reto, no avanço F</translation>
         </message>
         <message>
             <source>straight down</source>
             <translation>na vertical</translation>
         </message>
         <message>
+            <source>takes G92 back</source>
+            <translation>desfaz G92</translation>
+        </message>
+        <message>
+            <source>takes a given tool length into account</source>
+            <translation>leva em conta um comprimento de ferramenta dado</translation>
+        </message>
+        <message>
+            <source>takes the tool's length into account</source>
+            <translation>leva em conta o comprimento da ferramenta</translation>
+        </message>
+        <message>
+            <source>the cutter runs left of the path</source>
+            <translation>a fresa corre à esquerda da trajetória</translation>
+        </message>
+        <message>
+            <source>the cutter runs right of the path</source>
+            <translation>a fresa corre à direita da trajetória</translation>
+        </message>
+        <message>
             <source>the machine's own</source>
             <translation>o da máquina</translation>
+        </message>
+        <message>
+            <source>the point</source>
+            <translation>a ponta</translation>
+        </message>
+        <message>
+            <source>the whole stock</source>
+            <translation>o bloco todo</translation>
         </message>
         <message>
             <source>there is no 3D view to draw in</source>
@@ -2511,6 +4883,22 @@
             <translation>este documento não tem vista 3D</translation>
         </message>
         <message>
+            <source>this line is in machine coordinates</source>
+            <translation>esta linha está em coordenadas de máquina</translation>
+        </message>
+        <message>
+            <source>this line is not run</source>
+            <translation>esta linha não é executada</translation>
+        </message>
+        <message>
+            <source>time, number or turns, as the code has it</source>
+            <translation>tempo, número ou voltas, conforme o código</translation>
+        </message>
+        <message>
+            <source>tool {0}</source>
+            <translation>ferramenta {0}</translation>
+        </message>
+        <message>
             <source>value {0}</source>
             <translation>valor {0}</translation>
         </message>
@@ -2519,12 +4907,36 @@
             <translation>fio</translation>
         </message>
         <message>
+            <source>work zero {0} of 9</source>
+            <translation>zero de trabalho {0} de 9</translation>
+        </message>
+        <message>
+            <source>zigzag</source>
+            <translation>ziguezague</translation>
+        </message>
+        <message>
             <source>{0} %</source>
             <translation>{0} %</translation>
         </message>
         <message>
+            <source>{0} (edited)</source>
+            <translation>{0} (editado)</translation>
+        </message>
+        <message>
             <source>{0} = 0</source>
             <translation>{0} = 0</translation>
+        </message>
+        <message>
+            <source>{0} errors</source>
+            <translation>{0} erros</translation>
+        </message>
+        <message>
+            <source>{0} has changed in the document meanwhile; here is still what you typed</source>
+            <translation>{0} mudou no documento enquanto isso; aqui ainda está o que você digitou</translation>
+        </message>
+        <message>
+            <source>{0} has changes that are not saved.</source>
+            <translation>{0} tem alterações que não foram salvas.</translation>
         </message>
         <message>
             <source>{0} has nothing to cut: add an operation</source>
@@ -2535,16 +4947,32 @@
             <translation>{0} é usinada com ela; escolha antes outra ferramenta lá</translation>
         </message>
         <message>
+            <source>{0} lines change:</source>
+            <translation>{0} linhas mudam:</translation>
+        </message>
+        <message>
             <source>{0} moves</source>
             <translation>{0} movimentos</translation>
+        </message>
+        <message>
+            <source>{0} of {1}</source>
+            <translation>{0} de {1}</translation>
         </message>
         <message>
             <source>{0} of {1} lines, line {2} of the file</source>
             <translation>{0} de {1} linhas, linha {2} do arquivo</translation>
         </message>
         <message>
+            <source>{0} replaced</source>
+            <translation>{0} substituídos</translation>
+        </message>
+        <message>
             <source>{0} rpm</source>
             <translation>{0} rpm</translation>
+        </message>
+        <message>
+            <source>{0} tools imported</source>
+            <translation>{0} ferramentas importadas</translation>
         </message>
         <message>
             <source>{0} ×</source>
@@ -2574,16 +5002,48 @@
             <source>{0}× speed</source>
             <translation>velocidade {0}×</translation>
         </message>
+        <message>
+            <source>… and {0} more lines</source>
+            <translation>… e mais {0} linhas</translation>
+        </message>
     </context>
     <context>
         <name>CNCStepper core</name>
+        <message>
+            <source>! is a command to the controller (feed hold), not part of a program</source>
+            <translation>! é um comando para o controlador (parar o avanço), não faz parte de um programa</translation>
+        </message>
+        <message>
+            <source>#&lt;{0}&gt; has no value here</source>
+            <translation>#&lt;{0}&gt; não tem valor aqui</translation>
+        </message>
         <message>
             <source>${0} is {1}, wanted {2}</source>
             <translation>${0} é {1}, esperado {2}</translation>
         </message>
         <message>
+            <source>% may stand only alone on a line</source>
+            <translation>% só pode ficar sozinho em uma linha</translation>
+        </message>
+        <message>
+            <source>% may stand only on the first and the last line</source>
+            <translation>% só pode ficar na primeira e na última linha</translation>
+        </message>
+        <message>
+            <source>'{0}' cannot be read: {1}</source>
+            <translation>'{0}' não pode ser lido: {1}</translation>
+        </message>
+        <message>
             <source>'{0}' cannot be {1}</source>
             <translation>'{0}' não pode ser {1}</translation>
+        </message>
+        <message>
+            <source>'{0}' is no kind of sheet that can be written</source>
+            <translation>'{0}' não é um tipo de folha que se possa gravar</translation>
+        </message>
+        <message>
+            <source>'{0}' is no length or angle that is known</source>
+            <translation>'{0}' não é um comprimento ou ângulo conhecido</translation>
         </message>
         <message>
             <source>'{0}' is no origin of a stock</source>
@@ -2592,6 +5052,10 @@
         <message>
             <source>'{0}' is no solid and cannot be a clamp</source>
             <translation>'{0}' não é um sólido e não pode ser grampo</translation>
+        </message>
+        <message>
+            <source>'{0}' is no tool file that is known</source>
+            <translation>'{0}' não é um arquivo de ferramentas conhecido</translation>
         </message>
         <message>
             <source>'{0}' is not a tool</source>
@@ -2610,28 +5074,268 @@
             <translation>'{0}' depende deste trabalho e não pode ser grampo dele</translation>
         </message>
         <message>
+            <source>(program {0} of {1}, tool {2})</source>
+            <translation>(programa {0} de {1}, ferramenta {2})</translation>
+        </message>
+        <message>
+            <source>/ (block delete) may stand only at the beginning of a line</source>
+            <translation>/ (bloco opcional) só pode ficar no início de uma linha</translation>
+        </message>
+        <message>
             <source>0 to {0} mm</source>
             <translation>0 a {0} mm</translation>
+        </message>
+        <message>
+            <source>; and {0} smaller ones</source>
+            <translation>; e {0} menores</translation>
+        </message>
+        <message>
+            <source>= is missing after the parameter</source>
+            <translation>falta = depois do parâmetro</translation>
+        </message>
+        <message>
+            <source>? is a command to the controller (status), not part of a program</source>
+            <translation>? é um comando para o controlador (estado), não faz parte de um programa</translation>
+        </message>
+        <message>
+            <source>@ and ^ lie in the plane XY</source>
+            <translation>@ e ^ ficam no plano XY</translation>
+        </message>
+        <message>
+            <source>@ and ^ stand for X and Y</source>
+            <translation>@ e ^ ficam no lugar de X e Y</translation>
+        </message>
+        <message>
+            <source>ATAN needs a second value</source>
+            <translation>ATAN precisa de um segundo valor</translation>
         </message>
         <message>
             <source>CNCStepper certificate</source>
             <translation>certificado do CNCStepper</translation>
         </message>
         <message>
+            <source>D of {0} is the number of a tool</source>
+            <translation>o D de {0} é o número de uma ferramenta</translation>
+        </message>
+        <message>
+            <source>EXISTS asks for a parameter</source>
+            <translation>EXISTS pergunta por um parâmetro</translation>
+        </message>
+        <message>
+            <source>FreeCAD has no tool bit for a {0}</source>
+            <translation>o FreeCAD não tem ferramenta para {0}</translation>
+        </message>
+        <message>
             <source>FreeCAD's Python lacks {0}</source>
             <translation>Falta no Python do FreeCAD: {0}</translation>
+        </message>
+        <message>
+            <source>G10 L{0} changes nothing</source>
+            <translation>G10 L{0} não muda nada</translation>
+        </message>
+        <message>
+            <source>G10 is read with L1, L2, L10, L11 and L20 only</source>
+            <translation>G10 só é lido com L1, L2, L10, L11 e L20</translation>
+        </message>
+        <message>
+            <source>G28 and G30 may not be used</source>
+            <translation>G28 e G30 não podem ser usados</translation>
+        </message>
+        <message>
+            <source>G28 homes a Marlin machine: home it before the program</source>
+            <translation>G28 referencia uma máquina com Marlin: referencie-a antes do programa</translation>
+        </message>
+        <message>
+            <source>G28.1 homes a Mach machine: home it before the program</source>
+            <translation>G28.1 referencia uma máquina com Mach: referencie-a antes do programa</translation>
         </message>
         <message>
             <source>G43.1 may move only the tool-length axis</source>
             <translation>G43.1 só pode mover o eixo do comprimento da ferramenta</translation>
         </message>
         <message>
+            <source>G5 needs both I and J or neither</source>
+            <translation>G5 precisa de I e J ou de nenhum dos dois</translation>
+        </message>
+        <message>
+            <source>G5 needs both P and Q</source>
+            <translation>G5 precisa de P e Q</translation>
+        </message>
+        <message>
+            <source>G5.3 ends a NURBS: no other motion may share its line</source>
+            <translation>G5.3 termina uma NURBS: nenhum outro movimento pode ficar na mesma linha</translation>
+        </message>
+        <message>
+            <source>G5.3 ends what no G5.2 began</source>
+            <translation>G5.3 termina o que nenhum G5.2 começou</translation>
+        </message>
+        <message>
+            <source>G52 moves the zero about which the path is changed</source>
+            <translation>G52 move o zero em torno do qual o percurso é alterado</translation>
+        </message>
+        <message>
+            <source>G53 and G28 have no place in work coordinates: give the work zero, or take them out</source>
+            <translation>G53 e G28 não têm lugar em coordenadas da peça: informe o zero-peça ou retire-os</translation>
+        </message>
+        <message>
+            <source>G53 may not be used</source>
+            <translation>G53 não pode ser usado</translation>
+        </message>
+        <message>
+            <source>G53 needs a G0 or G1 move</source>
+            <translation>G53 precisa de um movimento G0 ou G1</translation>
+        </message>
+        <message>
+            <source>G53 takes X and Y only</source>
+            <translation>G53 só aceita X e Y</translation>
+        </message>
+        <message>
+            <source>G53 takes absolute coordinates only</source>
+            <translation>G53 só aceita coordenadas absolutas</translation>
+        </message>
+        <message>
             <source>G53 works only with G0 and G1</source>
             <translation>G53 só funciona com G0 e G1</translation>
         </message>
         <message>
+            <source>G64 P lets the machine cut corners: times and pulses do so, the simulated part shows the programmed path</source>
+            <translation>G64 P deixa a máquina cortar cantos: os tempos e os pulsos os cortam, a peça simulada mostra o caminho programado</translation>
+        </message>
+        <message>
+            <source>G64 without P does not say how far the machine may cut corners; all is worked out for the programmed path</source>
+            <translation>G64 sem P não diz quanto a máquina pode cortar os cantos; tudo é calculado para o caminho programado</translation>
+        </message>
+        <message>
+            <source>G76 moves X and Z only</source>
+            <translation>G76 só move X e Z</translation>
+        </message>
+        <message>
+            <source>G80 leaves no motion for the axis words</source>
+            <translation>G80 não deixa movimento para as palavras de eixo</translation>
+        </message>
+        <message>
+            <source>I of G76 may not be 0</source>
+            <translation>o I de G76 não pode ser 0</translation>
+        </message>
+        <message>
+            <source>I of {0} must be above 0</source>
+            <translation>o I de {0} deve ser maior que 0</translation>
+        </message>
+        <message>
+            <source>I, J and K are given from the start point of the arc</source>
+            <translation>I, J e K são dados a partir do ponto inicial do arco</translation>
+        </message>
+        <message>
+            <source>IJK distance mode changed to absolute</source>
+            <translation>modo de distância de IJK mudado para absoluto</translation>
+        </message>
+        <message>
+            <source>IJK distance mode changed to incremental</source>
+            <translation>modo de distância de IJK mudado para incremental</translation>
+        </message>
+        <message>
+            <source>ISO 6983 has no such word: leave it out</source>
+            <translation>a ISO 6983 não tem essa palavra: omita-a</translation>
+        </message>
+        <message>
+            <source>J and R make too many passes</source>
+            <translation>J e R resultam em passes demais</translation>
+        </message>
+        <message>
+            <source>J of G76 must be above 0</source>
+            <translation>o J de G76 deve ser maior que 0</translation>
+        </message>
+        <message>
+            <source>K of G76 must be above J</source>
+            <translation>o K de G76 deve ser maior que J</translation>
+        </message>
+        <message>
+            <source>L may not be negative</source>
+            <translation>L não pode ser negativo</translation>
+        </message>
+        <message>
+            <source>M6 depends on the machine's configuration: pause with M0, or split at tool changes</source>
+            <translation>M6 depende da configuração da máquina: faça uma pausa com M0 ou divida o programa nas trocas de ferramenta</translation>
+        </message>
+        <message>
+            <source>M66 takes either P, a digital input, or E, an analogue one</source>
+            <translation>M66 aceita P, uma entrada digital, ou E, uma analógica</translation>
+        </message>
+        <message>
+            <source>M66 with L waits: it needs Q above 0</source>
+            <translation>M66 com L espera: precisa de Q maior que 0</translation>
+        </message>
+        <message>
+            <source>M98 needs a P word</source>
+            <translation>M98 precisa de uma palavra P</translation>
+        </message>
+        <message>
+            <source>M98 takes one P and one L</source>
+            <translation>M98 aceita um P e um L</translation>
+        </message>
+        <message>
+            <source>Mach probes with G31</source>
+            <translation>o Mach apalpa com G31</translation>
+        </message>
+        <message>
+            <source>Marlin has no end word (M30 deletes a file): leave it out</source>
+            <translation>o Marlin não tem palavra de fim (M30 apaga um arquivo): omita-a</translation>
+        </message>
+        <message>
+            <source>Marlin means something else with it</source>
+            <translation>para o Marlin isso significa outra coisa</translation>
+        </message>
+        <message>
+            <source>Marlin would read G91 or G90: leave it out</source>
+            <translation>o Marlin leria G91 ou G90: omita-a</translation>
+        </message>
+        <message>
+            <source>O1234 ends with M99</source>
+            <translation>O1234 termina com M99</translation>
+        </message>
+        <message>
+            <source>O1234 is called by M98 P1234</source>
+            <translation>O1234 é chamado por M98 P1234</translation>
+        </message>
+        <message>
+            <source>P of G04 is seconds on some controls and milliseconds on others</source>
+            <translation>o P de G04 são segundos em alguns comandos e milissegundos em outros</translation>
+        </message>
+        <message>
+            <source>Q asks for too many pecks</source>
+            <translation>Q pede picadas demais</translation>
+        </message>
+        <message>
+            <source>Q of M19 must be above 0</source>
+            <translation>o Q de M19 deve ser maior que 0</translation>
+        </message>
+        <message>
+            <source>R lies below {0}</source>
+            <translation>R fica abaixo de {0}</translation>
+        </message>
+        <message>
             <source>Reset to continue</source>
             <translation>Reset to continue</translation>
+        </message>
+        <message>
+            <source>T selects an extruder: pause with M0 where the tool is to be changed</source>
+            <translation>T seleciona um extrusor: faça uma pausa com M0 onde a ferramenta deve ser trocada</translation>
+        </message>
+        <message>
+            <source>[ is missing after {0}</source>
+            <translation>falta [ depois de {0}</translation>
+        </message>
+        <message>
+            <source>a G code has one decimal at most</source>
+            <translation>um código G tem no máximo uma casa decimal</translation>
+        </message>
+        <message>
+            <source>a G92 is in force where the tool is changed: a new program cannot rely on it</source>
+            <translation>um G92 está em vigor onde a ferramenta é trocada: um novo programa não pode contar com ele</translation>
+        </message>
+        <message>
+            <source>a NURBS of order {0} needs as many control points</source>
+            <translation>uma NURBS de ordem {0} precisa do mesmo número de pontos de controle</translation>
         </message>
         <message>
             <source>a P or L value is missing</source>
@@ -2642,12 +5346,44 @@
             <translation>um bulge não é o de um arco em mm</translation>
         </message>
         <message>
+            <source>a canned cycle moves X, Y and Z only</source>
+            <translation>um ciclo fixo só move X, Y e Z</translation>
+        </message>
+        <message>
+            <source>a canned cycle takes no inverse time feed</source>
+            <translation>um ciclo fixo não aceita avanço em tempo inverso</translation>
+        </message>
+        <message>
             <source>a chip load needs flutes</source>
             <translation>um avanço por dente precisa do número de dentes</translation>
         </message>
         <message>
+            <source>a comment is closed that was not opened</source>
+            <translation>é fechado um comentário que não foi aberto</translation>
+        </message>
+        <message>
+            <source>a comment may not hold another one</source>
+            <translation>um comentário não pode conter outro</translation>
+        </message>
+        <message>
+            <source>a control point needs a weight P above 0</source>
+            <translation>um ponto de controle precisa de um peso P maior que 0</translation>
+        </message>
+        <message>
+            <source>a control point needs both X and Y</source>
+            <translation>um ponto de controle precisa de X e Y</translation>
+        </message>
+        <message>
             <source>a coordinate is not a length in mm</source>
             <translation>uma coordenada não é um comprimento em mm</translation>
+        </message>
+        <message>
+            <source>a corner is either rounded (A) or broken (C)</source>
+            <translation>um canto é arredondado (A) ou chanfrado (C)</translation>
+        </message>
+        <message>
+            <source>a corner of the profile is too small for its fillet or chamfer</source>
+            <translation>um canto do perfil é pequeno demais para o seu arredondamento ou chanfro</translation>
         </message>
         <message>
             <source>a curve needs at least two points and a bulge for each segment</source>
@@ -2662,6 +5398,10 @@
             <translation>um movimento de corte começa em posição desconhecida, por isso não é verificado contra o bloco</translation>
         </message>
         <message>
+            <source>a cutting move has no feed</source>
+            <translation>um movimento de corte não tem avanço</translation>
+        </message>
+        <message>
             <source>a cutting move has no feed rate</source>
             <translation>um movimento de corte não tem avanço</translation>
         </message>
@@ -2670,12 +5410,44 @@
             <translation>um cilindro é tão comprido em X quanto em Y</translation>
         </message>
         <message>
+            <source>a difference of {0} mm</source>
+            <translation>uma diferença de {0} mm</translation>
+        </message>
+        <message>
+            <source>a distance must be a number</source>
+            <translation>uma distância tem de ser um número</translation>
+        </message>
+        <message>
+            <source>a dog-bone would be too long</source>
+            <translation>um alívio de canto ficaria longo demais</translation>
+        </message>
+        <message>
+            <source>a drill cannot cut along a contour</source>
+            <translation>uma broca não pode cortar ao longo de um contorno</translation>
+        </message>
+        <message>
             <source>a drill goes sideways through stock</source>
             <translation>uma broca anda de lado dentro do material</translation>
         </message>
         <message>
+            <source>a feed of inverse time (G93) cannot stay where the axes are scaled differently</source>
+            <translation>um avanço em tempo inverso (G93) não pode ficar onde os eixos têm escalas diferentes</translation>
+        </message>
+        <message>
+            <source>a feed would become 0</source>
+            <translation>um avanço passaria a ser 0</translation>
+        </message>
+        <message>
             <source>a height field needs two rows and two columns of finite heights at least</source>
             <translation>um campo de alturas precisa de ao menos duas linhas e duas colunas de alturas finitas</translation>
+        </message>
+        <message>
+            <source>a helix needs a known start point</source>
+            <translation>uma hélice precisa de um ponto inicial conhecido</translation>
+        </message>
+        <message>
+            <source>a hole lies in no outline</source>
+            <translation>um furo não fica dentro de nenhum contorno</translation>
         </message>
         <message>
             <source>a job runs</source>
@@ -2686,12 +5458,64 @@
             <translation>um movimento manual precisa de distância e avanço</translation>
         </message>
         <message>
+            <source>a lathe tool is compensated in the plane ZX</source>
+            <translation>uma ferramenta de torno é compensada no plano ZX</translation>
+        </message>
+        <message>
+            <source>a lead of kind 'arc' needs radius_mm, and no length_mm</source>
+            <translation>uma entrada ou saída do tipo 'arc' precisa de radius_mm e não de length_mm</translation>
+        </message>
+        <message>
+            <source>a lead of kind 'line' needs length_mm, and no radius_mm</source>
+            <translation>uma entrada ou saída do tipo 'line' precisa de length_mm e não de radius_mm</translation>
+        </message>
+        <message>
             <source>a limit switch stayed pressed after homing</source>
             <translation>um fim de curso ficou acionado depois do referenciamento</translation>
         </message>
         <message>
             <source>a limit switch was hit</source>
             <translation>um fim de curso foi atingido</translation>
+        </message>
+        <message>
+            <source>a line does not fit the controller's buffer</source>
+            <translation>uma linha não cabe no buffer do controlador</translation>
+        </message>
+        <message>
+            <source>a line holds one command</source>
+            <translation>uma linha contém um só comando</translation>
+        </message>
+        <message>
+            <source>a line in '{0}' is open and encloses nothing</source>
+            <translation>uma linha em '{0}' está aberta e não encerra nada</translation>
+        </message>
+        <message>
+            <source>a line needs at least two different points</source>
+            <translation>uma linha precisa de pelo menos dois pontos diferentes</translation>
+        </message>
+        <message>
+            <source>a line number begins with a digit</source>
+            <translation>um número de linha começa com um algarismo</translation>
+        </message>
+        <message>
+            <source>a line number is written in digits</source>
+            <translation>um número de linha é escrito com algarismos</translation>
+        </message>
+        <message>
+            <source>a line of a parameter file is the number of a parameter and its value</source>
+            <translation>cada linha de um arquivo de parâmetros é o número de um parâmetro e o seu valor</translation>
+        </message>
+        <message>
+            <source>a line of a tool table names one tool, which stands in it once</source>
+            <translation>uma linha da tabela de ferramentas indica uma ferramenta, que aparece nela uma só vez</translation>
+        </message>
+        <message>
+            <source>a line that begins with $ is a setting or command for the controller, not part of a program</source>
+            <translation>uma linha que começa com $ é um ajuste ou comando para o controlador, não faz parte de um programa</translation>
+        </message>
+        <message>
+            <source>a mesh and no line</source>
+            <translation>uma malha e não uma linha</translation>
         </message>
         <message>
             <source>a mill that does not cut over its centre ({0}) goes down into stock too steeply</source>
@@ -2706,6 +5530,38 @@
             <translation>um número falta ou não pode ser lido</translation>
         </message>
         <message>
+            <source>a number that no letter begins</source>
+            <translation>um número sem letra antes dele</translation>
+        </message>
+        <message>
+            <source>a part must have a length</source>
+            <translation>um trecho tem de ter comprimento</translation>
+        </message>
+        <message>
+            <source>a part of another operation</source>
+            <translation>uma peça de outra operação</translation>
+        </message>
+        <message>
+            <source>a path is mirrored along X or Y</source>
+            <translation>um percurso é espelhado em X ou Y</translation>
+        </message>
+        <message>
+            <source>a point is too far away</source>
+            <translation>um ponto está longe demais</translation>
+        </message>
+        <message>
+            <source>a probe or an input sets it on the machine</source>
+            <translation>um apalpador ou uma entrada o define na máquina</translation>
+        </message>
+        <message>
+            <source>a probe takes no feed per turn</source>
+            <translation>uma apalpação não aceita avanço por rotação</translation>
+        </message>
+        <message>
+            <source>a program with subroutines, loops or branches is not rewritten</source>
+            <translation>um programa com sub-rotinas, laços ou desvios não é reescrito</translation>
+        </message>
+        <message>
             <source>a rapid crosses the stock with the beam on</source>
             <translation>um deslocamento rápido atravessa o bloco com o feixe ligado</translation>
         </message>
@@ -2718,8 +5574,20 @@
             <translation>um rápido atravessa o material</translation>
         </message>
         <message>
+            <source>a rapid with the tool running is not above all cuts</source>
+            <translation>um rápido com a ferramenta ligada não passa acima de todos os cortes</translation>
+        </message>
+        <message>
+            <source>a rectangle's corner radius must not exceed half of its shorter side</source>
+            <translation>o raio de canto de um retângulo não pode passar da metade do seu lado menor</translation>
+        </message>
+        <message>
             <source>a request without the session's token</source>
             <translation>um pedido sem a chave da sessão</translation>
+        </message>
+        <message>
+            <source>a scale must be above 0</source>
+            <translation>uma escala deve ser maior que 0</translation>
         </message>
         <message>
             <source>a scale must be positive</source>
@@ -2730,24 +5598,100 @@
             <translation>uma configuração pede mais passos por segundo do que o controlador consegue</translation>
         </message>
         <message>
+            <source>a shape of the pattern is no circle</source>
+            <translation>uma forma do padrão não é um círculo</translation>
+        </message>
+        <message>
+            <source>a spline moves X and Y only</source>
+            <translation>uma spline só move X e Y</translation>
+        </message>
+        <message>
+            <source>a subroutine in another file moves: it is not edited with the program</source>
+            <translation>uma sub-rotina em outro arquivo faz movimentos: ela não é editada junto com o programa</translation>
+        </message>
+        <message>
+            <source>a subroutine in another file sets a feed: it is not edited with the program</source>
+            <translation>uma sub-rotina em outro arquivo define um avanço: ela não é editada junto com o programa</translation>
+        </message>
+        <message>
+            <source>a subroutine may not be defined inside another one</source>
+            <translation>uma sub-rotina não pode ser definida dentro de outra</translation>
+        </message>
+        <message>
+            <source>a subroutine takes {0} arguments at most</source>
+            <translation>uma sub-rotina aceita no máximo {0} argumentos</translation>
+        </message>
+        <message>
             <source>a tolerance must be above 0</source>
             <translation>uma tolerância deve ser maior que 0</translation>
+        </message>
+        <message>
+            <source>a tool bit is one tool</source>
+            <translation>um arquivo .fctb é uma só ferramenta</translation>
+        </message>
+        <message>
+            <source>a tool length lies along Z only</source>
+            <translation>um comprimento de ferramenta fica só ao longo de Z</translation>
+        </message>
+        <message>
+            <source>a tool length of {0} mm is in force, wanted none (G49)</source>
+            <translation>um comprimento de ferramenta de {0} mm está em vigor, mas não deveria haver nenhum (G49)</translation>
+        </message>
+        <message>
+            <source>a tool of the library has no number nr or no path</source>
+            <translation>uma ferramenta da biblioteca não tem número nr ou não tem caminho path</translation>
         </message>
         <message>
             <source>a tooth of the {0} tool takes too thick a chip</source>
             <translation>um dente da ferramenta {0} tira um cavaco espesso demais</translation>
         </message>
         <message>
+            <source>a tooth of the {0} tool takes too thick a chip for tool and material</source>
+            <translation>um dente da ferramenta {0} tira um cavaco grosso demais para a ferramenta e o material</translation>
+        </message>
+        <message>
+            <source>a tooth of the {0} tool takes too thin a chip: it rubs and grows hot</source>
+            <translation>um dente da ferramenta {0} tira um cavaco fino demais: ele esfrega e esquenta</translation>
+        </message>
+        <message>
+            <source>a transform must not collapse the curve</source>
+            <translation>uma transformação não pode achatar a curva</translation>
+        </message>
+        <message>
+            <source>a value is missing</source>
+            <translation>falta um valor</translation>
+        </message>
+        <message>
             <source>a value is negative where only positive ones are allowed</source>
             <translation>um valor é negativo onde só positivos são permitidos</translation>
+        </message>
+        <message>
+            <source>a whole number</source>
+            <translation>um número inteiro</translation>
+        </message>
+        <message>
+            <source>a whole number from 0</source>
+            <translation>um número inteiro a partir de 0</translation>
         </message>
         <message>
             <source>a word does not begin with a letter</source>
             <translation>uma palavra não começa com letra</translation>
         </message>
         <message>
+            <source>a word is a letter and a number</source>
+            <translation>uma palavra é uma letra e um número</translation>
+        </message>
+        <message>
             <source>a word stands twice in one line</source>
             <translation>uma palavra aparece duas vezes na linha</translation>
+        </message>
+        <message>
+            <source>a {0} cuts through at any height: no tabs, no ramp</source>
+            <translation>{0} atravessa em qualquer altura: sem pontes, sem rampa</translation>
+        </message>
+        <message>
+            <source>a {0} tool does not drill</source>
+            <translation>uma ferramenta {0} não fura</translation>
         </message>
         <message>
             <source>a {0} tool has no {1}</source>
@@ -2758,40 +5702,184 @@
             <translation>uma ferramenta {0} não deixa o fundo plano</translation>
         </message>
         <message>
+            <source>a {0} tool mills no thread</source>
+            <translation>uma ferramenta {0} não fresa rosca</translation>
+        </message>
+        <message>
+            <source>above 0 mm</source>
+            <translation>acima de 0 mm</translation>
+        </message>
+        <message>
             <source>above 0 mm/min</source>
             <translation>acima de 0 mm/min</translation>
+        </message>
+        <message>
+            <source>above 0, at most {0} deg, no tabs</source>
+            <translation>acima de 0, no máximo {0} deg, sem pontes</translation>
+        </message>
+        <message>
+            <source>above 0, below {0} mm</source>
+            <translation>acima de 0, abaixo de {0} mm</translation>
+        </message>
+        <message>
+            <source>above {0} mm</source>
+            <translation>acima de {0} mm</translation>
+        </message>
+        <message>
+            <source>add F, or write G94 before</source>
+            <translation>acrescente F ou escreva G94 antes</translation>
+        </message>
+        <message>
+            <source>add G0 or G1</source>
+            <translation>acrescente G0 ou G1</translation>
+        </message>
+        <message>
+            <source>add control points</source>
+            <translation>acrescente pontos de controle</translation>
+        </message>
+        <message>
+            <source>add one before the first cut</source>
+            <translation>acrescente uma antes do primeiro corte</translation>
         </message>
         <message>
             <source>add the missing pass, or lower the stepover or the stepdown</source>
             <translation>acrescente o passe que falta, ou diminua a penetração de trabalho ou a profundidade de corte</translation>
         </message>
         <message>
+            <source>add the other</source>
+            <translation>acrescente a outra</translation>
+        </message>
+        <message>
             <source>add the tool or correct the T word</source>
             <translation>adicione a ferramenta ou corrija a palavra T</translation>
+        </message>
+        <message>
+            <source>add them</source>
+            <translation>acrescente-as</translation>
+        </message>
+        <message>
+            <source>add what it is to set</source>
+            <translation>acrescente o que deve ser definido</translation>
         </message>
         <message>
             <source>add yourself to its group (sudo usermod -aG dialout $USER) and log in again</source>
             <translation>entre no grupo dela (sudo usermod -aG dialout $USER) e faça login de novo</translation>
         </message>
         <message>
+            <source>add {0} to the line</source>
+            <translation>acrescente {0} à linha</translation>
+        </message>
+        <message>
+            <source>after a stop the first move names all its axes, on one straight way: let the machine stand above the work</source>
+            <translation>depois de uma parada o primeiro movimento nomeia todos os seus eixos, em um só trajeto reto: deixe a máquina acima da peça</translation>
+        </message>
+        <message>
             <source>all {0} lines are cut, the machine is idle</source>
             <translation>todas as {0} linhas foram usinadas, a máquina está pronta</translation>
+        </message>
+        <message>
+            <source>an O-word begins a line of a whole program, in dialects that have them: here it is not read</source>
+            <translation>uma palavra O começa uma linha de um programa inteiro, nos dialetos que a têm: aqui ela não é lida</translation>
+        </message>
+        <message>
+            <source>an analogue input is only read, with L0</source>
+            <translation>uma entrada analógica só é lida, com L0</translation>
+        </message>
+        <message>
+            <source>an arc by radius may not end where it starts</source>
+            <translation>um arco dado pelo raio não pode terminar onde começa</translation>
+        </message>
+        <message>
+            <source>an arc in the plane {0} would be no arc any more</source>
+            <translation>um arco no plano {0} deixaria de ser um arco</translation>
+        </message>
+        <message>
+            <source>an arc needs a known start point</source>
+            <translation>um arco precisa de um ponto inicial conhecido</translation>
+        </message>
+        <message>
+            <source>an arc scaled unevenly is no arc</source>
+            <translation>um arco escalado de modo desigual não é mais um arco</translation>
+        </message>
+        <message>
+            <source>an arc takes either R or a centre</source>
+            <translation>um arco aceita R ou um centro, não os dois</translation>
+        </message>
+        <message>
+            <source>an expression begins with [</source>
+            <translation>uma expressão começa com [</translation>
+        </message>
+        <message>
+            <source>an incremental move needs a known position</source>
+            <translation>um movimento incremental precisa de uma posição conhecida</translation>
+        </message>
+        <message>
+            <source>an inverse-time feed needs a known position</source>
+            <translation>um avanço em tempo inverso precisa de uma posição conhecida</translation>
         </message>
         <message>
             <source>an offset came damaged: {0}</source>
             <translation>um deslocamento chegou danificado: {0}</translation>
         </message>
         <message>
+            <source>an operation uses tool {0}, which neither the job nor {1} has</source>
+            <translation>uma operação usa a ferramenta {0}, que nem o trabalho nem {1} têm</translation>
+        </message>
+        <message>
+            <source>an operator is missing or unknown</source>
+            <translation>um operador falta ou é desconhecido</translation>
+        </message>
+        <message>
+            <source>an order names an item that is not there</source>
+            <translation>uma ordem nomeia um item que não existe</translation>
+        </message>
+        <message>
+            <source>an outline or island is open</source>
+            <translation>um contorno ou uma ilha está aberto</translation>
+        </message>
+        <message>
             <source>another task is open in the task panel</source>
             <translation>outra tarefa está aberta no painel de tarefas</translation>
+        </message>
+        <message>
+            <source>arcs are in XY</source>
+            <translation>os arcos ficam em XY</translation>
+        </message>
+        <message>
+            <source>arcs outside the plane XY</source>
+            <translation>arcos fora do plano XY</translation>
         </message>
         <message>
             <source>ask for the right to use it</source>
             <translation>peça permissão para usá-la</translation>
         </message>
         <message>
+            <source>assign it before</source>
+            <translation>atribua um valor a ele antes</translation>
+        </message>
+        <message>
+            <source>at least</source>
+            <translation>no mínimo</translation>
+        </message>
+        <message>
+            <source>at least {0}</source>
+            <translation>no mínimo {0}</translation>
+        </message>
+        <message>
             <source>at least {0} mm</source>
             <translation>ao menos {0} mm</translation>
+        </message>
+        <message>
+            <source>at most</source>
+            <translation>no máximo</translation>
+        </message>
+        <message>
+            <source>at most {0}</source>
+            <translation>no máximo {0}</translation>
+        </message>
+        <message>
+            <source>at most {0} mm</source>
+            <translation>no máximo {0} mm</translation>
         </message>
         <message>
             <source>attach to it again</source>
@@ -2806,12 +5894,48 @@
             <translation>ligue-se de novo à sessão</translation>
         </message>
         <message>
+            <source>axis offsets may not be changed</source>
+            <translation>os deslocamentos dos eixos não podem ser mudados</translation>
+        </message>
+        <message>
             <source>axis words stand where no command uses them</source>
             <translation>há palavras de eixo onde nenhum comando as usa</translation>
         </message>
         <message>
             <source>axis.{0} is missing</source>
             <translation>falta axis.{0}</translation>
+        </message>
+        <message>
+            <source>axis.{0}.jerk_mm_s3 is missing: ramp = "s_curve" needs it</source>
+            <translation>falta axis.{0}.jerk_mm_s3: ramp = "s_curve" precisa dele</translation>
+        </message>
+        <message>
+            <source>backlash_mm must be below the travel of the axis</source>
+            <translation>backlash_mm deve ser menor que o curso do eixo</translation>
+        </message>
+        <message>
+            <source>before it starts set the Z zero with its tool</source>
+            <translation>antes de iniciá-lo, defina o zero de Z com a ferramenta dele</translation>
+        </message>
+        <message>
+            <source>begin farther away</source>
+            <translation>comece mais longe</translation>
+        </message>
+        <message>
+            <source>begin lower or take smaller steps</source>
+            <translation>comece mais baixo ou use passos menores</translation>
+        </message>
+        <message>
+            <source>begin operation:</source>
+            <translation>início da operação:</translation>
+        </message>
+        <message>
+            <source>begin operation: {0}</source>
+            <translation>início da operação: {0}</translation>
+        </message>
+        <message>
+            <source>begin the comment with ;</source>
+            <translation>comece o comentário com ;</translation>
         </message>
         <message>
             <source>begin the program with a rapid to a safe Z</source>
@@ -2826,12 +5950,40 @@
             <translation>abaixo de {0} mm</translation>
         </message>
         <message>
+            <source>belt_pitch_mm and pulley_teeth belong together</source>
+            <translation>belt_pitch_mm e pulley_teeth andam juntos</translation>
+        </message>
+        <message>
             <source>both radii must be positive</source>
             <translation>os dois semieixos devem ser positivos</translation>
         </message>
         <message>
             <source>bring it to Idle first</source>
             <translation>deixe-a antes em Idle (pronta)</translation>
+        </message>
+        <message>
+            <source>canned cycles may not be used</source>
+            <translation>ciclos fixos não podem ser usados</translation>
+        </message>
+        <message>
+            <source>change the distance or the tolerance a little</source>
+            <translation>mude um pouco a distância ou a tolerância</translation>
+        </message>
+        <message>
+            <source>change the text to start it again</source>
+            <translation>altere o texto para iniciá-lo de novo</translation>
+        </message>
+        <message>
+            <source>change the tool at an M0 pause, or split the program at tool changes</source>
+            <translation>troque a ferramenta em uma pausa M0 ou divida o programa nas trocas de ferramenta</translation>
+        </message>
+        <message>
+            <source>change to tool {0}</source>
+            <translation>troque para a ferramenta {0}</translation>
+        </message>
+        <message>
+            <source>change_ms is so small that there are more than {0} waits</source>
+            <translation>change_ms é tão pequeno que há mais de {0} esperas</translation>
         </message>
         <message>
             <source>check both switches</source>
@@ -2882,6 +6034,10 @@
             <translation>verifique a profundidade, ou ponha uma chapa de sacrifício sob o bloco</translation>
         </message>
         <message>
+            <source>check the file</source>
+            <translation>verifique o arquivo</translation>
+        </message>
+        <message>
             <source>check the probe's wiring and plate, then unlock with $X</source>
             <translation>verifique a fiação e a placa do apalpador e destrave com $X</translation>
         </message>
@@ -2892,6 +6048,14 @@
         <message>
             <source>check the switches, and travel $130 to $132</source>
             <translation>verifique os fins de curso e os cursos $130 a $132</translation>
+        </message>
+        <message>
+            <source>check which curves are outlines and which are islands, and stock_to_leave_mm</source>
+            <translation>verifique quais curvas são contornos e quais são ilhas, e stock_to_leave_mm</translation>
+        </message>
+        <message>
+            <source>checksums are not part of this dialect</source>
+            <translation>somas de verificação não fazem parte deste dialeto</translation>
         </message>
         <message>
             <source>chip_load_min_mm must not exceed chip_load_max_mm</source>
@@ -2906,24 +6070,60 @@
             <translation>escolha uma pasta que exista e em que você possa gravar</translation>
         </message>
         <message>
+            <source>choose a sketch with circles or points, or give the places by numbers</source>
+            <translation>escolha um esboço com círculos ou pontos, ou dê os lugares por números</translation>
+        </message>
+        <message>
+            <source>choose a sketch, closed wires or faces for it</source>
+            <translation>escolha um esboço, fios fechados ou faces para ela</translation>
+        </message>
+        <message>
             <source>choose a sketch, wire, B-spline or freehand line for it</source>
             <translation>escolha para ela um esboço, arame, B-spline ou linha à mão livre</translation>
+        </message>
+        <message>
+            <source>choose a sketch, wires or faces for it</source>
+            <translation>escolha um esboço, fios ou faces para ela</translation>
         </message>
         <message>
             <source>choose a smaller tool</source>
             <translation>escolha uma ferramenta menor</translation>
         </message>
         <message>
+            <source>choose a smaller tool or less stock to leave</source>
+            <translation>escolha uma ferramenta menor ou menos sobremetal</translation>
+        </message>
+        <message>
+            <source>choose a smaller tool, or drill</source>
+            <translation>escolha uma ferramenta menor ou fure</translation>
+        </message>
+        <message>
             <source>choose a solid, for example a box</source>
             <translation>escolha um sólido, por exemplo uma caixa</translation>
+        </message>
+        <message>
+            <source>choose a tool of at most {0} mm diameter</source>
+            <translation>escolha uma ferramenta de no máximo {0} mm de diâmetro</translation>
         </message>
         <message>
             <source>choose another</source>
             <translation>escolha outro</translation>
         </message>
         <message>
+            <source>choose another side</source>
+            <translation>escolha outro lado</translation>
+        </message>
+        <message>
+            <source>choose its job</source>
+            <translation>escolha o trabalho dele</translation>
+        </message>
+        <message>
             <source>choose one of the job's tools for it</source>
             <translation>escolha para ela uma das ferramentas do trabalho</translation>
+        </message>
+        <message>
+            <source>choose one of them</source>
+            <translation>escolha uma delas</translation>
         </message>
         <message>
             <source>choose one of: {0}</source>
@@ -2938,6 +6138,10 @@
             <translation>clearance_mm (altura de segurança) não pode ser menor que retract_mm (retração)</translation>
         </message>
         <message>
+            <source>close it</source>
+            <translation>feche-a</translation>
+        </message>
+        <message>
             <source>close it and home again</source>
             <translation>feche-a e referencie de novo</translation>
         </message>
@@ -2948,6 +6152,26 @@
         <message>
             <source>close it or set closed = false</source>
             <translation>feche-a ou use closed = false</translation>
+        </message>
+        <message>
+            <source>close it with )</source>
+            <translation>feche-o com )</translation>
+        </message>
+        <message>
+            <source>close it with &gt;</source>
+            <translation>feche-o com &gt;</translation>
+        </message>
+        <message>
+            <source>close it with ]</source>
+            <translation>feche-a com ]</translation>
+        </message>
+        <message>
+            <source>close it, or leave only closed lines in the drawing</source>
+            <translation>feche-a ou deixe só linhas fechadas no desenho</translation>
+        </message>
+        <message>
+            <source>close it, or use side "left", "right" or "on"</source>
+            <translation>feche-a ou use o lado "left", "right" ou "on"</translation>
         </message>
         <message>
             <source>close it: draw a whole ellipse instead of an arc</source>
@@ -2974,6 +6198,26 @@
             <translation>feche a porta de segurança e retome</translation>
         </message>
         <message>
+            <source>closed belongs to points</source>
+            <translation>closed só vale para points</translation>
+        </message>
+        <message>
+            <source>compute it in several lines</source>
+            <translation>calcule-a em várias linhas</translation>
+        </message>
+        <message>
+            <source>constant surface speed became a speed a move</source>
+            <translation>a velocidade de corte constante virou uma rotação por movimento</translation>
+        </message>
+        <message>
+            <source>coordinate systems may not be changed</source>
+            <translation>os sistemas de coordenadas não podem ser mudados</translation>
+        </message>
+        <message>
+            <source>coordinates alone may not follow {0}</source>
+            <translation>coordenadas sozinhas não podem vir depois de {0}</translation>
+        </message>
+        <message>
             <source>core_diameter_mm must not exceed diameter_mm</source>
             <translation>core_diameter_mm não pode exceder diameter_mm</translation>
         </message>
@@ -2982,8 +6226,16 @@
             <translation>corner_radius_mm não pode passar da metade de diameter_mm</translation>
         </message>
         <message>
-            <source>correct its spelling or take it out; known are: {0}</source>
-            <translation>corrija a grafia ou retire-a; são conhecidas: {0}</translation>
+            <source>correct R or the end point</source>
+            <translation>corrija R ou o ponto final</translation>
+        </message>
+        <message>
+            <source>correct R or {0}</source>
+            <translation>corrija R ou {0}</translation>
+        </message>
+        <message>
+            <source>correct its spelling or take it out; known {0}are: {1}</source>
+            <translation>corrija a grafia ou retire; as conhecidas {0}são: {1}</translation>
         </message>
         <message>
             <source>correct that</source>
@@ -2998,44 +6250,168 @@
             <translation>corrija essa linha do programa</translation>
         </message>
         <message>
+            <source>correct that one first</source>
+            <translation>corrija antes aquele</translation>
+        </message>
+        <message>
             <source>correct that value</source>
             <translation>corrija esse valor</translation>
+        </message>
+        <message>
+            <source>correct the centre or the end point</source>
+            <translation>corrija o centro ou o ponto final</translation>
+        </message>
+        <message>
+            <source>correct the diameters or pitch_mm</source>
+            <translation>corrija os diâmetros ou pitch_mm</translation>
+        </message>
+        <message>
+            <source>correct the end</source>
+            <translation>corrija o fim</translation>
+        </message>
+        <message>
+            <source>correct the entry</source>
+            <translation>corrija o registro</translation>
+        </message>
+        <message>
+            <source>correct the expression</source>
+            <translation>corrija a expressão</translation>
         </message>
         <message>
             <source>correct the jog command</source>
             <translation>corrija o comando de jog</translation>
         </message>
         <message>
+            <source>correct the number</source>
+            <translation>corrija o número</translation>
+        </message>
+        <message>
+            <source>correct the path</source>
+            <translation>corrija o caminho</translation>
+        </message>
+        <message>
+            <source>correct the path, or save the file as UTF-8 text</source>
+            <translation>corrija o caminho ou salve o arquivo como texto UTF-8</translation>
+        </message>
+        <message>
             <source>correct the path, the tool's diameter or the depth</source>
             <translation>corrija a trajetória, o diâmetro da ferramenta ou a profundidade</translation>
+        </message>
+        <message>
+            <source>correct the profile</source>
+            <translation>corrija o perfil</translation>
         </message>
         <message>
             <source>correct the program, and check it again</source>
             <translation>corrija o programa e verifique-o de novo</translation>
         </message>
         <message>
+            <source>correct the word before</source>
+            <translation>corrija a palavra anterior</translation>
+        </message>
+        <message>
             <source>correct work zero or program, then unlock with $X; the position is kept</source>
             <translation>corrija o zero-peça ou o programa e destrave com $X; a posição se mantém</translation>
+        </message>
+        <message>
+            <source>curve {0} has no length</source>
+            <translation>a curva {0} não tem comprimento</translation>
+        </message>
+        <message>
+            <source>curve {0} is closed, it has no {1}</source>
+            <translation>a curva {0} é fechada, não tem {1}</translation>
+        </message>
+        <message>
+            <source>curve {0} is open, it has no {1}</source>
+            <translation>a curva {0} é aberta, não tem {1}</translation>
         </message>
         <message>
             <source>curves do not meet</source>
             <translation>as curvas não se encontram</translation>
         </message>
         <message>
+            <source>cut both in one operation, which leaves the gap standing, or use a smaller tool</source>
+            <translation>corte os dois em uma só operação, que deixa o vão intacto, ou use uma ferramenta menor</translation>
+        </message>
+        <message>
             <source>cut in more levels, or take a longer tool</source>
             <translation>usine em mais níveis, ou use uma ferramenta mais longa</translation>
+        </message>
+        <message>
+            <source>cut it before, or hold the piece by tabs</source>
+            <translation>corte antes, ou segure a peça com pontes</translation>
+        </message>
+        <message>
+            <source>define it, or put its file beside the program</source>
+            <translation>defina-a ou ponha o seu arquivo ao lado do programa</translation>
+        </message>
+        <message>
+            <source>describe it in a [[tool]] table</source>
+            <translation>descreva-a em uma tabela [[tool]]</translation>
+        </message>
+        <message>
+            <source>diameters must rise, and each range lead from its least value above 0 to its most</source>
+            <translation>os diâmetros têm de crescer, e cada faixa ir do seu menor valor acima de 0 ao maior</translation>
+        </message>
+        <message>
+            <source>does not lie flat</source>
+            <translation>não é plano</translation>
+        </message>
+        <message>
+            <source>dog-bones or a smaller tool take it away</source>
+            <translation>alívio de cantos ou uma ferramenta menor o tira</translation>
+        </message>
+        <message>
+            <source>draw a circle, or cut it as an elliptical pocket</source>
+            <translation>desenhe um círculo ou corte-a como bolsão elíptico</translation>
         </message>
         <message>
             <source>draw at least two points</source>
             <translation>desenhe ao menos dois pontos</translation>
         </message>
         <message>
+            <source>draw circles or points where holes are wanted, or give the places by numbers</source>
+            <translation>desenhe círculos ou pontos onde quer furos, ou dê os lugares por números</translation>
+        </message>
+        <message>
+            <source>draw holes as circles, or give points</source>
+            <translation>desenhe os furos como círculos ou dê pontos</translation>
+        </message>
+        <message>
+            <source>draw it in a [[shape]] table</source>
+            <translation>desenhe-a em uma tabela [[shape]]</translation>
+        </message>
+        <message>
+            <source>draw it larger, or leave it out</source>
+            <translation>desenhe-o maior ou deixe-o de fora</translation>
+        </message>
+        <message>
             <source>draw it on the XY plane or on one parallel to it</source>
             <translation>desenhe-o no plano XY ou em um paralelo a ele</translation>
         </message>
         <message>
+            <source>draw lines, arcs, circles, polylines, ellipses or splines in its model space, on visible layers</source>
+            <translation>desenhe linhas, arcos, círculos, polilinhas, elipses ou splines no espaço do modelo, em camadas visíveis</translation>
+        </message>
+        <message>
+            <source>draw one rectangle, its corners rounded alike or not at all, or cut it as a pocket</source>
+            <translation>desenhe um só retângulo, com todos os cantos arredondados por igual ou nenhum, ou corte-o como bolsão</translation>
+        </message>
+        <message>
+            <source>draw outlines with an area</source>
+            <translation>desenhe contornos com área</translation>
+        </message>
+        <message>
             <source>draw something in it, or choose another drawing</source>
             <translation>desenhe algo nele, ou escolha outro desenho</translation>
+        </message>
+        <message>
+            <source>drop it</source>
+            <translation>retire-a</translation>
+        </message>
+        <message>
+            <source>drop the line</source>
+            <translation>retire a linha</translation>
         </message>
         <message>
             <source>edge_mm must not be below zero</source>
@@ -3050,16 +6426,72 @@
             <translation>use a extensão .gif, ou instale o ffmpeg</translation>
         </message>
         <message>
+            <source>end it in .pdf or .html</source>
+            <translation>termine-o em .pdf ou .html</translation>
+        </message>
+        <message>
+            <source>end it with #</source>
+            <translation>termine-o com #</translation>
+        </message>
+        <message>
+            <source>end other programs, or lower max_rate_mm_min in the machine's profile</source>
+            <translation>feche outros programas, ou diminua max_rate_mm_min no perfil da máquina</translation>
+        </message>
+        <message>
             <source>enter by a helix or ramp, or in the middle of a hole drilled before</source>
             <translation>entre em hélice ou rampa, ou no meio de um furo já aberto</translation>
+        </message>
+        <message>
+            <source>entry "plunge"</source>
+            <translation>entrada "plunge"</translation>
         </message>
         <message>
             <source>exclusively lock</source>
             <translation>exclusively lock</translation>
         </message>
         <message>
+            <source>expand it into plain moves</source>
+            <translation>desdobre-o em movimentos simples</translation>
+        </message>
+        <message>
+            <source>expressions in brackets are not part of this dialect</source>
+            <translation>expressões entre colchetes não fazem parte deste dialeto</translation>
+        </message>
+        <message>
+            <source>feed mode set to inverse time</source>
+            <translation>modo de avanço: tempo inverso</translation>
+        </message>
+        <message>
+            <source>feed mode set to units per minute</source>
+            <translation>modo de avanço: unidades por minuto</translation>
+        </message>
+        <message>
+            <source>feed mode set to units per revolution</source>
+            <translation>modo de avanço: unidades por rotação</translation>
+        </message>
+        <message>
+            <source>feeds a turn became feeds a minute, at the speed that S asks for</source>
+            <translation>avanços por rotação viraram avanços por minuto, na rotação que S pede</translation>
+        </message>
+        <message>
+            <source>feeds of inverse time became feeds a minute</source>
+            <translation>avanços em tempo inverso viraram avanços por minuto</translation>
+        </message>
+        <message>
             <source>find the cause, then home the machine: its position is lost</source>
             <translation>encontre a causa e referencie a máquina: a posição se perdeu</translation>
+        </message>
+        <message>
+            <source>finish operation:</source>
+            <translation>fim da operação:</translation>
+        </message>
+        <message>
+            <source>finish operation: {0}</source>
+            <translation>fim da operação: {0}</translation>
+        </message>
+        <message>
+            <source>finish_stepover_mm (ae_acab)</source>
+            <translation>finish_stepover_mm (ae_acab)</translation>
         </message>
         <message>
             <source>finish_stepover_mm (ae_acab) is larger than the tool's radius allows</source>
@@ -3070,8 +6502,20 @@
             <translation>finish_{0} não deixa nada para desbastar</translation>
         </message>
         <message>
+            <source>fit the scaled curve anew</source>
+            <translation>ajuste de novo a curva escalada</translation>
+        </message>
+        <message>
             <source>flute_length_mm must not exceed length_mm</source>
             <translation>flute_length_mm não pode passar de length_mm</translation>
+        </message>
+        <message>
+            <source>full circles became two arcs</source>
+            <translation>círculos completos viraram dois arcos</translation>
+        </message>
+        <message>
+            <source>gap {0} mm</source>
+            <translation>lacuna de {0} mm</translation>
         </message>
         <message>
             <source>give 2 or 3 numbers</source>
@@ -3082,8 +6526,20 @@
             <translation>escreva F antes dele</translation>
         </message>
         <message>
+            <source>give G64 a P, or follow the exact path with G61</source>
+            <translation>dê um P ao G64, ou siga o caminho exato com G61</translation>
+        </message>
+        <message>
+            <source>give I, J and K from the start point of the arc (G91.1)</source>
+            <translation>dê I, J e K a partir do ponto inicial do arco (G91.1)</translation>
+        </message>
+        <message>
             <source>give X,Y,Z in mm, for example 100,70,20</source>
             <translation>dê X,Y,Z em mm, por exemplo 100,70,20</translation>
+        </message>
+        <message>
+            <source>give ^ with G90</source>
+            <translation>dê ^ com G90</translation>
         </message>
         <message>
             <source>give a TOML file or one of: {0}</source>
@@ -3094,12 +6550,24 @@
             <translation>dê um nome de dispositivo ou socket://host:porta</translation>
         </message>
         <message>
+            <source>give a file that ends in {0}</source>
+            <translation>dê um arquivo que termine em {0}</translation>
+        </message>
+        <message>
             <source>give a finite number</source>
             <translation>dê um número finito</translation>
         </message>
         <message>
+            <source>give a start position of X, Y and Z</source>
+            <translation>dê uma posição inicial de X, Y e Z</translation>
+        </message>
+        <message>
             <source>give a way of 0.0001 mm or more and a feed above 0</source>
             <translation>dê uma distância de 0,0001 mm ou mais e um avanço acima de 0</translation>
+        </message>
+        <message>
+            <source>give all of them</source>
+            <translation>informe todos</translation>
         </message>
         <message>
             <source>give all points one Z and tilt the line by its Placement</source>
@@ -3110,12 +6578,32 @@
             <translation>escreva uma palavra F antes do primeiro movimento de avanço</translation>
         </message>
         <message>
+            <source>give dwell_s, or use G81</source>
+            <translation>indique dwell_s ou use G81</translation>
+        </message>
+        <message>
+            <source>give either screw_pitch_mm, or belt_pitch_mm and pulley_teeth</source>
+            <translation>informe screw_pitch_mm, ou então belt_pitch_mm e pulley_teeth</translation>
+        </message>
+        <message>
+            <source>give every line as many</source>
+            <translation>dê a mesma quantidade em todas as linhas</translation>
+        </message>
+        <message>
             <source>give every row as many</source>
             <translation>dê a mesma quantidade a cada linha</translation>
         </message>
         <message>
             <source>give heights over the bottom, and the largest as the stock's Z</source>
             <translation>dê alturas acima do fundo, e a maior como Z do bloco</translation>
+        </message>
+        <message>
+            <source>give its centre</source>
+            <translation>dê o seu centro</translation>
+        </message>
+        <message>
+            <source>give its centre with I, J or K</source>
+            <translation>dê o seu centro com I, J ou K</translation>
         </message>
         <message>
             <source>give its diameter for X and for Y</source>
@@ -3126,6 +6614,18 @@
             <translation>informe {0} dela</translation>
         </message>
         <message>
+            <source>give parameters {0} to {1} with the start state, or use G53</source>
+            <translation>dê os parâmetros {0} a {1} com o estado inicial ou use G53</translation>
+        </message>
+        <message>
+            <source>give peck_mm, or use G81</source>
+            <translation>dê peck_mm ou use G81</translation>
+        </message>
+        <message>
+            <source>give the arc's centre with I and J</source>
+            <translation>dê o centro do arco com I e J</translation>
+        </message>
+        <message>
             <source>give the path of a TOML job file</source>
             <translation>dê o caminho de um arquivo de trabalho TOML</translation>
         </message>
@@ -3134,12 +6634,36 @@
             <translation>informe o bloco e as ferramentas</translation>
         </message>
         <message>
+            <source>give the text to be replaced</source>
+            <translation>indique o texto a substituir</translation>
+        </message>
+        <message>
             <source>give the timeline its machine</source>
             <translation>informe a máquina à linha do tempo</translation>
         </message>
         <message>
+            <source>give the tool a length_offset_mm, or choose another tool_length for the machine</source>
+            <translation>dê à ferramenta um length_offset_mm ou escolha outro tool_length para a máquina</translation>
+        </message>
+        <message>
             <source>give the tool a {0}</source>
             <translation>dê à ferramenta um {0}</translation>
+        </message>
+        <message>
+            <source>give the tool its flutes</source>
+            <translation>informe os dentes da ferramenta</translation>
+        </message>
+        <message>
+            <source>give the tool its length_offset_mm</source>
+            <translation>dê à ferramenta o seu length_offset_mm</translation>
+        </message>
+        <message>
+            <source>give the tool table with the start state</source>
+            <translation>dê a tabela de ferramentas com o estado inicial</translation>
+        </message>
+        <message>
+            <source>give the tool with the start state</source>
+            <translation>dê a ferramenta com o estado inicial</translation>
         </message>
         <message>
             <source>give the work zero to have the travel checked</source>
@@ -3148,6 +6672,30 @@
         <message>
             <source>give two opposite corners of a rectangle, or three and more of a polygon in their order</source>
             <translation>informe dois cantos opostos de um retângulo, ou três ou mais de um polígono, na ordem</translation>
+        </message>
+        <message>
+            <source>give {0}, or a pattern of circles</source>
+            <translation>dê {0} ou um padrão de círculos</translation>
+        </message>
+        <message>
+            <source>grbl follows the exact path always: leave the word out or write G61</source>
+            <translation>o grbl sempre segue o percurso exato: omita a palavra ou escreva G61</translation>
+        </message>
+        <message>
+            <source>grbl has G54 to G59</source>
+            <translation>o grbl tem G54 a G59</translation>
+        </message>
+        <message>
+            <source>grbl has no canned cycles: write the holes as plain moves</source>
+            <translation>o grbl não tem ciclos fixos: escreva os furos como movimentos simples</translation>
+        </message>
+        <message>
+            <source>grbl moves X, Y and Z only</source>
+            <translation>o grbl só move X, Y e Z</translation>
+        </message>
+        <message>
+            <source>grblHAL takes arc centres from the start point only (G91.1)</source>
+            <translation>o grblHAL só aceita centros de arco a partir do ponto inicial (G91.1)</translation>
         </message>
         <message>
             <source>heights belong to a stock of the form 'height_field', and to no other</source>
@@ -3164,6 +6712,10 @@
         <message>
             <source>home the machine again</source>
             <translation>referencie a máquina de novo</translation>
+        </message>
+        <message>
+            <source>home the machine before its next move</source>
+            <translation>referencie a máquina antes do próximo movimento</translation>
         </message>
         <message>
             <source>home the machine, or unlock it with $X</source>
@@ -3186,6 +6738,22 @@
             <translation>o referenciamento foi interrompido por um reset</translation>
         </message>
         <message>
+            <source>in absolute mode the control drives an axis without a word to 0</source>
+            <translation>no modo absoluto o comando leva para 0 um eixo sem palavra</translation>
+        </message>
+        <message>
+            <source>in inverse time every {0} needs its own F above 0</source>
+            <translation>em tempo inverso cada {0} precisa do seu próprio F maior que 0</translation>
+        </message>
+        <message>
+            <source>in the language of {0} no play can be taken up</source>
+            <translation>na linguagem de {0} não há como compensar a folga</translation>
+        </message>
+        <message>
+            <source>incremental coordinates became absolute</source>
+            <translation>coordenadas incrementais viraram absolutas</translation>
+        </message>
+        <message>
             <source>install it for the Python that proves (python -m pip install NAME)</source>
             <translation>instale-o para o Python que verifica (python -m pip install NOME)</translation>
         </message>
@@ -3202,20 +6770,96 @@
             <translation>instale-os em um (python -m pip install {0}), ou aponte {1} para um Python que os tenha</translation>
         </message>
         <message>
+            <source>is read as a line of its own, in a whole program, where the dialect has subroutines</source>
+            <translation>é lido em uma linha própria, em um programa inteiro, onde o dialeto tem sub-rotinas</translation>
+        </message>
+        <message>
             <source>it ended with an error</source>
             <translation>terminou com um erro</translation>
+        </message>
+        <message>
+            <source>it ends at X {0} Y {1}</source>
+            <translation>termina em X {0} Y {1}</translation>
+        </message>
+        <message>
+            <source>it ends too early</source>
+            <translation>termina cedo demais</translation>
+        </message>
+        <message>
+            <source>it has none</source>
+            <translation>não tem nenhum</translation>
+        </message>
+        <message>
+            <source>it has them on {0}</source>
+            <translation>ele as tem em {0}</translation>
+        </message>
+        <message>
+            <source>it has {0}</source>
+            <translation>tem {0}</translation>
         </message>
         <message>
             <source>it has: {0}</source>
             <translation>ele tem: {0}</translation>
         </message>
         <message>
+            <source>it is empty</source>
+            <translation>ele está vazio</translation>
+        </message>
+        <message>
+            <source>it is one program</source>
+            <translation>é um só programa</translation>
+        </message>
+        <message>
+            <source>it should be *{0}</source>
+            <translation>deveria ser *{0}</translation>
+        </message>
+        <message>
+            <source>its file '{0}' is neither here nor in ../Bit</source>
+            <translation>o seu arquivo '{0}' não está aqui nem em ../Bit</translation>
+        </message>
+        <message>
+            <source>its number is above {0}</source>
+            <translation>o seu número passa de {0}</translation>
+        </message>
+        <message>
+            <source>its shape '{0}' is none of {1}</source>
+            <translation>a sua forma '{0}' não é nenhuma de {1}</translation>
+        </message>
+        <message>
             <source>jog less far</source>
             <translation>mova menos</translation>
         </message>
         <message>
+            <source>kerf_mm is not what this tool cuts</source>
+            <translation>kerf_mm não é o que esta ferramenta corta</translation>
+        </message>
+        <message>
+            <source>large cuts are being prepared, once after an installation</source>
+            <translation>cortes grandes estão sendo preparados, uma vez após a instalação</translation>
+        </message>
+        <message>
             <source>laser mode needs a variable spindle output</source>
             <translation>o modo laser exige saída de spindle variável</translation>
+        </message>
+        <message>
+            <source>lay the work in its axes</source>
+            <translation>alinhe a peça com os eixos da máquina</translation>
+        </message>
+        <message>
+            <source>leads had to be made smaller to stay in the scrap, down to {0} of their size</source>
+            <translation>entradas e saídas tiveram de ser diminuídas para ficar na sobra, até {0} do seu tamanho</translation>
+        </message>
+        <message>
+            <source>least_ms must not be above first_ms</source>
+            <translation>least_ms não pode ser maior que first_ms</translation>
+        </message>
+        <message>
+            <source>leave '{0}' out, if the machine's operator does it by hand</source>
+            <translation>omita '{0}' se o operador da máquina o faz à mão</translation>
+        </message>
+        <message>
+            <source>leave it out: Marlin has only this mode</source>
+            <translation>omita-a: o Marlin só tem este modo</translation>
         </message>
         <message>
             <source>leave less for the finishing pass, or islands remain</source>
@@ -3238,16 +6882,72 @@
             <translation>saia do modo de verificação com $C</translation>
         </message>
         <message>
+            <source>leave the others out</source>
+            <translation>omita os outros</translation>
+        </message>
+        <message>
+            <source>leave them out</source>
+            <translation>deixe-os de fora</translation>
+        </message>
+        <message>
+            <source>left out: G61.1, the machine may round the corners</source>
+            <translation>omitido: G61.1, a máquina pode arredondar os cantos</translation>
+        </message>
+        <message>
+            <source>left out: G64, the exact path is followed as far as the machine does</source>
+            <translation>omitido: G64, o percurso exato é seguido até onde a máquina consegue</translation>
+        </message>
+        <message>
+            <source>left out: {0}</source>
+            <translation>omitido: {0}</translation>
+        </message>
+        <message>
+            <source>lengths of tools went into the coordinates</source>
+            <translation>os comprimentos das ferramentas entraram nas coordenadas</translation>
+        </message>
+        <message>
+            <source>let Z always rise or always fall</source>
+            <translation>faça Z sempre subir ou sempre descer</translation>
+        </message>
+        <message>
+            <source>let it plunge at the start of the contour</source>
+            <translation>faça-a mergulhar no início do contorno</translation>
+        </message>
+        <message>
             <source>let the tool stick out farther</source>
             <translation>deixe a ferramenta mais para fora do porta-ferramenta</translation>
+        </message>
+        <message>
+            <source>let them coincide, or keep them {0} mm apart</source>
+            <translation>faça-os coincidir ou mantenha-os a {0} mm um do outro</translation>
         </message>
         <message>
             <source>lift the tool before it</source>
             <translation>levante a ferramenta antes dele</translation>
         </message>
         <message>
+            <source>lift the tool between them</source>
+            <translation>levante a ferramenta entre eles</translation>
+        </message>
+        <message>
             <source>lift the tool over it, move the clamp or move the shape</source>
             <translation>levante a ferramenta acima dele, mude o grampo de lugar ou desloque a forma</translation>
+        </message>
+        <message>
+            <source>line numbers begin at 0 or above and grow</source>
+            <translation>os números de linha começam em 0 ou acima e crescem</translation>
+        </message>
+        <message>
+            <source>lines with / are {0}: no switch deletes them any more</source>
+            <translation>linhas com / estão {0}: nenhuma chave as omite mais</translation>
+        </message>
+        <message>
+            <source>load the module ppdev, and let your user use the device</source>
+            <translation>carregue o módulo ppdev e dê ao seu usuário acesso ao dispositivo</translation>
+        </message>
+        <message>
+            <source>look at its case, or look in comments too</source>
+            <translation>veja maiúsculas e minúsculas, ou procure também nos comentários</translation>
         </message>
         <message>
             <source>look at its switches</source>
@@ -3274,8 +6974,32 @@
             <translation>diminua o avanço aqui, ou a velocidade e a aceleração do eixo no controlador e no perfil</translation>
         </message>
         <message>
+            <source>lower the feed, or turn the spindle faster</source>
+            <translation>baixe o avanço ou gire o spindle mais rápido</translation>
+        </message>
+        <message>
             <source>lower the stepover, enter by a helix, or leave less in the corners</source>
             <translation>diminua a penetração de trabalho, entre em hélice, ou deixe menos material nos cantos</translation>
+        </message>
+        <message>
+            <source>machines with more than three axes are not written for Mach yet</source>
+            <translation>ainda não se escrevem programas de Mach para máquinas com mais de três eixos</translation>
+        </message>
+        <message>
+            <source>machines with more than three axes are not written in this dialect</source>
+            <translation>neste dialeto não se escrevem programas para máquinas com mais de três eixos</translation>
+        </message>
+        <message>
+            <source>make D smaller</source>
+            <translation>diminua D</translation>
+        </message>
+        <message>
+            <source>make I larger</source>
+            <translation>aumente I</translation>
+        </message>
+        <message>
+            <source>make Q larger</source>
+            <translation>aumente Q</translation>
         </message>
         <message>
             <source>make finish_{0} smaller</source>
@@ -3286,6 +7010,10 @@
             <translation>refaça-o</translation>
         </message>
         <message>
+            <source>make it shorter</source>
+            <translation>encurte-o</translation>
+        </message>
+        <message>
             <source>make it smaller, or islands remain</source>
             <translation>diminua-a, ou sobram ilhas</translation>
         </message>
@@ -3294,12 +7022,40 @@
             <translation>aumente resolution_mm</translation>
         </message>
         <message>
+            <source>make spacing_mm larger</source>
+            <translation>aumente spacing_mm</translation>
+        </message>
+        <message>
+            <source>make stepover_mm larger</source>
+            <translation>aumente stepover_mm</translation>
+        </message>
+        <message>
+            <source>make the corner radius smaller</source>
+            <translation>diminua o raio de canto</translation>
+        </message>
+        <message>
+            <source>make the leads or the tool smaller, move the parts apart, or do without leads</source>
+            <translation>diminua as entradas e saídas ou a ferramenta, afaste as peças ou fique sem entradas e saídas</translation>
+        </message>
+        <message>
             <source>make the passes, the levels, the resolution or the entry angle larger</source>
             <translation>aumente os passes, os níveis, a resolução ou o ângulo de entrada</translation>
         </message>
         <message>
+            <source>make the program again</source>
+            <translation>gere o programa de novo</translation>
+        </message>
+        <message>
             <source>make the program smaller, split it, or use a larger machine</source>
             <translation>diminua o programa, divida-o ou use uma máquina maior</translation>
+        </message>
+        <message>
+            <source>make the tabs narrower or the tool smaller, or cut without tabs</source>
+            <translation>estreite as pontes ou diminua a ferramenta, ou corte sem pontes</translation>
+        </message>
+        <message>
+            <source>make them lower</source>
+            <translation>baixe-as</translation>
         </message>
         <message>
             <source>make {0} larger</source>
@@ -3310,12 +7066,48 @@
             <translation>sobra material onde deveria ser removido{0}</translation>
         </message>
         <message>
+            <source>measure the width of its cut, or leave kerf_mm out</source>
+            <translation>meça a largura do corte dela, ou omita kerf_mm</translation>
+        </message>
+        <message>
             <source>mend that object first</source>
             <translation>corrija antes esse objeto</translation>
         </message>
         <message>
+            <source>mend the file that it was read from, where that is not meant</source>
+            <translation>corrija o arquivo de onde foi lido, onde não for essa a intenção</translation>
+        </message>
+        <message>
+            <source>mini-lathe B</source>
+            <translation>minitorno B</translation>
+        </message>
+        <message>
             <source>more of the {0} tool's rim is in the material than it may</source>
             <translation>o ângulo de contato da ferramenta {0} com o material é maior que o permitido</translation>
+        </message>
+        <message>
+            <source>more than</source>
+            <translation>mais de</translation>
+        </message>
+        <message>
+            <source>more than {0} mm</source>
+            <translation>mais de {0} mm</translation>
+        </message>
+        <message>
+            <source>more than {0} steps</source>
+            <translation>mais de {0} passos</translation>
+        </message>
+        <message>
+            <source>motion mode set to none</source>
+            <translation>modo de movimento: nenhum</translation>
+        </message>
+        <message>
+            <source>move one of the corners</source>
+            <translation>mova um dos cantos</translation>
+        </message>
+        <message>
+            <source>move other axes before</source>
+            <translation>mova os outros eixos antes</translation>
         </message>
         <message>
             <source>move the shape inwards, or take a larger sheet</source>
@@ -3334,8 +7126,56 @@
             <translation>mova o zero-peça ({0}) no eixo {1} ou diminua o programa</translation>
         </message>
         <message>
+            <source>move them or the work zero</source>
+            <translation>mova-os ou mova o zero da peça</translation>
+        </message>
+        <message>
+            <source>move there first with absolute coordinates, or give the start</source>
+            <translation>vá antes até lá com coordenadas absolutas, ou informe o início</translation>
+        </message>
+        <message>
+            <source>move there with G90 first</source>
+            <translation>vá antes até lá com G90</translation>
+        </message>
+        <message>
+            <source>move {0} on a line of its own</source>
+            <translation>mova {0} em uma linha própria</translation>
+        </message>
+        <message>
             <source>name X and Y in a rapid above the stock first</source>
             <translation>indique antes X e Y em um rápido acima do bloco</translation>
+        </message>
+        <message>
+            <source>name a new file, or one that pulses were recorded in</source>
+            <translation>indique um arquivo novo, ou um em que já se gravaram pulsos</translation>
+        </message>
+        <message>
+            <source>name both axes</source>
+            <translation>indique os dois eixos</translation>
+        </message>
+        <message>
+            <source>name one of them</source>
+            <translation>nomeie uma delas</translation>
+        </message>
+        <message>
+            <source>name one of: {0}</source>
+            <translation>nomeie uma de: {0}</translation>
+        </message>
+        <message>
+            <source>name the device file of a parallel port, such as /dev/parport0, or a file to record in</source>
+            <translation>indique o arquivo de dispositivo de uma porta paralela, como /dev/parport0, ou um arquivo onde gravar</translation>
+        </message>
+        <message>
+            <source>named parameters are not part of this dialect</source>
+            <translation>parâmetros com nome não fazem parte deste dialeto</translation>
+        </message>
+        <message>
+            <source>no closed curves at that distance were found</source>
+            <translation>não se encontraram curvas fechadas a essa distância</translation>
+        </message>
+        <message>
+            <source>no code on this line uses the word {0}</source>
+            <translation>nenhum código desta linha usa a palavra {0}</translation>
         </message>
         <message>
             <source>no encoder for '{0}' is installed</source>
@@ -3346,12 +7186,44 @@
             <translation>nenhum avanço foi definido</translation>
         </message>
         <message>
+            <source>no input may be read</source>
+            <translation>nenhuma entrada pode ser lida</translation>
+        </message>
+        <message>
+            <source>no modes are kept here</source>
+            <translation>não há modos guardados aqui</translation>
+        </message>
+        <message>
+            <source>no output may be set</source>
+            <translation>nenhuma saída pode ser mudada</translation>
+        </message>
+        <message>
             <source>no parallel curve that far inside</source>
             <translation>não há curva paralela tão para dentro</translation>
         </message>
         <message>
+            <source>no position may be stored</source>
+            <translation>nenhuma posição pode ser guardada</translation>
+        </message>
+        <message>
+            <source>no rapid leads to this way, and backwards it does not begin where the one before ends</source>
+            <translation>nenhum rápido leva a este trecho, e ao contrário ele não começa onde o anterior termina</translation>
+        </message>
+        <message>
+            <source>no spline may be cut</source>
+            <translation>nenhuma spline pode ser cortada</translation>
+        </message>
+        <message>
+            <source>no tab fits on any contour</source>
+            <translation>nenhuma ponte cabe em nenhum contorno</translation>
+        </message>
+        <message>
             <source>nobody has confirmed the work zero</source>
             <translation>ninguém confirmou o zero-peça</translation>
+        </message>
+        <message>
+            <source>not a DXF file: {0}</source>
+            <translation>não é um arquivo DXF: {0}</translation>
         </message>
         <message>
             <source>not a JSON file: {0}</source>
@@ -3374,6 +7246,38 @@
             <translation>não é um trabalho: o arquivo não contém um objeto</translation>
         </message>
         <message>
+            <source>not a point: '{0}'</source>
+            <translation>não é um ponto: '{0}'</translation>
+        </message>
+        <message>
+            <source>not a text file</source>
+            <translation>não é um arquivo de texto</translation>
+        </message>
+        <message>
+            <source>not a tool bit: it has no shape or no parameter</source>
+            <translation>não é uma ferramenta: não tem forma ou não tem parâmetro</translation>
+        </message>
+        <message>
+            <source>not a tool bit: its {0} is no object</source>
+            <translation>não é um arquivo de ferramenta: o {0} dele não é um objeto</translation>
+        </message>
+        <message>
+            <source>not a tool library: it has no list of tools</source>
+            <translation>não é uma biblioteca de ferramentas: não tem lista de ferramentas</translation>
+        </message>
+        <message>
+            <source>not a tool of a table: '{0}'</source>
+            <translation>não é uma ferramenta de uma tabela: '{0}'</translation>
+        </message>
+        <message>
+            <source>not all of a parallel of the wall is seen from the middle of the room</source>
+            <translation>nem toda paralela da parede é vista do meio do espaço</translation>
+        </message>
+        <message>
+            <source>not all of the wall is seen from the middle of the room</source>
+            <translation>nem toda a parede é vista do meio do espaço</translation>
+        </message>
+        <message>
             <source>not finite: {0}</source>
             <translation>não é finito: {0}</translation>
         </message>
@@ -3394,16 +7298,64 @@
             <translation>não se conhece nada que se possa perguntar assim</translation>
         </message>
         <message>
+            <source>nothing may be probed</source>
+            <translation>nada pode ser apalpado</translation>
+        </message>
+        <message>
+            <source>nothing may follow {0}</source>
+            <translation>nada pode vir depois de {0}</translation>
+        </message>
+        <message>
             <source>nothing moves</source>
             <translation>nada se move</translation>
+        </message>
+        <message>
+            <source>nothing moves in the plane {0}</source>
+            <translation>nada se move no plano {0}</translation>
         </message>
         <message>
             <source>nothing moves that could be held</source>
             <translation>nada se move que possa ser pausado</translation>
         </message>
         <message>
-            <source>only a closed curve can start elsewhere</source>
-            <translation>só uma curva fechada pode começar em outro lugar</translation>
+            <source>nothing that a tool could follow</source>
+            <translation>nada que uma ferramenta possa seguir</translation>
+        </message>
+        <message>
+            <source>numbers 1 to {0}</source>
+            <translation>números de 1 a {0}</translation>
+        </message>
+        <message>
+            <source>o&lt;name&gt; sub ends with o&lt;name&gt; endsub</source>
+            <translation>o&lt;nome&gt; sub termina com o&lt;nome&gt; endsub</translation>
+        </message>
+        <message>
+            <source>o&lt;name&gt; sub is called by o&lt;name&gt; call</source>
+            <translation>o&lt;nome&gt; sub é chamada por o&lt;nome&gt; call</translation>
+        </message>
+        <message>
+            <source>on its line a contour has no scrap side for leads</source>
+            <translation>sobre a linha, um contorno não tem lado de sobra para entradas e saídas</translation>
+        </message>
+        <message>
+            <source>on its line a contour has no wall for dog-bones, a finishing pass or stock to leave</source>
+            <translation>sobre a linha, um contorno não tem parede para alívio de cantos, passe de acabamento ou sobremetal</translation>
+        </message>
+        <message>
+            <source>one pass is {0} mm deep, deeper than the tool's diameter of {1} mm; give stepdown_mm</source>
+            <translation>um passe tem {0} mm de profundidade, mais que o diâmetro de {1} mm da ferramenta; informe stepdown_mm</translation>
+        </message>
+        <message>
+            <source>only X, Y and Z are edited, not {0}</source>
+            <translation>só X, Y e Z são editados, e não {0}</translation>
+        </message>
+        <message>
+            <source>only arcs of G17 can be turned about Z</source>
+            <translation>só arcos de G17 podem ser girados em torno de Z</translation>
+        </message>
+        <message>
+            <source>only the first control point goes without X and Y</source>
+            <translation>só o primeiro ponto de controle dispensa X e Y</translation>
         </message>
         <message>
             <source>only {0} of {1} bytes were taken</source>
@@ -3414,12 +7366,76 @@
             <translation>a operação '{0}' usa a ferramenta {1}, que o trabalho não tem</translation>
         </message>
         <message>
+            <source>outlines and islands lie too close to each other to be told apart</source>
+            <translation>contornos e ilhas estão perto demais um do outro para serem distinguidos</translation>
+        </message>
+        <message>
+            <source>overrides may not be switched</source>
+            <translation>os ajustes de avanço e rotação não podem ser ligados nem desligados</translation>
+        </message>
+        <message>
+            <source>o{0} has no end: the text is over, and it is still being skipped</source>
+            <translation>o{0} não tem fim: o texto acabou e ainda está sendo pulado</translation>
+        </message>
+        <message>
+            <source>parameter 5220 names no work system</source>
+            <translation>o parâmetro 5220 não indica nenhum sistema de coordenadas</translation>
+        </message>
+        <message>
+            <source>parameters (#) are not part of this dialect</source>
+            <translation>parâmetros (#) não fazem parte deste dialeto</translation>
+        </message>
+        <message>
+            <source>parentheses are no comment here</source>
+            <translation>aqui parênteses não são comentário</translation>
+        </message>
+        <message>
             <source>part of the drawn shape lies beside the stock</source>
             <translation>parte da forma desenhada fica fora do bloco</translation>
         </message>
         <message>
+            <source>peck_mm {0} mm</source>
+            <translation>peck_mm {0} mm</translation>
+        </message>
+        <message>
+            <source>pick it again</source>
+            <translation>escolha-o de novo</translation>
+        </message>
+        <message>
+            <source>pins.{0} is no signal; there are {1}</source>
+            <translation>pins.{0} não é um sinal; existem {1}</translation>
+        </message>
+        <message>
+            <source>pins.{0}: pin {1} is an input of the parallel port</source>
+            <translation>pins.{0}: o pino {1} é uma entrada da porta paralela</translation>
+        </message>
+        <message>
+            <source>pins.{0}: pin {1} is no output; outputs are 1 to 9, 14, 16 and 17</source>
+            <translation>pins.{0}: o pino {1} não é uma saída; as saídas são 1 a 9, 14, 16 e 17</translation>
+        </message>
+        <message>
+            <source>pins: two signals are on one pin</source>
+            <translation>pins: dois sinais estão no mesmo pino</translation>
+        </message>
+        <message>
+            <source>pitch_mm is lowered to {0} mm, for the helix must not fall by more than {1}°</source>
+            <translation>pitch_mm é reduzido para {0} mm, pois a hélice não pode descer mais que {1}°</translation>
+        </message>
+        <message>
+            <source>places of the machine became those of the work, right for this work zero only</source>
+            <translation>lugares da máquina viraram lugares da peça, certos só para este zero-peça</translation>
+        </message>
+        <message>
+            <source>planes are an option of the build: leave it out, arcs are in XY</source>
+            <translation>os planos são uma opção da compilação: omita-a, os arcos ficam em XY</translation>
+        </message>
+        <message>
             <source>platformdirs is not installed</source>
             <translation>o platformdirs não está instalado</translation>
+        </message>
+        <message>
+            <source>play is told of three axes</source>
+            <translation>a folga é informada para três eixos</translation>
         </message>
         <message>
             <source>please report it, with the program</source>
@@ -3438,12 +7454,44 @@
             <translation>prepare o programa de novo</translation>
         </message>
         <message>
+            <source>prepare this program's own</source>
+            <translation>prepare as linhas deste próprio programa</translation>
+        </message>
+        <message>
+            <source>programs are not written in the dialect {0}</source>
+            <translation>não se escrevem programas no dialeto {0}</translation>
+        </message>
+        <message>
+            <source>programs are read for machines with three axes, or with nine</source>
+            <translation>programas são lidos para máquinas com três eixos ou com nove</translation>
+        </message>
+        <message>
+            <source>programs of {0} are in one unit only</source>
+            <translation>programas de {0} usam uma só unidade</translation>
+        </message>
+        <message>
+            <source>programs with more than the axes X, Y and Z are not written</source>
+            <translation>não se escrevem programas com outros eixos além de X, Y e Z</translation>
+        </message>
+        <message>
             <source>prove parts of the program alone</source>
             <translation>verifique partes do programa em separado</translation>
         </message>
         <message>
             <source>pulses are those of a machine</source>
             <translation>os pulsos são os de uma máquina</translation>
+        </message>
+        <message>
+            <source>put it before the way</source>
+            <translation>ponha-a antes do trecho</translation>
+        </message>
+        <message>
+            <source>put it in brackets</source>
+            <translation>ponha-a entre colchetes</translation>
+        </message>
+        <message>
+            <source>put some in named parameters</source>
+            <translation>ponha alguns em parâmetros com nome</translation>
         </message>
         <message>
             <source>pyserial is not installed</source>
@@ -3458,12 +7506,52 @@
             <translation>aumente F, ou diminua a rotação do spindle</translation>
         </message>
         <message>
+            <source>raise the feed, or turn the spindle slower</source>
+            <translation>aumente o avanço ou gire o spindle mais devagar</translation>
+        </message>
+        <message>
             <source>raise the pull-off $27 or check the switch</source>
             <translation>aumente o recuo $27 ou verifique o fim de curso</translation>
         </message>
         <message>
+            <source>raise the tool first, or switch it off</source>
+            <translation>levante antes a ferramenta, ou desligue-a</translation>
+        </message>
+        <message>
+            <source>ramp = "table" and planner.waits belong together</source>
+            <translation>ramp = "table" e planner.waits andam juntos</translation>
+        </message>
+        <message>
+            <source>ramp {0} deg</source>
+            <translation>rampa {0} deg</translation>
+        </message>
+        <message>
+            <source>rapids and cuts would be exchanged</source>
+            <translation>rápidos e cortes seriam trocados entre si</translation>
+        </message>
+        <message>
+            <source>rapids move at the feed in force: no F for them was given</source>
+            <translation>os rápidos usam o avanço em vigor: nenhum F foi dado para eles</translation>
+        </message>
+        <message>
+            <source>read the program as a whole</source>
+            <translation>leia o programa inteiro</translation>
+        </message>
+        <message>
+            <source>reading was cancelled</source>
+            <translation>a leitura foi cancelada</translation>
+        </message>
+        <message>
             <source>remove it; only plain ASCII without ? ! ~ may be sent</source>
             <translation>remova-o; só ASCII puro sem ? ! ~ pode ser enviado</translation>
+        </message>
+        <message>
+            <source>rename one of them</source>
+            <translation>renomeie uma delas</translation>
+        </message>
+        <message>
+            <source>renumber by hand</source>
+            <translation>renumere à mão</translation>
         </message>
         <message>
             <source>resolution_mm is too coarse for the tool</source>
@@ -3474,8 +7562,36 @@
             <translation>retome o que fazia, ou reinicie-a</translation>
         </message>
         <message>
+            <source>retract mode set to old_z</source>
+            <translation>modo de recuo: Z anterior</translation>
+        </message>
+        <message>
+            <source>retract mode set to r_plane</source>
+            <translation>modo de recuo: plano R</translation>
+        </message>
+        <message>
             <source>run 'make setup' beside the workbench, or let Tools &gt; Addon Manager install them, or install them for Python {0}.{1} into a folder of their own (pip install --target FOLDER) and name it in the environment variable CNCSTEPPER_PACKAGES</source>
             <translation>rode 'make setup' na pasta da bancada, ou instale-os por Ferramentas &gt; Gerenciador de extensões, ou instale-os para Python {0}.{1} em uma pasta própria (pip install --target PASTA) e indique-a na variável de ambiente CNCSTEPPER_PACKAGES</translation>
+        </message>
+        <message>
+            <source>save it as DXF again, as R2000 or newer</source>
+            <translation>salve-o de novo como DXF, R2000 ou mais recente</translation>
+        </message>
+        <message>
+            <source>save it as UTF-8</source>
+            <translation>salve-o como UTF-8</translation>
+        </message>
+        <message>
+            <source>save it as a file</source>
+            <translation>salve-o como arquivo</translation>
+        </message>
+        <message>
+            <source>scale all axes alike</source>
+            <translation>use a mesma escala em todos os eixos</translation>
+        </message>
+        <message>
+            <source>scale all axes alike, or write feeds a minute (G94)</source>
+            <translation>use a mesma escala em todos os eixos ou escreva avanços por minuto (G94)</translation>
         </message>
         <message>
             <source>see its log, report it</source>
@@ -3486,8 +7602,16 @@
             <translation>veja se está completo</translation>
         </message>
         <message>
+            <source>select the plane with G17, G18, G19</source>
+            <translation>selecione o plano com G17, G18 ou G19</translation>
+        </message>
+        <message>
             <source>send another one</source>
             <translation>envie outro</translation>
+        </message>
+        <message>
+            <source>send the wanted words by hand or reset the controller, look at the work zero, and send again</source>
+            <translation>envie à mão as palavras pedidas ou reinicie o controlador, verifique o zero-peça e envie de novo</translation>
         </message>
         <message>
             <source>set $0 to 3 or more</source>
@@ -3502,8 +7626,16 @@
             <translation>use $32=0 ou um firmware com PWM</translation>
         </message>
         <message>
+            <source>set backlash_mm to 0 in the machine profile</source>
+            <translation>ponha backlash_mm em 0 no perfil da máquina</translation>
+        </message>
+        <message>
             <source>set it again, and do not start before it is right</source>
             <translation>defina-o de novo, e não inicie antes que esteja certo</translation>
+        </message>
+        <message>
+            <source>set ramp_deg and no tabs, or use a mill that cuts over its centre</source>
+            <translation>ponha ramp_deg e nenhuma ponte, ou use uma fresa que corte sobre o centro</translation>
         </message>
         <message>
             <source>set the machine's settings again</source>
@@ -3516,6 +7648,30 @@
         <message>
             <source>set the zero there, or check the program again with the zero that is set (--work-zero)</source>
             <translation>defina o zero ali, ou verifique o programa de novo com o zero que está definido (--work-zero)</translation>
+        </message>
+        <message>
+            <source>set the zero with G10 L2 instead</source>
+            <translation>defina o zero com G10 L2</translation>
+        </message>
+        <message>
+            <source>set up a program of that name on the machine</source>
+            <translation>instale na máquina um programa com esse nome</translation>
+        </message>
+        <message>
+            <source>several turns of an arc became one arc a turn</source>
+            <translation>várias voltas de um arco viraram um arco por volta</translation>
+        </message>
+        <message>
+            <source>shape '{0}' goes without the {1} {2} of its drawing: {3}</source>
+            <translation>a forma '{0}' fica sem {1} {2} do seu desenho: {3}</translation>
+        </message>
+        <message>
+            <source>shape '{0}' goes without {1} more things of its drawing</source>
+            <translation>a forma '{0}' fica sem mais {1} coisas do seu desenho</translation>
+        </message>
+        <message>
+            <source>shape '{0}': two ends lie {1} mm apart at X{2} Y{3}</source>
+            <translation>forma '{0}': duas pontas ficam a {1} mm uma da outra em X{2} Y{3}</translation>
         </message>
         <message>
             <source>shorten or split that line</source>
@@ -3536,6 +7692,22 @@
         <message>
             <source>something else than grbl answers</source>
             <translation>quem responde não é um grbl</translation>
+        </message>
+        <message>
+            <source>spacing_mm asks for more than {0} tabs on one contour</source>
+            <translation>spacing_mm pede mais de {0} pontes em um contorno</translation>
+        </message>
+        <message>
+            <source>spindle, coolant or tool would be another</source>
+            <translation>spindle, refrigeração ou ferramenta seriam outros</translation>
+        </message>
+        <message>
+            <source>splines lie in the plane XY</source>
+            <translation>splines ficam no plano XY</translation>
+        </message>
+        <message>
+            <source>split it there, or send it to a controller</source>
+            <translation>divida-o ali, ou envie-o a um controlador</translation>
         </message>
         <message>
             <source>split that line</source>
@@ -3562,8 +7734,24 @@
             <translation>ligue o spindle com M3 e S antes dele</translation>
         </message>
         <message>
-            <source>stepover_mm (ae) is larger than the tool</source>
-            <translation>stepover_mm (ae) é maior que a ferramenta</translation>
+            <source>stepover_mm (ae)</source>
+            <translation>stepover_mm (ae)</translation>
+        </message>
+        <message>
+            <source>stepover_mm asks for more than {0} passes</source>
+            <translation>stepover_mm pede mais de {0} passes</translation>
+        </message>
+        <message>
+            <source>stepover_mm asks for more than {0} turns</source>
+            <translation>stepover_mm pede mais de {0} voltas</translation>
+        </message>
+        <message>
+            <source>stepover_mm is too small for the engagement to be bounded by it</source>
+            <translation>stepover_mm é pequeno demais para limitar o engajamento</translation>
+        </message>
+        <message>
+            <source>steps_per_mm is {0}, but the drive gives {1}</source>
+            <translation>steps_per_mm é {0}, mas o acionamento dá {1}</translation>
         </message>
         <message>
             <source>stop with M5 and M0 before the new tool</source>
@@ -3578,6 +7766,14 @@
             <translation>parado antes de enviar a primeira linha</translation>
         </message>
         <message>
+            <source>subroutines and loops were written out</source>
+            <translation>sub-rotinas e laços foram escritos por extenso</translation>
+        </message>
+        <message>
+            <source>subroutines call each other too deep</source>
+            <translation>as sub-rotinas chamam umas às outras fundo demais</translation>
+        </message>
+        <message>
             <source>switch it off with M5 before it</source>
             <translation>desligue-o antes com M5</translation>
         </message>
@@ -3586,20 +7782,104 @@
             <translation>ligue-o antes com M3 e S</translation>
         </message>
         <message>
+            <source>table_ms may hold no wait that is longer than the one before it</source>
+            <translation>table_ms não pode ter uma espera mais longa que a anterior</translation>
+        </message>
+        <message>
+            <source>tabs need either count or spacing_mm</source>
+            <translation>pontes precisam de count ou de spacing_mm</translation>
+        </message>
+        <message>
+            <source>take it out</source>
+            <translation>retire-o</translation>
+        </message>
+        <message>
+            <source>take it out of the program</source>
+            <translation>retire-o do programa</translation>
+        </message>
+        <message>
+            <source>take it out or add its code</source>
+            <translation>retire-a ou acrescente o seu código</translation>
+        </message>
+        <message>
+            <source>take one of them out</source>
+            <translation>retire um deles</translation>
+        </message>
+        <message>
+            <source>take out R</source>
+            <translation>retire R</translation>
+        </message>
+        <message>
+            <source>take out the inner (</source>
+            <translation>retire o ( interno</translation>
+        </message>
+        <message>
             <source>take out {0}</source>
             <translation>retire {0}</translation>
+        </message>
+        <message>
+            <source>taken as a flat mill: '{0}' names no shape that a table's words can tell</source>
+            <translation>tida como fresa de topo: '{0}' não nomeia uma forma que as palavras de uma tabela digam</translation>
+        </message>
+        <message>
+            <source>tapping became plain moves: the feed may be overridden, and nothing keeps it to the spindle</source>
+            <translation>o rosqueamento virou movimentos simples: o avanço pode ser ajustado e nada o prende ao spindle</translation>
         </message>
         <message>
             <source>the $ command is not known</source>
             <translation>o comando $ não é conhecido</translation>
         </message>
         <message>
+            <source>the N word must be the first of its line</source>
+            <translation>a palavra N deve ser a primeira da linha</translation>
+        </message>
+        <message>
+            <source>the O-word is unknown</source>
+            <translation>a palavra O é desconhecida</translation>
+        </message>
+        <message>
+            <source>the angle is not known at the zero of the work system</source>
+            <translation>o ângulo não é conhecido no zero do sistema de coordenadas</translation>
+        </message>
+        <message>
+            <source>the angle of the arc is so small that the controller would run a whole circle</source>
+            <translation>o ângulo do arco é tão pequeno que o controlador faria um círculo completo</translation>
+        </message>
+        <message>
+            <source>the arc begins at a place that is not known</source>
+            <translation>o arco começa em um lugar que não é conhecido</translation>
+        </message>
+        <message>
+            <source>the arc has neither I nor K nor R</source>
+            <translation>o arco não tem I, nem K, nem R</translation>
+        </message>
+        <message>
+            <source>the arc has neither {0} nor {1} nor R</source>
+            <translation>o arco não tem {0}, nem {1}, nem R</translation>
+        </message>
+        <message>
             <source>the arc has no axis word of its plane</source>
             <translation>o arco não tem palavra de eixo do seu plano</translation>
         </message>
         <message>
+            <source>the arc has no radius</source>
+            <translation>o arco não tem raio</translation>
+        </message>
+        <message>
+            <source>the arc in the concave corner cannot be reached by the tool without gouging</source>
+            <translation>a ferramenta não alcança o arco no canto côncavo sem invadir a peça</translation>
+        </message>
+        <message>
             <source>the arc lacks its centre offset in the plane</source>
             <translation>falta ao arco o deslocamento do centro no plano</translation>
+        </message>
+        <message>
+            <source>the arc needs {0} or {1} in plane {2}</source>
+            <translation>o arco precisa de {0} ou {1} no plano {2}</translation>
+        </message>
+        <message>
+            <source>the arc would go through another angle</source>
+            <translation>o arco percorreria outro ângulo</translation>
         </message>
         <message>
             <source>the arc's end does not lie on its circle</source>
@@ -3610,12 +7890,28 @@
             <translation>o raio do arco não combina com o ponto final</translation>
         </message>
         <message>
+            <source>the arc's radius is not larger than the tool's</source>
+            <translation>o raio do arco não é maior que o da ferramenta</translation>
+        </message>
+        <message>
+            <source>the axes are X (radial) and Z (axial)</source>
+            <translation>os eixos são X (radial) e Z (axial)</translation>
+        </message>
+        <message>
             <source>the beam is never on where it is to cut</source>
             <translation>o feixe nunca está ligado onde deveria cortar</translation>
         </message>
         <message>
+            <source>the bore leaves the tool no room for a helix</source>
+            <translation>o furo não deixa à ferramenta espaço para uma hélice</translation>
+        </message>
+        <message>
             <source>the certificate cannot be read</source>
             <translation>o certificado não pode ser lido</translation>
+        </message>
+        <message>
+            <source>the certificate holds what no proof has</source>
+            <translation>o certificado contém o que nenhuma prova tem</translation>
         </message>
         <message>
             <source>the certificate is of another version</source>
@@ -3630,8 +7926,24 @@
             <translation>o certificado foi alterado depois de emitido</translation>
         </message>
         <message>
+            <source>the changed line would lead elsewhere than it must</source>
+            <translation>a linha alterada levaria a um lugar diferente do devido</translation>
+        </message>
+        <message>
+            <source>the changed program makes other moves</source>
+            <translation>o programa alterado faz outros movimentos</translation>
+        </message>
+        <message>
+            <source>the changed program would make other moves</source>
+            <translation>o programa alterado faria outros movimentos</translation>
+        </message>
+        <message>
             <source>the character {0} would act as a command of its own or is not ASCII</source>
             <translation>o caractere {0} agiria como um comando ou não é ASCII</translation>
+        </message>
+        <message>
+            <source>the checksum is wrong</source>
+            <translation>a soma de verificação está errada</translation>
         </message>
         <message>
             <source>the command is allowed only while the machine is idle</source>
@@ -3640,6 +7952,26 @@
         <message>
             <source>the command lacks its axis words</source>
             <translation>faltam as palavras de eixo do comando</translation>
+        </message>
+        <message>
+            <source>the comment is not closed</source>
+            <translation>o comentário não está fechado</translation>
+        </message>
+        <message>
+            <source>the compensated arc would have two radii</source>
+            <translation>o arco compensado teria dois raios</translation>
+        </message>
+        <message>
+            <source>the compensated tool cannot reach this corner without gouging</source>
+            <translation>a ferramenta compensada não alcança este canto sem invadir a peça</translation>
+        </message>
+        <message>
+            <source>the computer came too late with a pulse and stopped after {0} writes in time, {1} s from the begin; spindle, beam and drives are off, and steps may be lost</source>
+            <translation>o computador se atrasou com um pulso e parou após {0} escritas no prazo, {1} s depois do início; spindle, feixe e motores estão desligados, e passos podem ter sido perdidos</translation>
+        </message>
+        <message>
+            <source>the contour goes through the stock and sets a piece free that no tab holds</source>
+            <translation>o contorno atravessa o bloco e solta um pedaço que nenhuma ponte segura</translation>
         </message>
         <message>
             <source>the controller does not answer any more</source>
@@ -3718,12 +8050,36 @@
             <translation>o controlador foi reiniciado em movimento</translation>
         </message>
         <message>
+            <source>the converted program would go on after this</source>
+            <translation>o programa convertido continuaria depois deste ponto</translation>
+        </message>
+        <message>
+            <source>the converted program would not come by this point</source>
+            <translation>o programa convertido não passaria por este ponto</translation>
+        </message>
+        <message>
+            <source>the coordinate system in force may not be changed</source>
+            <translation>o sistema de coordenadas em vigor não pode ser mudado</translation>
+        </message>
+        <message>
             <source>the corners of a clamp enclose nothing</source>
             <translation>os cantos de um grampo não delimitam nenhuma área</translation>
         </message>
         <message>
+            <source>the corners of a rectangle's diagonal must differ in x and in y</source>
+            <translation>os cantos da diagonal de um retângulo têm de diferir em x e em y</translation>
+        </message>
+        <message>
+            <source>the curve has no length</source>
+            <translation>a curva não tem comprimento</translation>
+        </message>
+        <message>
             <source>the curve is not smooth here</source>
             <translation>a curva não é suave aqui</translation>
+        </message>
+        <message>
+            <source>the curve is open, a closed one is needed</source>
+            <translation>a curva está aberta, é preciso uma fechada</translation>
         </message>
         <message>
             <source>the cut begins without waiting for the spindle</source>
@@ -3732,6 +8088,26 @@
         <message>
             <source>the cut comes too near to the sheet's edge</source>
             <translation>o corte chega perto demais da borda da chapa</translation>
+        </message>
+        <message>
+            <source>the cut goes into the part of another contour at X{0} Y{1}</source>
+            <translation>o corte entra na peça de outro contorno em X{0} Y{1}</translation>
+        </message>
+        <message>
+            <source>the cut goes into {0} outline(s) that other contours leave standing, most at X{1} Y{2}, by {3} mm</source>
+            <translation>o corte entra em {0} linha(s) que outros contornos deixam intacta(s), mais em X{1} Y{2}, por {3} mm</translation>
+        </message>
+        <message>
+            <source>the cut is taken to be {0} mm wide, the simulation cuts with the tool's {1} mm</source>
+            <translation>o corte é tido como de {0} mm de largura, a simulação corta com os {1} mm da ferramenta</translation>
+        </message>
+        <message>
+            <source>the cut leads through the edge of a part that a contour leaves standing, {0}</source>
+            <translation>o corte passa pela borda de uma peça que um contorno deixa em pé, {0}</translation>
+        </message>
+        <message>
+            <source>the cycle takes too many passes</source>
+            <translation>o ciclo usa passes demais</translation>
         </message>
         <message>
             <source>the desk cannot be started: {0}</source>
@@ -3750,6 +8126,14 @@
             <translation>o processo da mesa de controle não inicia</translation>
         </message>
         <message>
+            <source>the diameter of the tool is not known</source>
+            <translation>o diâmetro da ferramenta não é conhecido</translation>
+        </message>
+        <message>
+            <source>the digits of {0} cannot hold this feed: F would be {1} mm/min</source>
+            <translation>os dígitos de {0} não comportam este avanço: F seria {1} mm/min</translation>
+        </message>
+        <message>
             <source>the drawing '{0}' does not lie flat</source>
             <translation>o desenho '{0}' não é plano</translation>
         </message>
@@ -3758,16 +8142,44 @@
             <translation>o desenho '{0}' tem uma linha que não é elipse</translation>
         </message>
         <message>
+            <source>the drawing '{0}' holds an ellipse and no circle</source>
+            <translation>o desenho '{0}' contém uma elipse e não um círculo</translation>
+        </message>
+        <message>
             <source>the drawing '{0}' holds more than one ellipse</source>
             <translation>o desenho '{0}' tem mais de uma elipse</translation>
+        </message>
+        <message>
+            <source>the drawing '{0}' holds no circles and no points</source>
+            <translation>o desenho '{0}' não contém círculos nem pontos</translation>
         </message>
         <message>
             <source>the drawing '{0}' holds no lines</source>
             <translation>o desenho '{0}' não tem linhas</translation>
         </message>
         <message>
+            <source>the drawing '{0}' holds no single rectangle</source>
+            <translation>o desenho '{0}' não contém um só retângulo</translation>
+        </message>
+        <message>
             <source>the drawing '{0}' that it followed was deleted</source>
             <translation>o desenho '{0}' que ela seguia foi excluído</translation>
+        </message>
+        <message>
+            <source>the drawing has no curves on a layer '{0}'</source>
+            <translation>o desenho não tem curvas em uma camada '{0}'</translation>
+        </message>
+        <message>
+            <source>the drawing holds no curves</source>
+            <translation>o desenho não contém curvas</translation>
+        </message>
+        <message>
+            <source>the drawing {0} is damaged, a part of it may be missing: {1}</source>
+            <translation>o desenho {0} está danificado, pode faltar parte dele: {1}</translation>
+        </message>
+        <message>
+            <source>the edited program has no job</source>
+            <translation>o programa editado não tem trabalho</translation>
         </message>
         <message>
             <source>the ellipse in '{0}' is open</source>
@@ -3778,8 +8190,64 @@
             <translation>as pontas da elipse são mais fechadas que a ferramenta, e elipses semelhantes cortariam a parede ali</translation>
         </message>
         <message>
+            <source>the entry arc of the compensation is not larger than the tool's radius</source>
+            <translation>o arco de entrada da compensação não é maior que o raio da ferramenta</translation>
+        </message>
+        <message>
+            <source>the entry move of the compensation is not longer than the tool's radius</source>
+            <translation>o movimento de entrada da compensação não é mais longo que o raio da ferramenta</translation>
+        </message>
+        <message>
+            <source>the expression divides by 0</source>
+            <translation>a expressão divide por 0</translation>
+        </message>
+        <message>
+            <source>the expression is nested too deep</source>
+            <translation>a expressão tem níveis demais</translation>
+        </message>
+        <message>
+            <source>the expression is not closed</source>
+            <translation>a expressão não está fechada</translation>
+        </message>
+        <message>
+            <source>the factor must be above 0</source>
+            <translation>o fator deve ser maior que 0</translation>
+        </message>
+        <message>
             <source>the feed asks more of {0} than its highest rate</source>
             <translation>o avanço pede de {0} mais que a sua velocidade máxima</translation>
+        </message>
+        <message>
+            <source>the feed would be another</source>
+            <translation>o avanço seria outro</translation>
+        </message>
+        <message>
+            <source>the feed would round to 0</source>
+            <translation>o avanço seria arredondado para 0</translation>
+        </message>
+        <message>
+            <source>the file cannot be read: {0}</source>
+            <translation>o arquivo não pode ser lido: {0}</translation>
+        </message>
+        <message>
+            <source>the file holds no object</source>
+            <translation>o arquivo não contém um objeto</translation>
+        </message>
+        <message>
+            <source>the file is read-only</source>
+            <translation>o arquivo é somente leitura</translation>
+        </message>
+        <message>
+            <source>the file is too large for the editor</source>
+            <translation>o arquivo é grande demais para o editor</translation>
+        </message>
+        <message>
+            <source>the grid has too many holes</source>
+            <translation>a grade tem furos demais</translation>
+        </message>
+        <message>
+            <source>the heights '{0}' cannot be read: {1}</source>
+            <translation>as alturas '{0}' não podem ser lidas: {1}</translation>
         </message>
         <message>
             <source>the heights do not fit their box</source>
@@ -3806,6 +8274,10 @@
             <translation>o trabalho foi apagado</translation>
         </message>
         <message>
+            <source>the job's own program has changed since this one was edited</source>
+            <translation>o programa do próprio trabalho mudou desde que este foi editado</translation>
+        </message>
+        <message>
             <source>the jog came too late to be safe</source>
             <translation>o movimento manual chegou tarde demais para ser seguro</translation>
         </message>
@@ -3826,6 +8298,34 @@
             <translation>os movimentos manuais anteriores ainda não terminaram</translation>
         </message>
         <message>
+            <source>the kernels are not compiled ahead: {0}</source>
+            <translation>o código rápido não foi compilado antes: {0}</translation>
+        </message>
+        <message>
+            <source>the key {0} is missing</source>
+            <translation>falta a chave {0}</translation>
+        </message>
+        <message>
+            <source>the largest disc of the {0} tool stands more than a pitch above its tip: it cuts no thread</source>
+            <translation>o maior disco da ferramenta {0} fica mais de um passo acima da ponta: ela não corta rosca</translation>
+        </message>
+        <message>
+            <source>the leads fit nowhere in the scrap; the closest obstacle is {0} at X{1} Y{2}</source>
+            <translation>as entradas e saídas não cabem em lugar nenhum da sobra; o obstáculo mais próximo é {0} em X{1} Y{2}</translation>
+        </message>
+        <message>
+            <source>the length of the tool before is in force after the change</source>
+            <translation>o comprimento da ferramenta anterior está em vigor depois da troca</translation>
+        </message>
+        <message>
+            <source>the length offset of tool {0} is not known</source>
+            <translation>a correção de comprimento da ferramenta {0} não é conhecida</translation>
+        </message>
+        <message>
+            <source>the length offset of tool {0} is not known, it is taken as 0</source>
+            <translation>a correção de comprimento da ferramenta {0} não é conhecida, vale como 0</translation>
+        </message>
+        <message>
             <source>the line does not end where it began</source>
             <translation>a linha não termina onde começou</translation>
         </message>
@@ -3834,8 +8334,20 @@
             <translation>a linha não cabe no buffer do controlador</translation>
         </message>
         <message>
+            <source>the line does not fit the buffer of {0}</source>
+            <translation>a linha não cabe no buffer de {0}</translation>
+        </message>
+        <message>
             <source>the line has no length</source>
             <translation>a linha não tem comprimento</translation>
+        </message>
+        <message>
+            <source>the line holds a byte that the controller acts upon wherever it stands</source>
+            <translation>a linha tem um byte ao qual o controlador reage onde quer que esteja</translation>
+        </message>
+        <message>
+            <source>the line in the concave corner cannot be reached by the tool without gouging</source>
+            <translation>a ferramenta não alcança a reta no canto côncavo sem invadir a peça</translation>
         </message>
         <message>
             <source>the line is longer than grbl can read</source>
@@ -3846,6 +8358,14 @@
             <translation>a linha é longa demais</translation>
         </message>
         <message>
+            <source>the line is too long for the machine</source>
+            <translation>a linha é longa demais para a máquina</translation>
+        </message>
+        <message>
+            <source>the line jumps to a line number</source>
+            <translation>a linha salta para um número de linha</translation>
+        </message>
+        <message>
             <source>the line map does not fit the lines</source>
             <translation>o mapa de linhas não combina com as linhas</translation>
         </message>
@@ -3854,12 +8374,40 @@
             <translation>o número da linha não está entre 0 e 9999999</translation>
         </message>
         <message>
+            <source>the line number is out of range</source>
+            <translation>o número da linha está fora da faixa</translation>
+        </message>
+        <message>
+            <source>the line reads where the machine stands, which the edit would change</source>
+            <translation>a linha lê onde a máquina está, e a edição mudaria isso</translation>
+        </message>
+        <message>
+            <source>the lines after this tool change do not stand alone</source>
+            <translation>as linhas depois desta troca de ferramenta não se sustentam sozinhas</translation>
+        </message>
+        <message>
+            <source>the lines have different numbers of heights</source>
+            <translation>as linhas têm quantidades diferentes de alturas</translation>
+        </message>
+        <message>
             <source>the lines to send are not those that were proven</source>
             <translation>as linhas a enviar não são as que foram verificadas</translation>
         </message>
         <message>
+            <source>the lines to send were made from another program</source>
+            <translation>as linhas a enviar foram feitas de outro programa</translation>
+        </message>
+        <message>
             <source>the link to {0} broke: {1}</source>
             <translation>a ligação com {0} caiu: {1}</translation>
+        </message>
+        <message>
+            <source>the locks of the order contradict each other</source>
+            <translation>as travas da ordem se contradizem</translation>
+        </message>
+        <message>
+            <source>the machine can do no better with this tool</source>
+            <translation>a máquina não consegue melhor com esta ferramenta</translation>
         </message>
         <message>
             <source>the machine does not end its homing</source>
@@ -3872,6 +8420,10 @@
         <message>
             <source>the machine has no {0} coolant</source>
             <translation>a máquina não tem refrigeração {0}</translation>
+        </message>
+        <message>
+            <source>the machine has one spindle, number 0</source>
+            <translation>a máquina tem um só spindle, o de número 0</translation>
         </message>
         <message>
             <source>the machine is homed</source>
@@ -3906,24 +8458,124 @@
             <translation>a posição da máquina é desconhecida: veja se o spindle e as saídas estão desligados, depois referencie ou defina o zero de novo</translation>
         </message>
         <message>
+            <source>the mill does not cut over its centre: it can neither plunge nor come down beside a tab</source>
+            <translation>a fresa não corta sobre o centro: não pode mergulhar nem descer ao lado de uma ponte</translation>
+        </message>
+        <message>
+            <source>the minor diameter does not fit the major one and the pitch</source>
+            <translation>o diâmetro menor não combina com o maior e o passo</translation>
+        </message>
+        <message>
             <source>the motor of {0} may lose steps: at {1} mm/s ({2} rpm) and {3} mm/s² it has too little torque</source>
             <translation>o motor de {0} pode perder passos: a {1} mm/s ({2} rpm) e {3} mm/s² falta-lhe torque</translation>
+        </message>
+        <message>
+            <source>the move after the end of a compensation must be a line</source>
+            <translation>o movimento depois do fim de uma compensação deve ser uma reta</translation>
         </message>
         <message>
             <source>the move leaves the travel of {0} by {1} mm</source>
             <translation>o movimento sai do curso de {0} por {1} mm</translation>
         </message>
         <message>
+            <source>the name is not closed</source>
+            <translation>o nome não está fechado</translation>
+        </message>
+        <message>
+            <source>the number of turns is a whole number from 1</source>
+            <translation>o número de voltas é um inteiro a partir de 1</translation>
+        </message>
+        <message>
+            <source>the object of this program is no longer there</source>
+            <translation>o objeto deste programa não existe mais</translation>
+        </message>
+        <message>
             <source>the operation is too long for one program</source>
             <translation>a operação é longa demais para um programa</translation>
+        </message>
+        <message>
+            <source>the outlines enclose nothing</source>
+            <translation>os contornos não encerram nada</translation>
+        </message>
+        <message>
+            <source>the outlines lie beside the stock</source>
+            <translation>os contornos ficam ao lado do bloco</translation>
+        </message>
+        <message>
+            <source>the outlines, less islands and stock to leave, leave nothing to cut</source>
+            <translation>os contornos, menos as ilhas e o sobremetal, não deixam nada a cortar</translation>
+        </message>
+        <message>
+            <source>the overcut is longer than the contour</source>
+            <translation>o sobrecorte é mais longo que o contorno</translation>
+        </message>
+        <message>
+            <source>the parameters of the file are not in the order of their numbers</source>
+            <translation>os parâmetros do arquivo não estão na ordem de seus números</translation>
+        </message>
+        <message>
+            <source>the part may differ from it by as much: lower P, or follow the exact path with G61</source>
+            <translation>a peça pode diferir dele por esse tanto: diminua P, ou siga o caminho exato com G61</translation>
+        </message>
+        <message>
+            <source>the path begins where the machine happens to stand: it is told by ways (G91) alone</source>
+            <translation>o percurso começa onde a máquina estiver: ele é dado só por distâncias (G91)</translation>
+        </message>
+        <message>
+            <source>the path mode may not be changed</source>
+            <translation>o modo de percurso não pode ser mudado</translation>
+        </message>
+        <message>
+            <source>the pattern cannot be read: {0}</source>
+            <translation>o padrão de busca não pode ser lido: {0}</translation>
+        </message>
+        <message>
+            <source>the pins of the machine are not known to this reader</source>
+            <translation>este leitor não conhece os pinos da máquina</translation>
+        </message>
+        <message>
+            <source>the plane may not be changed</source>
+            <translation>o plano não pode ser mudado</translation>
+        </message>
+        <message>
+            <source>the play of the axes cannot be taken up in an arc with an absolute centre</source>
+            <translation>a folga dos eixos não pode ser compensada em um arco com centro absoluto</translation>
+        </message>
+        <message>
+            <source>the play of the axes cannot be taken up in coordinates that are turned</source>
+            <translation>a folga dos eixos não pode ser compensada em coordenadas giradas</translation>
+        </message>
+        <message>
+            <source>the play of the axes cannot be taken up within this line</source>
+            <translation>a folga dos eixos não pode ser compensada dentro desta linha</translation>
         </message>
         <message>
             <source>the pocket is too narrow for a {0}</source>
             <translation>o bolsão é estreito demais para uma {0}</translation>
         </message>
         <message>
+            <source>the pocket is too narrow for its engagement to be bounded</source>
+            <translation>o bolsão é estreito demais para que o seu engajamento seja limitado</translation>
+        </message>
+        <message>
+            <source>the point list '{0}' cannot be read: {1}</source>
+            <translation>a lista de pontos '{0}' não pode ser lida: {1}</translation>
+        </message>
+        <message>
             <source>the points of a freehand line lie at different heights</source>
             <translation>os pontos de uma linha à mão livre estão em alturas diferentes</translation>
+        </message>
+        <message>
+            <source>the position along {0} is not known here</source>
+            <translation>a posição em {0} não é conhecida aqui</translation>
+        </message>
+        <message>
+            <source>the position stored for {0} is not known</source>
+            <translation>a posição guardada para {0} não é conhecida</translation>
+        </message>
+        <message>
+            <source>the probe stands at its end already</source>
+            <translation>o apalpador já está no ponto final</translation>
         </message>
         <message>
             <source>the probe touched nothing</source>
@@ -3946,16 +8598,68 @@
             <translation>o processo que verifica o programa terminou sem resposta</translation>
         </message>
         <message>
+            <source>the process that reads the program has ended</source>
+            <translation>o processo que lê o programa terminou</translation>
+        </message>
+        <message>
+            <source>the profile cannot be reached from where the cycle begins</source>
+            <translation>o perfil não pode ser alcançado de onde o ciclo começa</translation>
+        </message>
+        <message>
+            <source>the profile has no end</source>
+            <translation>o perfil não tem fim</translation>
+        </message>
+        <message>
+            <source>the profile is smaller than its allowance</source>
+            <translation>o perfil é menor que o seu sobremetal</translation>
+        </message>
+        <message>
+            <source>the profile turns back along Z</source>
+            <translation>o perfil volta para trás em Z</translation>
+        </message>
+        <message>
             <source>the program cannot be written: {0}</source>
             <translation>o programa não pode ser gravado: {0}</translation>
+        </message>
+        <message>
+            <source>the program changes no tool</source>
+            <translation>o programa não troca de ferramenta</translation>
+        </message>
+        <message>
+            <source>the program cuts along no way at one height</source>
+            <translation>o programa não tem corte em altura constante</translation>
+        </message>
+        <message>
+            <source>the program has no F word</source>
+            <translation>o programa não tem palavra F</translation>
+        </message>
+        <message>
+            <source>the program has no end</source>
+            <translation>o programa não tem fim</translation>
         </message>
         <message>
             <source>the program has no line to send</source>
             <translation>o programa não tem linha a enviar</translation>
         </message>
         <message>
+            <source>the program has too many labels</source>
+            <translation>o programa tem rótulos demais</translation>
+        </message>
+        <message>
+            <source>the program has too many lines for these numbers</source>
+            <translation>o programa tem linhas demais para estes números</translation>
+        </message>
+        <message>
+            <source>the program has too many parameters</source>
+            <translation>o programa tem parâmetros demais</translation>
+        </message>
+        <message>
             <source>the program is larger than the travel of {0}</source>
             <translation>o programa é maior que o curso de {0}</translation>
+        </message>
+        <message>
+            <source>the program is none of the job's parts</source>
+            <translation>o programa não é nenhuma das partes do trabalho</translation>
         </message>
         <message>
             <source>the program is not the one that was proven: its text differs</source>
@@ -3966,8 +8670,20 @@
             <translation>o programa não move nada</translation>
         </message>
         <message>
+            <source>the program needs more than one tool</source>
+            <translation>o programa precisa de mais de uma ferramenta</translation>
+        </message>
+        <message>
             <source>the program pauses while the spindle turns</source>
             <translation>o programa espera com o spindle girando</translation>
+        </message>
+        <message>
+            <source>the program runs on and on: is there a loop without an end?</source>
+            <translation>o programa não para de executar: há um laço sem fim?</translation>
+        </message>
+        <message>
+            <source>the program waits or asks for what pulses cannot give</source>
+            <translation>o programa espera ou pede o que os pulsos não podem dar</translation>
         </message>
         <message>
             <source>the program was proven for another machine, or its profile was changed since</source>
@@ -3998,8 +8714,68 @@
             <translation>a verificação encontrou {0} erro(s) no programa, o primeiro: {1}</translation>
         </message>
         <message>
+            <source>the pulses were stopped before they were all sent</source>
+            <translation>os pulsos foram interrompidos antes de serem todos enviados</translation>
+        </message>
+        <message>
+            <source>the pulses were stopped on the way: {0}</source>
+            <translation>os pulsos foram interrompidos no caminho: {0}</translation>
+        </message>
+        <message>
+            <source>the pulses were stopped: no more of them came in time</source>
+            <translation>os pulsos foram interrompidos: os seguintes não chegaram a tempo</translation>
+        </message>
+        <message>
+            <source>the radius at the end of the arc is {0} mm and at its start {1} mm</source>
+            <translation>o raio no fim do arco é {0} mm e no início {1} mm</translation>
+        </message>
+        <message>
+            <source>the radius is too small to reach the end of the arc</source>
+            <translation>o raio é pequeno demais para alcançar o fim do arco</translation>
+        </message>
+        <message>
+            <source>the rapid that leads to a contour must lead to another place, and cannot be changed</source>
+            <translation>o rápido que leva a um contorno deve levar a outro lugar e não pode ser alterado</translation>
+        </message>
+        <message>
+            <source>the reading</source>
+            <translation>a leitura</translation>
+        </message>
+        <message>
+            <source>the record does not end</source>
+            <translation>o registro não termina</translation>
+        </message>
+        <message>
+            <source>the replacement cannot be made: {0}</source>
+            <translation>a substituição não pode ser feita: {0}</translation>
+        </message>
+        <message>
             <source>the resolution is too fine for the ellipse</source>
             <translation>a resolução é fina demais para a elipse</translation>
+        </message>
+        <message>
+            <source>the retract mode may not be changed</source>
+            <translation>o modo de recuo não pode ser mudado</translation>
+        </message>
+        <message>
+            <source>the rim of the {0} tool is slow for the material</source>
+            <translation>a borda da ferramenta {0} é lenta para o material</translation>
+        </message>
+        <message>
+            <source>the rim of the {0} tool is too fast for the material</source>
+            <translation>a borda da ferramenta {0} é rápida demais para o material</translation>
+        </message>
+        <message>
+            <source>the room falls into parts away from its wall</source>
+            <translation>o espaço se divide em partes longe da sua parede</translation>
+        </message>
+        <message>
+            <source>the room of the tool's centre has islands or several parts</source>
+            <translation>o espaço do centro da ferramenta tem ilhas ou várias partes</translation>
+        </message>
+        <message>
+            <source>the row leads to an unknown place along {0}</source>
+            <translation>o movimento leva a um lugar desconhecido em {0}</translation>
         </message>
         <message>
             <source>the rows of heights differ in length</source>
@@ -4054,12 +8830,40 @@
             <translation>o registro da sessão</translation>
         </message>
         <message>
+            <source>the settings file of the machine is not known to this reader</source>
+            <translation>este leitor não conhece o arquivo de configuração da máquina</translation>
+        </message>
+        <message>
             <source>the shank of the {0} tool rubs along the wall over its flutes</source>
             <translation>a haste da ferramenta {0} atrita na parede acima da parte cortante</translation>
         </message>
         <message>
+            <source>the shape '{0}' needs one of {1}; {2}</source>
+            <translation>a forma '{0}' precisa de um de {1}; {2}</translation>
+        </message>
+        <message>
+            <source>the shift of G92 went into the coordinates</source>
+            <translation>o deslocamento de G92 entrou nas coordenadas</translation>
+        </message>
+        <message>
             <source>the spindle cannot turn at this speed</source>
             <translation>o spindle não pode girar nesta rotação</translation>
+        </message>
+        <message>
+            <source>the spindle is switched on at S0, since no speed was said before</source>
+            <translation>o spindle é ligado com S0, pois nenhuma rotação foi indicada antes</translation>
+        </message>
+        <message>
+            <source>the spindle runs while the tool is changed</source>
+            <translation>o spindle gira durante a troca de ferramenta</translation>
+        </message>
+        <message>
+            <source>the spindle's speed is set by hand</source>
+            <translation>a rotação do spindle é ajustada à mão</translation>
+        </message>
+        <message>
+            <source>the stand-alone interpreter moves X Y Z A B C only</source>
+            <translation>o interpretador autônomo só move X Y Z A B C</translation>
         </message>
         <message>
             <source>the step pulse is shorter than 3 microseconds</source>
@@ -4078,8 +8882,32 @@
             <translation>as configurações guardadas não puderam ser lidas e foram redefinidas</translation>
         </message>
         <message>
-            <source>the timeline failed by a fault of its own: {0}: {1}</source>
-            <translation>a linha do tempo falhou por um defeito próprio: {0}: {1}</translation>
+            <source>the subroutine o&lt;{0}&gt; has no end</source>
+            <translation>a sub-rotina o&lt;{0}&gt; não tem fim</translation>
+        </message>
+        <message>
+            <source>the subroutine's file {0} cannot be read: {1}</source>
+            <translation>o arquivo {0} da sub-rotina não pode ser lido: {1}</translation>
+        </message>
+        <message>
+            <source>the subroutine's file {0} is too large</source>
+            <translation>o arquivo {0} da sub-rotina é grande demais</translation>
+        </message>
+        <message>
+            <source>the table gives it no diameter</source>
+            <translation>a tabela não lhe dá diâmetro</translation>
+        </message>
+        <message>
+            <source>the tabs are as high as the contour is deep</source>
+            <translation>as pontes são tão altas quanto o contorno é fundo</translation>
+        </message>
+        <message>
+            <source>the text is not found, or is the same already</source>
+            <translation>o texto não foi encontrado ou já é o mesmo</translation>
+        </message>
+        <message>
+            <source>the timeline</source>
+            <translation>a linha do tempo</translation>
         </message>
         <message>
             <source>the tolerance is negative</source>
@@ -4106,20 +8934,80 @@
             <translation>a ferramenta corta a peça desejada</translation>
         </message>
         <message>
+            <source>the tool does not go into the drilled hole</source>
+            <translation>a ferramenta não entra no furo</translation>
+        </message>
+        <message>
+            <source>the tool does not reach into {0} corners or narrow places; what stays there: {1}</source>
+            <translation>a ferramenta não alcança {0} cantos ou lugares estreitos; o que fica lá: {1}</translation>
+        </message>
+        <message>
+            <source>the tool fits nowhere along curve {0}, which begins at X{1} Y{2}</source>
+            <translation>a ferramenta não cabe em lugar nenhum da curva {0}, que começa em X{1} Y{2}</translation>
+        </message>
+        <message>
             <source>the tool goes below the stock and cuts what lies under it</source>
             <translation>a ferramenta passa abaixo do bloco e corta o que está embaixo</translation>
+        </message>
+        <message>
+            <source>the tool goes up or down while it cuts: backwards it would enter at the full depth</source>
+            <translation>a ferramenta sobe ou desce enquanto corta: ao contrário ela entraria na profundidade total</translation>
         </message>
         <message>
             <source>the tool is below the stock's top while its place in X or Y is not known</source>
             <translation>a ferramenta está abaixo do topo do bloco sem que o seu lugar em X ou Y seja conhecido</translation>
         </message>
         <message>
+            <source>the tool is changed by hand: write one program a tool</source>
+            <translation>a ferramenta é trocada à mão: escreva um programa por ferramenta</translation>
+        </message>
+        <message>
+            <source>the tool is compensated already</source>
+            <translation>a ferramenta já está compensada</translation>
+        </message>
+        <message>
+            <source>the tool is compensated in the planes XY and ZX only</source>
+            <translation>a ferramenta só é compensada nos planos XY e ZX</translation>
+        </message>
+        <message>
+            <source>the tool is down while it is changed</source>
+            <translation>a ferramenta está embaixo durante a troca</translation>
+        </message>
+        <message>
             <source>the tool is wider than the pocket</source>
             <translation>a ferramenta é mais larga que o bolsão</translation>
         </message>
         <message>
+            <source>the tool may not be changed</source>
+            <translation>a ferramenta não pode ser trocada</translation>
+        </message>
+        <message>
             <source>the tool number is too large</source>
             <translation>o número da ferramenta é grande demais</translation>
+        </message>
+        <message>
+            <source>the tool offset may not be changed</source>
+            <translation>a correção da ferramenta não pode ser mudada</translation>
+        </message>
+        <message>
+            <source>the tool table cannot be read again</source>
+            <translation>a tabela de ferramentas não pode ser lida de novo</translation>
+        </message>
+        <message>
+            <source>the tool's radius is compensated along this way (G41, G42)</source>
+            <translation>o raio da ferramenta é compensado neste trecho (G41, G42)</translation>
+        </message>
+        <message>
+            <source>the tool's radius went into the path, which is right for this tool only</source>
+            <translation>o raio da ferramenta entrou no percurso, que só vale para esta ferramenta</translation>
+        </message>
+        <message>
+            <source>the turn of the work system went into the coordinates</source>
+            <translation>a rotação do sistema de coordenadas entrou nas coordenadas</translation>
+        </message>
+        <message>
+            <source>the value is no finite number</source>
+            <translation>o valor não é um número finito</translation>
         </message>
         <message>
             <source>the value must be a whole number</source>
@@ -4130,8 +9018,24 @@
             <translation>o grbl virtual terminou logo</translation>
         </message>
         <message>
+            <source>the waits lie from {0} to {1} ms, beyond {2} to {3}</source>
+            <translation>as esperas vão de {0} a {1} ms, fora de {2} a {3}</translation>
+        </message>
+        <message>
             <source>the wall may be up to {0} mm off: an ellipse is no offset of an ellipse, and the resolution adds to it; method "tolerance" keeps to tolerance_mm</source>
             <translation>a parede pode desviar até {0} mm: uma elipse não é paralela a outra elipse, e a resolução se soma a isso; o método "tolerance" respeita tolerance_mm</translation>
+        </message>
+        <message>
+            <source>the way would be bent otherwise</source>
+            <translation>o trajeto seria curvado de outro modo</translation>
+        </message>
+        <message>
+            <source>the word {0} has no number that can be read</source>
+            <translation>a palavra {0} não tem um número que possa ser lido</translation>
+        </message>
+        <message>
+            <source>the words of {0} are not edited</source>
+            <translation>as palavras de {0} não são editadas</translation>
         </message>
         <message>
             <source>the work systems G59.1 to G59.3 do not exist here</source>
@@ -4148,6 +9052,14 @@
         <message>
             <source>the {0} tool cuts deeper than its flutes are long</source>
             <translation>a ferramenta {0} corta mais fundo que o seu comprimento de corte</translation>
+        </message>
+        <message>
+            <source>the {0} tool does not cut over its centre: it must not go straight down into full material</source>
+            <translation>a ferramenta {0} não corta sobre o centro: não pode descer reto em material cheio</translation>
+        </message>
+        <message>
+            <source>the {0} tool does not say how many flutes it has; its feed is reckoned with {1}</source>
+            <translation>a ferramenta {0} não diz quantos dentes tem; o avanço é calculado com {1}</translation>
         </message>
         <message>
             <source>the {0} tool is too small against its path for its engagement to be measured</source>
@@ -4170,6 +9082,18 @@
             <translation>não há ciclo '{0}'</translation>
         </message>
         <message>
+            <source>there is no dialect '{0}'</source>
+            <translation>não há dialeto '{0}'</translation>
+        </message>
+        <message>
+            <source>there is no drawing '{0}'</source>
+            <translation>não há desenho '{0}'</translation>
+        </message>
+        <message>
+            <source>there is no function {0}</source>
+            <translation>não há função {0}</translation>
+        </message>
+        <message>
             <source>there is no job file '{0}'</source>
             <translation>não há arquivo de trabalho '{0}'</translation>
         </message>
@@ -4182,8 +9106,28 @@
             <translation>não há perfil de máquina '{0}'</translation>
         </message>
         <message>
+            <source>there is no material '{0}'</source>
+            <translation>não há material '{0}'</translation>
+        </message>
+        <message>
+            <source>there is no material '{0}'; use one of: {1}</source>
+            <translation>não há material '{0}'; use um destes: {1}</translation>
+        </message>
+        <message>
+            <source>there is no motion that the coordinates could belong to</source>
+            <translation>não há movimento ao qual as coordenadas possam pertencer</translation>
+        </message>
+        <message>
+            <source>there is no outline and no stock to face</source>
+            <translation>não há contorno nem bloco a facear</translation>
+        </message>
+        <message>
             <source>there is no override {0} {1}</source>
             <translation>não há ajuste {0} {1}</translation>
+        </message>
+        <message>
+            <source>there is no parameter #{0}</source>
+            <translation>não há parâmetro #{0}</translation>
         </message>
         <message>
             <source>there is no part to draw</source>
@@ -4192,6 +9136,30 @@
         <message>
             <source>there is no port {0}</source>
             <translation>não há porta {0}</translation>
+        </message>
+        <message>
+            <source>there is no room for a helix or ramp, and the tool does not cut over its centre</source>
+            <translation>não há espaço para hélice ou rampa, e a ferramenta não corta sobre o centro</translation>
+        </message>
+        <message>
+            <source>there is no room for a {0} at {1} of {2} places</source>
+            <translation>não há espaço para: {0} em {1} de {2} lugares</translation>
+        </message>
+        <message>
+            <source>there is no subroutine o&lt;{0}&gt;</source>
+            <translation>não há sub-rotina o&lt;{0}&gt;</translation>
+        </message>
+        <message>
+            <source>there is no such part of the program</source>
+            <translation>não há essa parte do programa</translation>
+        </message>
+        <message>
+            <source>there is no such verb</source>
+            <translation>não existe esse verbo</translation>
+        </message>
+        <message>
+            <source>there is nothing to find</source>
+            <translation>não há nada a procurar</translation>
         </message>
         <message>
             <source>there is nothing to resume</source>
@@ -4214,16 +9182,80 @@
             <translation>este cliente está desligado</translation>
         </message>
         <message>
+            <source>this comment would run Python on the machine</source>
+            <translation>este comentário executaria Python na máquina</translation>
+        </message>
+        <message>
+            <source>this computer cannot keep the rate of the program's pulses</source>
+            <translation>este computador não consegue manter a frequência dos pulsos do programa</translation>
+        </message>
+        <message>
             <source>this is no certificate</source>
             <translation>isto não é um certificado</translation>
+        </message>
+        <message>
+            <source>this language is in millimetres</source>
+            <translation>esta linguagem é em milímetros</translation>
+        </message>
+        <message>
+            <source>this lathe moves in straight lines: write the arc as lines</source>
+            <translation>este torno se move em retas: escreva o arco como retas</translation>
+        </message>
+        <message>
+            <source>this line is executed in modes that differ from one time to the next</source>
+            <translation>esta linha é executada em modos que mudam de uma vez para outra</translation>
+        </message>
+        <message>
+            <source>this line is not executed (deleted, after the end or not led to): what it means is not known</source>
+            <translation>esta linha não é executada (bloco opcional, depois do fim ou nunca alcançada): não se sabe o que significa</translation>
+        </message>
+        <message>
+            <source>this line stands within a way that is to run backwards, and does more than move</source>
+            <translation>esta linha fica em um trecho a ser percorrido ao contrário e faz mais que mover</translation>
+        </message>
+        <message>
+            <source>this one is made by itself when that is done, in about a minute</source>
+            <translation>este será feito por si mesmo quando isso terminar, em cerca de um minuto</translation>
+        </message>
+        <message>
+            <source>this reader knows no pockets</source>
+            <translation>este leitor não conhece posições do magazine</translation>
         </message>
         <message>
             <source>tip_diameter_mm must be below diameter_mm</source>
             <translation>tip_diameter_mm deve ser menor que diameter_mm</translation>
         </message>
         <message>
+            <source>to turn a side round use mirror</source>
+            <translation>para inverter um lado use o espelhamento</translation>
+        </message>
+        <message>
+            <source>tool changes by a pause</source>
+            <translation>trocas de ferramenta por pausa</translation>
+        </message>
+        <message>
+            <source>tool must be a list of tables with a number</source>
+            <translation>tool tem de ser uma lista de tabelas com um número</translation>
+        </message>
+        <message>
+            <source>tool {0} '{1}' cannot be used: {2}</source>
+            <translation>a ferramenta {0} '{1}' não pode ser usada: {2}</translation>
+        </message>
+        <message>
+            <source>tool {0} '{1}' is left out: {2}</source>
+            <translation>a ferramenta {0} '{1}' fica de fora: {2}</translation>
+        </message>
+        <message>
+            <source>tool {0} '{1}': a table has no {2}</source>
+            <translation>ferramenta {0} '{1}': uma tabela não tem {2}</translation>
+        </message>
+        <message>
             <source>tool {0} cuts on without a stop to change tool {1}</source>
             <translation>a ferramenta {0} continua o corte sem parada para trocar a ferramenta {1}</translation>
+        </message>
+        <message>
+            <source>tool {0} does not stand in the tool table</source>
+            <translation>a ferramenta {0} não está na tabela de ferramentas</translation>
         </message>
         <message>
             <source>tool {0} has no {1}</source>
@@ -4232,6 +9264,10 @@
         <message>
             <source>tool {0} is not known, so what it cuts is not checked</source>
             <translation>a ferramenta {0} não é conhecida, por isso o que ela corta não é verificado</translation>
+        </message>
+        <message>
+            <source>tool {0} of {1}: {2}</source>
+            <translation>ferramenta {0} de {1}: {2}</translation>
         </message>
         <message>
             <source>torque must be points (rpm, Nm) that rise in rpm</source>
@@ -4254,8 +9290,32 @@
             <translation>tente de novo; se continuar assim, o programa talvez precise de mais memória do que há</translation>
         </message>
         <message>
+            <source>turn the program instead</source>
+            <translation>gire o programa em vez disso</translation>
+        </message>
+        <message>
+            <source>turn the spindle faster</source>
+            <translation>gire o spindle mais rápido</translation>
+        </message>
+        <message>
+            <source>turn the spindle slower</source>
+            <translation>gire o spindle mais devagar</translation>
+        </message>
+        <message>
+            <source>two arcs of the profile have one centre</source>
+            <translation>dois arcos do perfil têm o mesmo centro</translation>
+        </message>
+        <message>
             <source>two commands of one line both want axis words</source>
             <translation>dois comandos de uma linha querem palavras de eixo</translation>
+        </message>
+        <message>
+            <source>two lines of the profile are parallel</source>
+            <translation>duas retas do perfil são paralelas</translation>
+        </message>
+        <message>
+            <source>two shapes have the name '{0}'</source>
+            <translation>duas formas têm o nome '{0}'</translation>
         </message>
         <message>
             <source>two tools have the same number</source>
@@ -4274,28 +9334,116 @@
             <translation>chaves desconhecidas {0}</translation>
         </message>
         <message>
+            <source>up to</source>
+            <translation>até</translation>
+        </message>
+        <message>
             <source>update its firmware</source>
             <translation>atualize o firmware</translation>
+        </message>
+        <message>
+            <source>use #&lt;_current_tool&gt;</source>
+            <translation>use #&lt;_current_tool&gt;</translation>
+        </message>
+        <message>
+            <source>use + - * / ** MOD EQ NE GT GE LT LE AND OR XOR</source>
+            <translation>use + - * / ** MOD EQ NE GT GE LT LE AND OR XOR</translation>
+        </message>
+        <message>
+            <source>use 10 and 10</source>
+            <translation>use 10 e 10</translation>
+        </message>
+        <message>
+            <source>use G43 with the tool's number in H</source>
+            <translation>use G43 com o número da ferramenta em H</translation>
+        </message>
+        <message>
+            <source>use G43.1 with the length in Z</source>
+            <translation>use G43.1 com o comprimento em Z</translation>
         </message>
         <message>
             <source>use G54 to G59</source>
             <translation>use G54 a G59</translation>
         </message>
         <message>
+            <source>use G82, or leave dwell_s out</source>
+            <translation>use G82 ou omita dwell_s</translation>
+        </message>
+        <message>
+            <source>use G83 or G73, or leave peck_mm out</source>
+            <translation>use G83 ou G73, ou omita peck_mm</translation>
+        </message>
+        <message>
             <source>use I and J instead of R</source>
             <translation>use I e J em vez de R</translation>
+        </message>
+        <message>
+            <source>use ROUND[...]</source>
+            <translation>use ROUND[...]</translation>
+        </message>
+        <message>
+            <source>use X or Y</source>
+            <translation>use X ou Y</translation>
+        </message>
+        <message>
+            <source>use a drill or a flat mill</source>
+            <translation>use uma broca ou uma fresa de topo</translation>
         </message>
         <message>
             <source>use a flat tool</source>
             <translation>use uma fresa de topo reto</translation>
         </message>
         <message>
+            <source>use a mill, an engraver, a jet or a wire</source>
+            <translation>use uma fresa, um gravador, um jato ou um fio</translation>
+        </message>
+        <message>
             <source>use a mill, or lift the drill before it</source>
             <translation>use uma fresa, ou levante a broca antes disso</translation>
         </message>
         <message>
+            <source>use a name of your own</source>
+            <translation>use um nome próprio</translation>
+        </message>
+        <message>
+            <source>use a smaller tool</source>
+            <translation>use uma ferramenta menor</translation>
+        </message>
+        <message>
+            <source>use a smaller tool or one that plunges</source>
+            <translation>use uma ferramenta menor ou uma que mergulhe</translation>
+        </message>
+        <message>
+            <source>use a smaller tool, a larger engagement_max_deg, or another pattern</source>
+            <translation>use uma ferramenta menor, um engagement_max_deg maior ou outro padrão</translation>
+        </message>
+        <message>
+            <source>use a smaller tool, or another contour</source>
+            <translation>use uma ferramenta menor ou outro contorno</translation>
+        </message>
+        <message>
+            <source>use a smaller tool, or round the corner off</source>
+            <translation>use uma ferramenta menor ou arredonde o canto</translation>
+        </message>
+        <message>
+            <source>use a thread mill with one tooth, given as an engraver with a large tip_diameter_mm or as flat</source>
+            <translation>use uma fresa de rosca de um dente, indicada como engraver com tip_diameter_mm grande ou como flat</translation>
+        </message>
+        <message>
+            <source>use a thread mill, given as an engraver or as flat</source>
+            <translation>use uma fresa de rosca, dada como gravador ou como de topo</translation>
+        </message>
+        <message>
             <source>use a tool number up to 255</source>
             <translation>use um número de ferramenta até 255</translation>
+        </message>
+        <message>
+            <source>use a work offset (G54) instead</source>
+            <translation>use em vez disso um sistema de coordenadas (G54)</translation>
+        </message>
+        <message>
+            <source>use entry "helix" or "ramp"</source>
+            <translation>use a entrada "helix" ou "ramp"</translation>
         </message>
         <message>
             <source>use entry "plunge"</source>
@@ -4310,12 +9458,32 @@
             <translation>use o método "tolerance" ou uma ferramenta menor</translation>
         </message>
         <message>
+            <source>use one of carbide</source>
+            <translation>use uma de metal duro</translation>
+        </message>
+        <message>
             <source>use one of: {0}</source>
             <translation>use um destes: {0}</translation>
         </message>
         <message>
             <source>use one that `$` lists</source>
             <translation>use um dos que `$` lista</translation>
+        </message>
+        <message>
+            <source>use one work offset</source>
+            <translation>use um só sistema de coordenadas</translation>
+        </message>
+        <message>
+            <source>use pattern "offset" or "zigzag"</source>
+            <translation>use o padrão "offset" ou "zigzag"</translation>
+        </message>
+        <message>
+            <source>use side "inside", "outside" or "on"</source>
+            <translation>use o lado "inside", "outside" ou "on"</translation>
+        </message>
+        <message>
+            <source>use {0} or ATAN</source>
+            <translation>use {0} ou ATAN</translation>
         </message>
         <message>
             <source>wait a moment</source>
@@ -4350,8 +9518,52 @@
             <translation>espere o fim do movimento manual</translation>
         </message>
         <message>
+            <source>waits need table_ms, or first_ms, change_ms and least_ms, or acceleration_steps_s2 and steps</source>
+            <translation>as esperas precisam de table_ms, ou de first_ms, change_ms e least_ms, ou de acceleration_steps_s2 e steps</translation>
+        </message>
+        <message>
             <source>wake it up with a reset, then home it</source>
             <translation>acorde-a com um reset e referencie-a</translation>
+        </message>
+        <message>
+            <source>what #{0} will hold is known only when the program runs</source>
+            <translation>o valor de #{0} só é conhecido quando o programa é executado</translation>
+        </message>
+        <message>
+            <source>what happens between the moves would not be the same</source>
+            <translation>o que acontece entre os movimentos não seria o mesmo</translation>
+        </message>
+        <message>
+            <source>what it does is the machine's own: leave it out</source>
+            <translation>o que ela faz depende da máquina: omita-a</translation>
+        </message>
+        <message>
+            <source>what stands here is no word that can be edited</source>
+            <translation>o que está aqui não é uma palavra que possa ser editada</translation>
+        </message>
+        <message>
+            <source>what was picked of '{0}' is not there any more</source>
+            <translation>o que foi escolhido de '{0}' não existe mais</translation>
+        </message>
+        <message>
+            <source>where the tool stands along {0} is not known here, and turning needs both coordinates</source>
+            <translation>a posição da ferramenta em {0} não é conhecida aqui, e girar precisa das duas coordenadas</translation>
+        </message>
+        <message>
+            <source>where this rapid begins is not known</source>
+            <translation>não se sabe onde este rápido começa</translation>
+        </message>
+        <message>
+            <source>where this way begins is not known</source>
+            <translation>não se sabe onde este trecho começa</translation>
+        </message>
+        <message>
+            <source>words for the spindle</source>
+            <translation>palavras para o spindle</translation>
+        </message>
+        <message>
+            <source>words for this coolant</source>
+            <translation>palavras para esta refrigeração</translation>
         </message>
         <message>
             <source>words were left over that no command uses</source>
@@ -4366,20 +9578,212 @@
             <translation>escreva 0 onde a borda não importa</translation>
         </message>
         <message>
+            <source>write ATAN[y]/[x]</source>
+            <translation>escreva ATAN[y]/[x]</translation>
+        </message>
+        <message>
+            <source>write EXISTS[#&lt;name&gt;]</source>
+            <translation>escreva EXISTS[#&lt;nome&gt;]</translation>
+        </message>
+        <message>
+            <source>write F and S above 0 before</source>
+            <translation>escreva antes F e S maiores que 0</translation>
+        </message>
+        <message>
+            <source>write F on a line of its own</source>
+            <translation>escreva F em uma linha própria</translation>
+        </message>
+        <message>
+            <source>write G0, G1, G2 or G3</source>
+            <translation>escreva G0, G1, G2 ou G3</translation>
+        </message>
+        <message>
+            <source>write G17 before</source>
+            <translation>escreva G17 antes</translation>
+        </message>
+        <message>
+            <source>write G17 on a line before</source>
+            <translation>escreva G17 em uma linha anterior</translation>
+        </message>
+        <message>
+            <source>write G17 or G18 before</source>
+            <translation>escreva G17 ou G18 antes</translation>
+        </message>
+        <message>
+            <source>write G17, G18 or G19 before</source>
+            <translation>escreva G17, G18 ou G19 antes</translation>
+        </message>
+        <message>
+            <source>write G18 before</source>
+            <translation>escreva G18 antes</translation>
+        </message>
+        <message>
             <source>write G4 P{0} after the spindle starts</source>
             <translation>escreva G4 P{0} depois de ligar o spindle</translation>
+        </message>
+        <message>
+            <source>write G40 before</source>
+            <translation>escreva G40 antes</translation>
+        </message>
+        <message>
+            <source>write G43 or G49 after the change</source>
+            <translation>escreva G43 ou G49 depois da troca</translation>
+        </message>
+        <message>
+            <source>write G5.2 before</source>
+            <translation>escreva G5.2 antes</translation>
+        </message>
+        <message>
+            <source>write G90 (absolute) or G91 (incremental): they are the words for straight cuts</source>
+            <translation>escreva G90 (absoluto) ou G91 (incremental): são as palavras para cortes retos</translation>
+        </message>
+        <message>
+            <source>write G90 first</source>
+            <translation>escreva antes G90</translation>
+        </message>
+        <message>
+            <source>write G94 before</source>
+            <translation>escreva G94 antes</translation>
+        </message>
+        <message>
+            <source>write M2 or M30 as its last line</source>
+            <translation>escreva M2 ou M30 como última linha</translation>
+        </message>
+        <message>
+            <source>write M5 before</source>
+            <translation>escreva M5 antes</translation>
         </message>
         <message>
             <source>write M5 before M0</source>
             <translation>escreva M5 antes de M0</translation>
         </message>
         <message>
+            <source>write M70 before, in the same subroutine</source>
+            <translation>escreva M70 antes, na mesma sub-rotina</translation>
+        </message>
+        <message>
+            <source>write S before</source>
+            <translation>escreva S antes</translation>
+        </message>
+        <message>
+            <source>write X and the seconds</source>
+            <translation>escreva X e os segundos</translation>
+        </message>
+        <message>
+            <source>write a G0 or G1 before</source>
+            <translation>escreva antes um G0 ou G1</translation>
+        </message>
+        <message>
+            <source>write a G0 with numbers before it</source>
+            <translation>escreva antes dele um G0 com números</translation>
+        </message>
+        <message>
+            <source>write a decimal number after the letter</source>
+            <translation>escreva um número decimal depois da letra</translation>
+        </message>
+        <message>
+            <source>write a library, with the ending .fctl</source>
+            <translation>escreva uma biblioteca, com a terminação .fctl</translation>
+        </message>
+        <message>
+            <source>write a line</source>
+            <translation>escreva uma reta</translation>
+        </message>
+        <message>
+            <source>write a line such as: T3 P3 D6.0 Z+41.5 ;6 mm end mill</source>
+            <translation>escreva uma linha como: T3 P3 D6.0 Z+41.5 ;6 mm end mill</translation>
+        </message>
+        <message>
+            <source>write a move with G90 before it, or move the work zero</source>
+            <translation>escreva antes dele um movimento com G90 ou mova o zero-peça</translation>
+        </message>
+        <message>
+            <source>write a number, #parameter or [expression]</source>
+            <translation>escreva um número, #parâmetro ou [expressão]</translation>
+        </message>
+        <message>
+            <source>write a point for decimals</source>
+            <translation>escreva um ponto para as casas decimais</translation>
+        </message>
+        <message>
+            <source>write a rapid to its begin</source>
+            <translation>escreva um rápido até o seu início</translation>
+        </message>
+        <message>
+            <source>write a straight line</source>
+            <translation>escreva uma reta simples</translation>
+        </message>
+        <message>
+            <source>write an F word above 0 before</source>
+            <translation>escreva antes uma palavra F maior que 0</translation>
+        </message>
+        <message>
+            <source>write endsub, or M99 in a subprogram of Fanuc's form</source>
+            <translation>escreva endsub, ou M99 em um subprograma na forma Fanuc</translation>
+        </message>
+        <message>
             <source>write for example XYZ, or Z alone</source>
             <translation>escreva por exemplo XYZ, ou só Z</translation>
         </message>
         <message>
+            <source>write for grbl or linuxcnc</source>
+            <translation>escreva para grbl ou linuxcnc</translation>
+        </message>
+        <message>
+            <source>write it as two</source>
+            <translation>escreva-a em duas</translation>
+        </message>
+        <message>
+            <source>write it in two lines, or make the comment shorter</source>
+            <translation>escreva-a em duas linhas ou encurte o comentário</translation>
+        </message>
+        <message>
+            <source>write it on a line of its own</source>
+            <translation>escreva-o em uma linha própria</translation>
+        </message>
+        <message>
+            <source>write it on the next line</source>
+            <translation>escreva-o na linha seguinte</translation>
+        </message>
+        <message>
+            <source>write its end point</source>
+            <translation>escreva o seu ponto final</translation>
+        </message>
+        <message>
+            <source>write its endif, endwhile, endrepeat, while or endsub</source>
+            <translation>escreva o seu endif, endwhile, endrepeat, while ou endsub</translation>
+        </message>
+        <message>
+            <source>write mm</source>
+            <translation>escreva em mm</translation>
+        </message>
+        <message>
+            <source>write numbers in mm</source>
+            <translation>escreva números em mm</translation>
+        </message>
+        <message>
+            <source>write one of them</source>
+            <translation>escreva um deles</translation>
+        </message>
+        <message>
             <source>write one of: {0}</source>
             <translation>escreva um destes: {0}</translation>
+        </message>
+        <message>
+            <source>write one program a tool, or pause at tool changes</source>
+            <translation>escreva um programa por ferramenta ou faça uma pausa nas trocas de ferramenta</translation>
+        </message>
+        <message>
+            <source>write one x,y in mm a line</source>
+            <translation>escreva um x,y em mm por linha</translation>
+        </message>
+        <message>
+            <source>write out what it does first: cncstepper convert</source>
+            <translation>escreva antes por extenso o que ele faz: cncstepper convert</translation>
+        </message>
+        <message>
+            <source>write plain moves, each in a line of its own, in coordinates that are not turned</source>
+            <translation>escreva movimentos simples, cada um em sua linha, em coordenadas não giradas</translation>
         </message>
         <message>
             <source>write shape:diameter_mm, for example flat:6 or ball:2</source>
@@ -4394,12 +9798,76 @@
             <translation>escreva o arco com mais decimais</translation>
         </message>
         <message>
+            <source>write the curve as lines and arcs</source>
+            <translation>escreva a curva como retas e arcos</translation>
+        </message>
+        <message>
+            <source>write the end point itself</source>
+            <translation>escreva o próprio ponto final</translation>
+        </message>
+        <message>
+            <source>write the motion word again</source>
+            <translation>escreva de novo a palavra de movimento</translation>
+        </message>
+        <message>
             <source>write the program for the dialect grbl</source>
             <translation>gere o programa para o dialeto grbl</translation>
         </message>
         <message>
+            <source>write the program in mm, or choose a higher feed</source>
+            <translation>escreva o programa em mm ou escolha um avanço maior</translation>
+        </message>
+        <message>
+            <source>write the value itself</source>
+            <translation>escreva o próprio valor</translation>
+        </message>
+        <message>
+            <source>write the way of the tool's centre</source>
+            <translation>escreva o percurso do centro da ferramenta</translation>
+        </message>
+        <message>
+            <source>write the words with plain numbers</source>
+            <translation>escreva as palavras com números simples</translation>
+        </message>
+        <message>
+            <source>write them on two lines</source>
+            <translation>escreva-os em duas linhas</translation>
+        </message>
+        <message>
+            <source>write with G54 to G59</source>
+            <translation>escreva com G54 a G59</translation>
+        </message>
+        <message>
+            <source>write x,y in mm, or x;y where the comma is the decimal sign</source>
+            <translation>escreva x,y em mm, ou x;y onde a vírgula é o sinal decimal</translation>
+        </message>
+        <message>
+            <source>write {0} = "name"</source>
+            <translation>escreva {0} = "nome"</translation>
+        </message>
+        <message>
+            <source>write {0} [condition]</source>
+            <translation>escreva {0} [condição]</translation>
+        </message>
+        <message>
+            <source>write {0} alone</source>
+            <translation>escreva só {0}</translation>
+        </message>
+        <message>
+            <source>write {0} before</source>
+            <translation>escreva {0} antes</translation>
+        </message>
+        <message>
             <source>zero of {0} set in {1}</source>
             <translation>zero de {0} definido em {1}</translation>
+        </message>
+        <message>
+            <source>{0} and {1} may not share a line: they set the same mode</source>
+            <translation>{0} e {1} não podem ficar na mesma linha: definem o mesmo modo</translation>
+        </message>
+        <message>
+            <source>{0} and {1} would both use the axis words</source>
+            <translation>{0} e {1} usariam os dois as palavras de eixo</translation>
         </message>
         <message>
             <source>{0} answered '{1}' to no line</source>
@@ -4408,6 +9876,26 @@
         <message>
             <source>{0} asks for more than {1} passes</source>
             <translation>{0} pede mais de {1} passes</translation>
+        </message>
+        <message>
+            <source>{0} became lines, at most {1} mm away</source>
+            <translation>{0} viraram retas, afastadas no máximo {1} mm</translation>
+        </message>
+        <message>
+            <source>{0} became plain moves</source>
+            <translation>{0} virou movimentos simples</translation>
+        </message>
+        <message>
+            <source>{0} blunts tools of HSS at once</source>
+            <translation>{0} cega ferramentas de aço rápido de imediato</translation>
+        </message>
+        <message>
+            <source>{0} by way of a place cannot be turned</source>
+            <translation>{0} passando por um ponto não pode ser girado</translation>
+        </message>
+        <message>
+            <source>{0} by {1} mm</source>
+            <translation>{0} por {1} mm</translation>
         </message>
         <message>
             <source>{0} cannot be '{1}'</source>
@@ -4422,20 +9910,56 @@
             <translation>{0} não pode ser usado como porta serial: {1}</translation>
         </message>
         <message>
+            <source>{0} cannot be written: {1}</source>
+            <translation>não é possível gravar {0}: {1}</translation>
+        </message>
+        <message>
             <source>{0} cannot be {1}: {2}</source>
             <translation>{0} não pode ser {1}: {2}</translation>
+        </message>
+        <message>
+            <source>{0} cannot change tools by '{1}'</source>
+            <translation>{0} não pode trocar ferramentas por '{1}'</translation>
         </message>
         <message>
             <source>{0} characters, {1} with spaces</source>
             <translation>{0} caracteres, {1} com espaços</translation>
         </message>
         <message>
+            <source>{0} cuts into a piece that {1} has set free: nothing holds it</source>
+            <translation>{0} corta uma peça que {1} já soltou: nada a segura</translation>
+        </message>
+        <message>
+            <source>{0} does not accept {1}</source>
+            <translation>{0} não aceita {1}</translation>
+        </message>
+        <message>
             <source>{0} does not answer {1}</source>
             <translation>{0} não responde a {1}</translation>
         </message>
         <message>
+            <source>{0} does not drill in pecks</source>
+            <translation>{0} não fura com bicadas</translation>
+        </message>
+        <message>
+            <source>{0} does not wait at the bottom</source>
+            <translation>{0} não espera no fundo</translation>
+        </message>
+        <message>
+            <source>{0} drills in pecks and needs peck_mm</source>
+            <translation>{0} fura com bicadas e precisa de peck_mm</translation>
+        </message>
+        <message>
+            <source>{0} failed by a fault of its own: {1}: {2}</source>
+            <translation>{0} falhou por um defeito próprio: {1}: {2}</translation>
+        </message>
+        <message>
             <source>{0} goes into clamp {1}</source>
             <translation>{0} bate no grampo {1}</translation>
+        </message>
+        <message>
+            <source>{0} goes on from the point before: neither with {1} nor under G91</source>
+            <translation>{0} continua a partir do ponto anterior: nem com {1} nem sob G91</translation>
         </message>
         <message>
             <source>{0} has changed since the program was made</source>
@@ -4446,16 +9970,68 @@
             <translation>{0} não tem '{1}'</translation>
         </message>
         <message>
+            <source>{0} has no axis {1}</source>
+            <translation>{0} não tem eixo {1}</translation>
+        </message>
+        <message>
             <source>{0} has no drawing</source>
             <translation>{0} não tem desenho</translation>
+        </message>
+        <message>
+            <source>{0} has no feed</source>
+            <translation>{0} não tem avanço</translation>
+        </message>
+        <message>
+            <source>{0} has no feed: a feed per turn needs F and a spindle that turns</source>
+            <translation>{0} não tem avanço: um avanço por rotação precisa de F e de um spindle girando</translation>
         </message>
         <message>
             <source>{0} has no program: {1}</source>
             <translation>{0} não tem programa: {1}</translation>
         </message>
         <message>
+            <source>{0} has no programs in {1}</source>
+            <translation>{0} não tem programas em {1}</translation>
+        </message>
+        <message>
+            <source>{0} has no setting '{1}'</source>
+            <translation>{0} não tem o ajuste '{1}'</translation>
+        </message>
+        <message>
             <source>{0} has no tool</source>
             <translation>{0} não tem ferramenta</translation>
+        </message>
+        <message>
+            <source>{0} has no value for {1}</source>
+            <translation>{0} não tem valor para {1}</translation>
+        </message>
+        <message>
+            <source>{0} has no word {1}</source>
+            <translation>{0} não tem a palavra {1}</translation>
+        </message>
+        <message>
+            <source>{0} has no work offset {1}</source>
+            <translation>{0} não tem o sistema de coordenadas {1}</translation>
+        </message>
+        <message>
+            <source>{0} has no {1}</source>
+            <translation>{0} não tem {1}</translation>
+        </message>
+        <message>
+            <source>{0} has no {1} with the label {2} before it</source>
+            <translation>{0} não tem antes um {1} com o rótulo {2}</translation>
+        </message>
+        <message>
+            <source>{0} has too few values</source>
+            <translation>{0} tem valores de menos</translation>
+        </message>
+        <message>
+            <source>{0} is absent: the axis stays here, but the published control would drive it to 0</source>
+            <translation>falta {0}: aqui o eixo fica parado, mas o comando publicado o levaria para 0</translation>
+        </message>
+        <message>
+            <source>{0} is in force, wanted {1}</source>
+            <translation>{0} está em vigor, mas deveria ser {1}</translation>
         </message>
         <message>
             <source>{0} is in use</source>
@@ -4466,20 +10042,88 @@
             <translation>{0} está em uso pela conexão de outra janela</translation>
         </message>
         <message>
+            <source>{0} is larger than the tool</source>
+            <translation>{0} é maior que a ferramenta</translation>
+        </message>
+        <message>
+            <source>{0} is missing, and only the circles of a drawing have one of their own</source>
+            <translation>{0} falta, e só os círculos de um desenho têm um próprio</translation>
+        </message>
+        <message>
+            <source>{0} is missing: absolute arc centres need both words</source>
+            <translation>falta {0}: centros de arco absolutos precisam das duas palavras</translation>
+        </message>
+        <message>
+            <source>{0} is no centre word in plane {1}</source>
+            <translation>{0} não é palavra de centro no plano {1}</translation>
+        </message>
+        <message>
+            <source>{0} is no number</source>
+            <translation>{0} não é um número</translation>
+        </message>
+        <message>
+            <source>{0} is no parallel port</source>
+            <translation>{0} não é uma porta paralela</translation>
+        </message>
+        <message>
+            <source>{0} is no parallel port that can be had: {1}</source>
+            <translation>não é possível usar {0} como porta paralela: {1}</translation>
+        </message>
+        <message>
             <source>{0} is no port: {1}</source>
             <translation>{0} não é uma porta: {1}</translation>
+        </message>
+        <message>
+            <source>{0} is no recording of pulses, and is not written over</source>
+            <translation>{0} não é uma gravação de pulsos e não é sobrescrito</translation>
+        </message>
+        <message>
+            <source>{0} is not read in {1}, a plane of the axes U, V and W</source>
+            <translation>{0} não é lido em {1}, um plano dos eixos U, V e W</translation>
         </message>
         <message>
             <source>{0} is not the work system in force</source>
             <translation>{0} não é o sistema de coordenadas em vigor</translation>
         </message>
         <message>
+            <source>{0} is out of range</source>
+            <translation>{0} está fora da faixa</translation>
+        </message>
+        <message>
             <source>{0} is {1}, wanted {2} mm</source>
             <translation>{0} é {1}, esperado {2} mm</translation>
         </message>
         <message>
+            <source>{0} lines more than the text has</source>
+            <translation>{0} linhas a mais do que o texto tem</translation>
+        </message>
+        <message>
+            <source>{0} may not be assigned</source>
+            <translation>{0} não pode receber um valor</translation>
+        </message>
+        <message>
+            <source>{0} may not be negative</source>
+            <translation>{0} não pode ser negativo</translation>
+        </message>
+        <message>
             <source>{0} may not be opened by this user</source>
             <translation>{0} não pode ser aberta por este usuário</translation>
+        </message>
+        <message>
+            <source>{0} may not be used</source>
+            <translation>{0} não pode ser usado</translation>
+        </message>
+        <message>
+            <source>{0} mm ({1} mm²) at X{2} Y{3}</source>
+            <translation>{0} mm ({1} mm²) em X{2} Y{3}</translation>
+        </message>
+        <message>
+            <source>{0} mm deep</source>
+            <translation>{0} mm de profundidade</translation>
+        </message>
+        <message>
+            <source>{0} mm from the tool's centre</source>
+            <translation>{0} mm do centro da ferramenta</translation>
         </message>
         <message>
             <source>{0} mm high</source>
@@ -4494,12 +10138,32 @@
             <translation>raio de {0} mm</translation>
         </message>
         <message>
+            <source>{0} mm to ramp on</source>
+            <translation>{0} mm para a rampa</translation>
+        </message>
+        <message>
+            <source>{0} mm wide</source>
+            <translation>{0} mm de largura</translation>
+        </message>
+        <message>
+            <source>{0} mm with the stock to leave</source>
+            <translation>{0} mm com o sobremetal</translation>
+        </message>
+        <message>
             <source>{0} mm, {1} mm/min</source>
             <translation>{0} mm, {1} mm/min</translation>
         </message>
         <message>
             <source>{0} mm/min</source>
             <translation>{0} mm/min</translation>
+        </message>
+        <message>
+            <source>{0} moves in one block</source>
+            <translation>{0} movimentos em um bloco</translation>
+        </message>
+        <message>
+            <source>{0} moves with the spindle, whose speed is not set</source>
+            <translation>{0} se move com o spindle, cuja rotação não foi definida</translation>
         </message>
         <message>
             <source>{0} must be a list of tables</source>
@@ -4510,12 +10174,92 @@
             <translation>{0} deve ser um número</translation>
         </message>
         <message>
+            <source>{0} must be a whole number</source>
+            <translation>{0} deve ser um número inteiro</translation>
+        </message>
+        <message>
+            <source>{0} must be the name of a shape, or a list of names</source>
+            <translation>{0} tem de ser o nome de uma forma ou uma lista de nomes</translation>
+        </message>
+        <message>
+            <source>{0} names the shape '{1}', which the job does not have</source>
+            <translation>{0} nomeia a forma '{1}', que o trabalho não tem</translation>
+        </message>
+        <message>
             <source>{0} needs X, Y or X, Y, Z</source>
             <translation>{0} precisa de X, Y ou X, Y, Z</translation>
         </message>
         <message>
+            <source>{0} needs X, Y or Z</source>
+            <translation>{0} precisa de X, Y ou Z</translation>
+        </message>
+        <message>
+            <source>{0} needs a closed shape, but '{1}' does not end where it begins</source>
+            <translation>{0} precisa de uma forma fechada, mas '{1}' não termina onde começa</translation>
+        </message>
+        <message>
+            <source>{0} needs a {1} word</source>
+            <translation>{0} precisa de uma palavra {1}</translation>
+        </message>
+        <message>
+            <source>{0} needs a {1} word: none is in force</source>
+            <translation>{0} precisa de uma palavra {1}: nenhuma está em vigor</translation>
+        </message>
+        <message>
+            <source>{0} needs both I and J</source>
+            <translation>{0} precisa de I e J</translation>
+        </message>
+        <message>
+            <source>{0} needs the spindle to turn</source>
+            <translation>{0} precisa que o spindle gire</translation>
+        </message>
+        <message>
+            <source>{0} needs the spindle to turn clockwise (M3)</source>
+            <translation>{0} precisa que o spindle gire no sentido horário (M3)</translation>
+        </message>
+        <message>
+            <source>{0} needs the spindle to turn counter-clockwise (M4)</source>
+            <translation>{0} precisa que o spindle gire no sentido anti-horário (M4)</translation>
+        </message>
+        <message>
+            <source>{0} needs the whole program: the profile is a subroutine</source>
+            <translation>{0} precisa do programa inteiro: o perfil é uma sub-rotina</translation>
+        </message>
+        <message>
+            <source>{0} of the {1} holes stand where others do and are made once</source>
+            <translation>{0} dos {1} furos ficam onde outros estão e são feitos uma só vez</translation>
+        </message>
+        <message>
+            <source>{0} of {1} must be {2} 0</source>
+            <translation>o {0} de {1} deve ser {2} 0</translation>
+        </message>
+        <message>
+            <source>{0} of {1} open, the first from {2}</source>
+            <translation>{0} de {1} abertas, a primeira a partir de {2}</translation>
+        </message>
+        <message>
+            <source>{0} of {1} runs cannot be entered from the side; a {2} is used</source>
+            <translation>{0} de {1} percursos não podem ser entrados pelo lado; usa-se {2}</translation>
+        </message>
+        <message>
+            <source>{0} of {1} tabs fit on the contour that begins at X{2} Y{3}; make them narrower to have more</source>
+            <translation>{0} de {1} pontes cabem no contorno que começa em X{2} Y{3}; estreite-as para ter mais</translation>
+        </message>
+        <message>
+            <source>{0} other things</source>
+            <translation>{0} outras coisas</translation>
+        </message>
+        <message>
+            <source>{0} piece(s) stay joined to others, for the tool does not fit between them; the tightest place is at X{1} Y{2}</source>
+            <translation>{0} peça(s) fica(m) unida(s) a outras, pois a ferramenta não cabe entre elas; o lugar mais estreito fica em X{1} Y{2}</translation>
+        </message>
+        <message>
             <source>{0} points, {1} bulges</source>
             <translation>{0} pontos, {1} bulges</translation>
+        </message>
+        <message>
+            <source>{0} programs are written without '{1}'</source>
+            <translation>programas de {0} são escritos sem '{1}'</translation>
         </message>
         <message>
             <source>{0} restarted while it was asked</source>
@@ -4526,12 +10270,125 @@
             <translation>{0} usa grbl {1}</translation>
         </message>
         <message>
+            <source>{0} says nothing with G10 L{1}</source>
+            <translation>{0} não diz nada com G10 L{1}</translation>
+        </message>
+        <message>
             <source>{0} sends no line ends</source>
             <translation>{0} não envia fins de linha</translation>
         </message>
         <message>
+            <source>{0} sets the zero from where the tool stands after moves of the path</source>
+            <translation>{0} define o zero a partir de onde a ferramenta está depois de movimentos do percurso</translation>
+        </message>
+        <message>
+            <source>{0} stands in line {1} of {2} already</source>
+            <translation>{0} já está na linha {1} de {2}</translation>
+        </message>
+        <message>
+            <source>{0} stands outside any subroutine</source>
+            <translation>{0} está fora de qualquer sub-rotina</translation>
+        </message>
+        <message>
+            <source>{0} stands twice on the line</source>
+            <translation>{0} aparece duas vezes na linha</translation>
+        </message>
+        <message>
+            <source>{0} stands where a whole number must</source>
+            <translation>{0} está onde deve haver um número inteiro</translation>
+        </message>
+        <message>
+            <source>{0} takes no F: the spindle drives it</source>
+            <translation>{0} não aceita F: o spindle o conduz</translation>
+        </message>
+        <message>
             <source>{0} to {1} mm</source>
             <translation>{0} a {1} mm</translation>
+        </message>
+        <message>
+            <source>{0} waits at the bottom and needs dwell_s</source>
+            <translation>{0} espera no fundo e precisa de dwell_s</translation>
+        </message>
+        <message>
+            <source>{0} while the tool is compensated</source>
+            <translation>{0} enquanto a ferramenta é compensada</translation>
+        </message>
+        <message>
+            <source>{0} works in the plane ZX</source>
+            <translation>{0} funciona no plano ZX</translation>
+        </message>
+        <message>
+            <source>{0} writes/s, the worst {1} µs late</source>
+            <translation>{0} escritas/s, a pior {1} µs atrasada</translation>
+        </message>
+        <message>
+            <source>{0} writes/s, {1} µs</source>
+            <translation>{0} escritas/s, {1} µs</translation>
+        </message>
+        <message>
+            <source>{0} {1} mm of material stays in {2} inside corner(s) that are sharper than the tool; {3}</source>
+            <translation>{0} {1} mm de material fica em {2} canto(s) interno(s) mais vivo(s) que a ferramenta; {3}</translation>
+        </message>
+        <message>
+            <source>{0} {1} {2} is no finite number</source>
+            <translation>{0} {1} {2} não é um número finito</translation>
+        </message>
+        <message>
+            <source>{0} µs late</source>
+            <translation>{0} µs de atraso</translation>
+        </message>
+        <message>
+            <source>{0}, and end other programs before the next try</source>
+            <translation>{0}, e feche outros programas antes de tentar de novo</translation>
+        </message>
+        <message>
+            <source>{0}, program {1} of {2}</source>
+            <translation>{0}, programa {1} de {2}</translation>
+        </message>
+        <message>
+            <source>{0}, which is to be run before it, is refused</source>
+            <translation>{0}, que deve ser executado antes, é recusado</translation>
+        </message>
+        <message>
+            <source>{0}; a {1} is used</source>
+            <translation>{0}; usa-se: {1}</translation>
+        </message>
+        <message>
+            <source>~ is a command to the controller (cycle start), not part of a program</source>
+            <translation>~ é um comando para o controlador (iniciar ciclo), não faz parte de um programa</translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_Bore</name>
+        <message>
+            <source>Bore</source>
+            <translation>Mandrilar</translation>
+        </message>
+        <message>
+            <source>Cuts holes wider than the tool along helices: the selected circles</source>
+            <translation>Corta furos mais largos que a ferramenta em hélices: os círculos selecionados</translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_CircularPocket</name>
+        <message>
+            <source>Circular pocket</source>
+            <translation>Bolsão circular</translation>
+        </message>
+        <message>
+            <source>Cuts a pocket: the selected circle, or one by numbers</source>
+            <translation>Corta um bolsão: o círculo selecionado ou um por números</translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_Contour</name>
+        <message>
+            <source>Contour</source>
+            <translation>Contorno</translation>
+        </message>
+        <message>
+            <source>Cuts along the selected lines or faces: outside, inside or on</source>
+            <translation>Corta ao longo das linhas ou faces selecionadas: por fora, por dentro ou sobre elas</translation>
         </message>
     </context>
     <context>
@@ -4543,6 +10400,28 @@
         <message>
             <source>Shows the machine: state, position, hold, stop, jog, zero</source>
             <translation>Mostra a máquina: estado, posição, pausar, parar, movimento manual, zero</translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_Drill</name>
+        <message>
+            <source>Drill</source>
+            <translation>Furar</translation>
+        </message>
+        <message>
+            <source>Drills at the selected circles and points, or in a pattern</source>
+            <translation>Fura nos círculos e pontos selecionados ou em um padrão</translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_EditProgram</name>
+        <message>
+            <source>Edit program</source>
+            <translation>Editar programa</translation>
+        </message>
+        <message>
+            <source>Opens the program of the job in the editor</source>
+            <translation>Abre o programa do trabalho no editor</translation>
         </message>
     </context>
     <context>
@@ -4568,6 +10447,17 @@
         </message>
     </context>
     <context>
+        <name>CNCStepper_Face</name>
+        <message>
+            <source>Face</source>
+            <translation>Facear</translation>
+        </message>
+        <message>
+            <source>Makes the top flat: of the stock, or of what is selected</source>
+            <translation>Aplaina o topo: do bloco ou do que está selecionado</translation>
+        </message>
+    </context>
+    <context>
         <name>CNCStepper_Freehand</name>
         <message>
             <source>Draws a line with the mouse: press, move, release</source>
@@ -4579,6 +10469,17 @@
         </message>
     </context>
     <context>
+        <name>CNCStepper_ImportTools</name>
+        <message>
+            <source>Adds the tools of FreeCAD's library or of a tool table</source>
+            <translation>Adiciona as ferramentas da biblioteca do FreeCAD ou de uma tabela de ferramentas</translation>
+        </message>
+        <message>
+            <source>Import tools…</source>
+            <translation>Importar ferramentas…</translation>
+        </message>
+    </context>
+    <context>
         <name>CNCStepper_NewJob</name>
         <message>
             <source>Makes a job. A selected solid or drawing gives its stock</source>
@@ -4587,6 +10488,39 @@
         <message>
             <source>New job</source>
             <translation>Novo trabalho</translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_OpenProgram</name>
+        <message>
+            <source>Open G-code file…</source>
+            <translation>Abrir arquivo G-code…</translation>
+        </message>
+        <message>
+            <source>Opens a G-code file in the editor</source>
+            <translation>Abre um arquivo G-code no editor</translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_Pocket</name>
+        <message>
+            <source>Clears what the selected closed lines or faces enclose</source>
+            <translation>Esvazia o que as linhas fechadas ou faces selecionadas encerram</translation>
+        </message>
+        <message>
+            <source>Pocket</source>
+            <translation>Bolsão</translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_RectangularPocket</name>
+        <message>
+            <source>Cuts a pocket: the selected rectangle, or one by numbers</source>
+            <translation>Corta um bolsão: o retângulo selecionado ou um por números</translation>
+        </message>
+        <message>
+            <source>Rectangular pocket</source>
+            <translation>Bolsão retangular</translation>
         </message>
     </context>
     <context>
@@ -4609,6 +10543,17 @@
         <message>
             <source>Checks the program of the job and shows what it cuts</source>
             <translation>Verifica o programa do trabalho e mostra o que ele usina</translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_Thread</name>
+        <message>
+            <source>Mills threads at the selected circles, or in a pattern</source>
+            <translation>Fresa roscas nos círculos selecionados ou em um padrão</translation>
+        </message>
+        <message>
+            <source>Thread</source>
+            <translation>Rosquear</translation>
         </message>
     </context>
 </TS>

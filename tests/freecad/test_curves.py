@@ -118,6 +118,14 @@ def test_free_curves_stay_within_the_tolerance(shape: Any, tolerance_mm: float) 
     assert deviation_mm(only(shape, tolerance_mm), shape) <= tolerance_mm
 
 
+def test_a_moved_turned_or_changed_ellipse_is_fitted_anew() -> None:
+    shapes = [ellipse(), ellipse(), ellipse(rx=41), ellipse()]
+    shapes[1].translate(Vector(5, 0, 0))
+    shapes[3].Placement = FreeCAD.Placement(Vector(), FreeCAD.Rotation(Vector(0, 0, 1), 30))
+    for _ in range(2):
+        assert [deviation_mm(only(shape, 0.01), shape) <= 0.01 for shape in shapes] == [True] * 4
+
+
 def test_a_straight_spline_is_lines() -> None:
     assert not only(bspline((0, 0), (1, 1), (2, 2), (3, 3))).bulge.any()
 

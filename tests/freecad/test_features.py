@@ -178,14 +178,19 @@ def test_a_document_of_the_first_release_opens_with_its_program(tmp_path: Path) 
         job = document.getObject("CNCStepper_Job")
         assert program_file.load(job) == wanted
         document.recompute()  # a newer FreeCAD marks the sketches of an older one as changed
-        assert api.program_text(job) == wanted
+        assert blocks(api.program_text(job)) == blocks(wanted)
         for obj in document.Objects:
             obj.touch()
         document.recompute()
         assert [problem_of(obj) for obj in document.Objects] == [""] * len(document.Objects)
-        assert api.program_text(job) == wanted
+        assert blocks(api.program_text(job)) == blocks(wanted)
     finally:
         FreeCAD.closeDocument(document.Name)
+
+
+def blocks(text: str) -> list[str]:
+    """Return the blocks of a program without its comments: what it says to a person at a tool change has grown."""
+    return [line for line in text.splitlines() if not line.startswith("(")]
 
 
 def test_memory_stays_flat_over_200_recomputes(document: Any, job: Any) -> None:

@@ -80,7 +80,7 @@ def portuguese() -> Iterator[None]:
         ),
         (
             "Bolsão 2: the tool is wider than the pocket (value 60 mm, limit below 50 mm); choose a smaller tool [x-y]",
-            "Bolsão 2: a ferramenta é mais larga que o bolsão (valor 60 mm, limite below 50 mm);"
+            "Bolsão 2: a ferramenta é mais larga que o bolsão (valor 60 mm, limite abaixo de 50 mm);"
             " escolha uma ferramenta menor [x-y]",
         ),
         (

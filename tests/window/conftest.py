@@ -17,6 +17,8 @@ if INSIDE:
     import pytest
     from hand import Hand
 
+    from CNCStepper.workbench import warming
+
     def pytest_configure(config: pytest.Config) -> None:
         config.addinivalue_line("markers", "window(*kinds): the kinds of window (kinds.py) that a test runs in")
 
@@ -29,10 +31,11 @@ if INSIDE:
 
     @pytest.fixture(scope="session")
     def the_hand() -> Hand:
-        """The one hand of this window, when FreeCAD has opened the workbench."""
+        """The one hand of this window, when FreeCAD has opened the workbench and no kernel is being compiled."""
         hand = Hand(*FreeCAD.__cncstepper_window__)
         if kinds.AUTOLOAD not in os.environ:
             hand.wait(hand.workbench_is_open, 60)
+            hand.wait(lambda: warming.running() is None, 300, "the kernels")
         hand.settle()
         ours = [line.text for line in hand.report() if line.bad and "CNCStepper" in line.text]
         assert not ours, f"FreeCAD's start has put into the report view: {ours}"

@@ -19,14 +19,28 @@ from CNCStepper.workbench import api, missing, packages
 
 LABELS = {
     "CNCStepper_NewJob": "New job",
+    "CNCStepper_ImportTools": "Import tools…",
     "CNCStepper_Freehand": "Freehand",
+    "CNCStepper_Face": "Face",
+    "CNCStepper_Pocket": "Pocket",
+    "CNCStepper_RectangularPocket": "Rectangular pocket",
+    "CNCStepper_CircularPocket": "Circular pocket",
     "CNCStepper_EllipticalPocket": "Elliptical pocket",
+    "CNCStepper_Contour": "Contour",
+    "CNCStepper_Drill": "Drill",
+    "CNCStepper_Bore": "Bore",
+    "CNCStepper_Thread": "Thread",
     "CNCStepper_Engrave": "Engrave",
+    "CNCStepper_EditProgram": "Edit program",
+    "CNCStepper_OpenProgram": "Open G-code file…",
     "CNCStepper_Simulate": "Check and simulate",
     "CNCStepper_Send": "Send",
     "CNCStepper_Controller": "Controller",
 }
-NEW_JOB, FREEHAND, POCKET, ENGRAVE, SIMULATE, SEND, CONTROLLER = LABELS
+NEW_JOB, IMPORT, FREEHAND, *OPERATIONS, EDIT, OPEN, SIMULATE, SEND, CONTROLLER = LABELS
+DRAWN = ("CNCStepper_Pocket", "CNCStepper_Contour", "CNCStepper_Engrave")  # cannot be without a drawing
+BY_NUMBERS = [name for name in OPERATIONS if name not in DRAWN]
+POCKET, ENGRAVE = "CNCStepper_EllipticalPocket", "CNCStepper_Engrave"
 
 
 def action(name: str) -> Any:
@@ -85,7 +99,7 @@ def shown_texts() -> list[list[str]]:
     window = FreeCADGui.getMainWindow()
     bars = [bar for bar in window.findChildren(QtGui.QToolBar) if bar.objectName() == "CNCStepper"]
     menus = [menu for menu in window.findChildren(QtGui.QMenu) if menu.title() == "CNCStepper"]
-    return [[entry.text() for entry in place.actions()] for place in (*bars, *menus)]
+    return [[entry.text() for entry in place.actions() if not entry.isSeparator()] for place in (*bars, *menus)]
 
 
 def test_toolbar_and_menu_stand_in_the_order_of_the_road(hand: Hand) -> None:
@@ -98,25 +112,28 @@ def test_toolbar_and_menu_stand_in_the_order_of_the_road(hand: Hand) -> None:
 
 
 def test_without_a_document(hand: Hand) -> None:
-    expect_enabled(hand, NEW_JOB, CONTROLLER)
+    expect_enabled(hand, NEW_JOB, OPEN, CONTROLLER)
     assert reason(hand, FREEHAND) == "Open or make a document first"
-    assert {reason(hand, name) for name in (POCKET, ENGRAVE, SIMULATE, SEND)} == {"Make a job first, with New job"}
+    assert {reason(hand, name) for name in (IMPORT, *OPERATIONS, EDIT, SIMULATE, SEND)} == {
+        "Make a job first, with New job"
+    }
     assert not reason(hand, NEW_JOB)
 
 
-def button_middle(name: str) -> Any:
-    """Return where a command's tool button is on the screen, enabled or not."""
+def button_middle(name: str) -> tuple[float, float]:
+    """Return where a command's tool button is on the screen, in the X server's pixels, enabled or not."""
     bars = FreeCADGui.getMainWindow().findChildren(QtGui.QToolBar, "CNCStepper")
     button = bars[0].widgetForAction(action(name))
-    return button.mapToGlobal(button.rect().center())
+    middle, scale = button.mapToGlobal(button.rect().center()), QtGui.QApplication.primaryScreen().devicePixelRatio()
+    return middle.x() * scale, middle.y() * scale
 
 
 def test_the_tooltip_is_seen_on_the_disabled_button(hand: Hand) -> None:
-    expect_enabled(hand, NEW_JOB, CONTROLLER)
-    place = hand.main(lambda: button_middle(SEND))
-    hand.mouse.move(place.x() - 3, place.y())
+    expect_enabled(hand, NEW_JOB, OPEN, CONTROLLER)
+    x, y = hand.main(lambda: button_middle(SEND))
+    hand.mouse.move(x - 3, y)
     hand.settle()
-    hand.mouse.move(place.x(), place.y())
+    hand.mouse.move(x, y)
     hand.wait(QtGui.QToolTip.isVisible, 5, "the tooltip")
     hand.shot("tooltip-why-not")
     assert "Make a job first" in hand.main(QtGui.QToolTip.text)
@@ -124,19 +141,21 @@ def test_the_tooltip_is_seen_on_the_disabled_button(hand: Hand) -> None:
 
 def test_an_empty_document_can_be_drawn_in(hand: Hand) -> None:
     hand.main(new_document)
-    expect_enabled(hand, NEW_JOB, FREEHAND, CONTROLLER)
+    expect_enabled(hand, NEW_JOB, FREEHAND, OPEN, CONTROLLER)
 
 
 def test_a_job_without_operations(hand: Hand) -> None:
     hand.main(lambda: api.new_job(new_document()))
-    expect_enabled(hand, NEW_JOB, FREEHAND, POCKET, CONTROLLER)
+    expect_enabled(hand, NEW_JOB, IMPORT, FREEHAND, *BY_NUMBERS, OPEN, CONTROLLER)
     assert reason(hand, SEND) == "Job has nothing to cut: add an operation"
-    assert reason(hand, ENGRAVE).startswith("Select what is to be engraved")
+    assert {reason(hand, name).partition(":")[0] for name in DRAWN} == {
+        "Select what is to be cleared", "Select what is to be cut out", "Select what is to be engraved",
+    }  # fmt: skip
 
 
 def test_a_job_with_a_program(hand: Hand) -> None:
     job = hand.main(lambda: new_job(new_document()))
-    expect_enabled(hand, NEW_JOB, FREEHAND, POCKET, SIMULATE, SEND, CONTROLLER)
+    expect_enabled(hand, NEW_JOB, IMPORT, FREEHAND, *BY_NUMBERS, EDIT, OPEN, SIMULATE, SEND, CONTROLLER)
     hand.main(lambda: select(sketch_of(job.Document, ellipse())))
     expect_enabled(hand, *LABELS)
 
@@ -145,12 +164,12 @@ def test_of_several_jobs_one_must_be_meant(hand: Hand) -> None:
     document = hand.main(new_document)
     jobs = hand.main(lambda: [new_job(document), new_job(document)])
     hand.main(select)
-    expect_enabled(hand, NEW_JOB, FREEHAND, CONTROLLER)
+    expect_enabled(hand, NEW_JOB, FREEHAND, OPEN, CONTROLLER)
     hand.wait(lambda: reason(hand, SEND) == "Select the job in the tree: this document has several")
     hand.main(select, jobs[1].Operations[0])
-    expect_enabled(hand, NEW_JOB, FREEHAND, POCKET, SIMULATE, SEND, CONTROLLER)
+    expect_enabled(hand, NEW_JOB, IMPORT, FREEHAND, *BY_NUMBERS, EDIT, OPEN, SIMULATE, SEND, CONTROLLER)
     hand.main(select, *jobs)
-    expect_enabled(hand, NEW_JOB, FREEHAND, CONTROLLER)
+    expect_enabled(hand, NEW_JOB, FREEHAND, OPEN, CONTROLLER)
 
 
 def test_a_job_that_cannot_be_made_says_what_is_wrong(hand: Hand) -> None:
@@ -171,9 +190,9 @@ class Panel:
 
 def test_one_task_panel_at_a_time(hand: Hand) -> None:
     hand.main(lambda: new_job(new_document()))
-    expect_enabled(hand, NEW_JOB, FREEHAND, POCKET, SIMULATE, SEND, CONTROLLER)
+    expect_enabled(hand, NEW_JOB, IMPORT, FREEHAND, *BY_NUMBERS, EDIT, OPEN, SIMULATE, SEND, CONTROLLER)
     hand.main(lambda: FreeCADGui.Control.showDialog(Panel()))
-    expect_enabled(hand, CONTROLLER)
+    expect_enabled(hand, OPEN, CONTROLLER)
     assert reason(hand, POCKET) == "Close the open task panel first"
 
 
@@ -228,7 +247,7 @@ def boxes() -> list[Any]:
 
 def test_without_numba_all_works_slowly(hand: Hand, hidden: Any) -> None:
     hidden("numba")
-    expect_enabled(hand, NEW_JOB, CONTROLLER)
+    expect_enabled(hand, NEW_JOB, OPEN, CONTROLLER)
     assert "slow" in hand.main(hand.find("CNCStepper_Tell_notice").text)
     hand.button("OK")
 

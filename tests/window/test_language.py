@@ -20,8 +20,17 @@ PORTUGUESE = "pt-BR"
 STARTED_IN = os.environ.get("CNCSTEPPER_WINDOW_LANGUAGE", "English")
 COMMANDS = {
     "CNCStepper_NewJob": "Novo trabalho",
+    "CNCStepper_ImportTools": "Importar ferramentas…",
     "CNCStepper_Freehand": "À mão livre",
+    "CNCStepper_Face": "Facear",
+    "CNCStepper_Pocket": "Bolsão",
+    "CNCStepper_RectangularPocket": "Bolsão retangular",
+    "CNCStepper_CircularPocket": "Bolsão circular",
     "CNCStepper_EllipticalPocket": "Bolsão elíptico",
+    "CNCStepper_Contour": "Contorno",
+    "CNCStepper_Drill": "Furar",
+    "CNCStepper_Bore": "Mandrilar",
+    "CNCStepper_Thread": "Rosquear",
     "CNCStepper_Engrave": "Gravar",
     "CNCStepper_Simulate": "Verificar e simular",
     "CNCStepper_Send": "Enviar",

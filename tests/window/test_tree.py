@@ -142,8 +142,8 @@ def context_menu(hand: Hand, label: str) -> dict[str, bool]:
 
 def test_the_context_menu_of_a_job(hand: Hand, job: Any) -> None:
     entries = context_menu(hand, "Job")
-    assert list(entries)[:4] == ["Edit", "Check and simulate", "Send", "Save program as…"]
-    assert all(list(entries.values())[:4])
+    assert list(entries)[:5] == ["Edit", "Check and simulate", "Send", "Edit program", "Save program as…"]
+    assert all(list(entries.values())[:5])
     hand.shot("context-menu-job")
     hand.key("Escape")
 

@@ -60,9 +60,14 @@ class Keyboard:
         for name in reversed(names):
             self.up(name)
 
+    def learn(self, text: str) -> None:
+        """Give every letter of a text a key, before any of them is typed."""
+        for letter in text:
+            self._symbol_code(_symbol(letter))
+
     def write(self, letter: str) -> None:
         """Type one character, with Shift where it stands on the upper half of its key."""
-        symbol = ord(letter) if ord(letter) < 0x100 else 0x01000000 | ord(letter)
+        symbol = _symbol(letter)
         shifted = any(index == 1 for _, index in self._places(symbol)) and not any(
             index == 0 for _, index in self._places(symbol)
         )
@@ -97,6 +102,10 @@ class Keyboard:
         changed = event.MappingNotify(request=X.MappingKeyboard, first_keycode=code, count=1)
         self._server.refresh_keyboard_mapping(changed)
         return code
+
+
+def _symbol(letter: str) -> int:
+    return ord(letter) if ord(letter) < 0x100 else 0x01000000 | ord(letter)
 
 
 class Mouse:

@@ -13,7 +13,8 @@ from CNCStepper.workbench.sentences import translated
 from CNCStepper.workbench.words import tr
 
 PREVIEW = "CNCStepper_Preview"
-PARTS = ("CNCStepper_Tool", "CNCStepper_EllipticalPocket", "CNCStepper_Engrave")
+TOOL = "CNCStepper_Tool"
+PROGRAM = "CNCStepper_Program"
 
 
 def document() -> Any:
@@ -41,6 +42,12 @@ def job() -> Any:
     """Return the job that is meant, or None: the selected one, the one of a selected object, or the only one."""
     meant = {owner.Name: owner for obj in selected() for owner in _owners(obj)}
     found = list(meant.values()) or jobs()
+    return found[0] if len(found) == 1 else None
+
+
+def program() -> Any:
+    """Return the edited program that is selected, None where it is not exactly one."""
+    found = [obj for obj in selected() if proxy_type(obj) == PROGRAM]
     return found[0] if len(found) == 1 else None
 
 
@@ -88,8 +95,27 @@ def tool(of_job: Any) -> Any:
 
 
 def drawing() -> Any:
-    """Return the selected sketch, wire, ellipse, face or freehand line, or None."""
-    return next((obj for obj in selected() if _is_drawing(obj)), None)
+    """Return the selected sketch, wire, ellipse, face or freehand line, or the solid whose faces or edges are."""
+    return next((obj for obj in selected() if _is_drawing(obj) or picked(obj)), None)
+
+
+def picked(obj: Any, of_drawings: bool = False) -> tuple[str, ...]:
+    """Return the names of the faces and edges of a solid that are selected.
+
+    of_drawings: also those of other objects, a click on which else means all of them.
+    """
+    import FreeCADGui
+
+    if obj is None or not (of_drawings or _holds(obj, "Solid")):
+        return ()
+    parts = [part for part in FreeCADGui.Selection.getSelectionEx() if part.Object == obj]
+    return tuple(name for part in parts for name in part.SubElementNames if name.startswith(("Face", "Edge")))
+
+
+def points() -> list[Any]:
+    """Return the selected objects that are a single point each, such as Draft points."""
+    held = [obj for obj in selected() if _holds(obj, "Vertex")]
+    return [obj for obj in held if obj.Shape.countElement("Vertex") == 1 and not _holds(obj, "Edge")]
 
 
 def solid() -> Any:
@@ -103,11 +129,12 @@ def _owners(obj: Any) -> list[Any]:
         return [obj]
     if proxy_type(obj) == PREVIEW:
         return [obj.Job] if obj.Job is not None else []
-    return [other for other in obj.InList if proxy_type(other) == JOB] if proxy_type(obj) in PARTS else []
+    belongs = proxy_type(obj) == TOOL or bool(getattr(getattr(obj, "Proxy", None), "CYCLE", ""))
+    return [other for other in obj.InList if proxy_type(other) == JOB] if belongs else []
 
 
 def _is_drawing(obj: Any) -> bool:
-    return obj.isDerivedFrom("Sketcher::SketchObject") or (_holds(obj, "Edge") and not _holds(obj, "Solid"))
+    return obj.isDerivedFrom("Sketcher::SketchObject") or (_holds(obj, "Vertex") and not _holds(obj, "Solid"))
 
 
 def _holds(obj: Any, element: str) -> bool:

@@ -51,17 +51,40 @@ def show_all() -> None:
 
 
 class Operation(Command):
-    """A command that adds an operation to a job."""
+    """A command that adds an operation to a job.
+
+    cycle: the operation's. label: how it is called in the tree, in English. no_drawing: what to select, where it
+    cannot be without a drawing.
+    """
+
+    cycle = ""
+    label = ""
+    no_drawing = ""
 
     def why_not(self) -> str:
         """Return why no operation can be added."""
-        return missing.why_not() or choice.why_no_panel() or choice.why_no_job()
+        lacks_drawing = tr(self.no_drawing) if self.no_drawing and choice.drawing() is None else ""
+        return missing.why_not() or choice.why_no_panel() or choice.why_no_job() or lacks_drawing
 
     def run(self) -> None:
         """Add the operation and open its panel."""
-        job, drawing = choice.job(), choice.drawing()
-        create(job.Document, self.text(), lambda: self.add(job, drawing))
+        from CNCStepper.workbench.features.catalogue import operation_class
 
-    def add(self, job: Any, drawing: Any) -> Any:
+        job, drawing = choice.job(), choice.drawing()
+        picked = choice.picked(drawing, operation_class(self.cycle).PICKS_LINES)
+        create(job.Document, self.text(), lambda: self.add(job, drawing, picked))
+
+    def add(self, job: Any, drawing: Any, picked: tuple[str, ...]) -> Any:
         """Return the new operation of the job, with what is drawn (None: nothing); raises a CNCStepperError."""
+        from CNCStepper.workbench import api
+        from CNCStepper.workbench.features.catalogue import operation_class
+
+        if drawing is not None:
+            operation_class(self.cycle).look(drawing, picked)
+        tool = tool_for(job)
+        values = self.values(job, tool, drawing is not None)
+        return labelled(api.add_operation(job, self.cycle, drawing, picked, tool=tool, **values), tr(self.label))
+
+    def values(self, job: Any, tool: Any, is_drawn: bool) -> dict[str, Any]:
+        """Return the values with which the operation begins, by key."""
         raise NotImplementedError

@@ -12,6 +12,9 @@ SHARE_OF_TOOL = 0.4  # of its diameter: the stepover
 DEPTH_MM = 10.0
 STEPDOWN_MM = 2.0
 ENGRAVING_MM = 1.0
+FACED_MM = 0.5
+SHARE_BORED = 2.0  # of the tool's diameter: a bore
+SHARE_FACING = 0.6  # of the tool's diameter: the stepover of a facing
 
 
 def stock_of_solid(box: Any) -> dict[str, Any]:
@@ -26,18 +29,62 @@ def stock_of_drawing(box: Any) -> dict[str, Any]:
 
 def pocket(stock_mm: tuple[float, float, float], origin: str, diameter_mm: float, drawn: bool) -> dict[str, Any]:
     """Return the values of a pocket in the middle of the stock, or of one whose ellipse a drawing gives."""
-    depth_mm = min(DEPTH_MM, stock_mm[2] / 2)
-    values = {
-        "depth_mm": depth_mm,
-        "stepdown_mm": min(STEPDOWN_MM, depth_mm),
-        "stepover_mm": round(SHARE_OF_TOOL * diameter_mm, 3),
-    }
+    values = area(stock_mm, diameter_mm)
     return values if drawn else {**values, **_middle(stock_mm, origin)}
+
+
+def area(stock_mm: tuple[float, float, float], diameter_mm: float) -> dict[str, Any]:
+    """Return the depths and the stepover of any pocket."""
+    return {**half_deep(stock_mm), "stepover_mm": round(SHARE_OF_TOOL * diameter_mm, 3)}
+
+
+def circle(stock_mm: tuple[float, float, float], origin: str, diameter_mm: float, drawn: bool) -> dict[str, Any]:
+    """Return the values of a circular pocket in the middle of the stock, or of one that a drawing gives."""
+    middle = {"centre_mm": _centre(stock_mm, origin), "radius_mm": round(SHARE_OF_STOCK * min(stock_mm[:2]), 3)}
+    return {**area(stock_mm, diameter_mm), **({} if drawn else middle)}
+
+
+def rectangle(stock_mm: tuple[float, float, float], origin: str, diameter_mm: float, drawn: bool) -> dict[str, Any]:
+    """Return the values of a rectangular pocket in the middle of the stock, or of one that a drawing gives."""
+    (x, y), (length, width, _) = _centre(stock_mm, origin), stock_mm
+    half_x, half_y = round(SHARE_OF_STOCK * length, 3), round(SHARE_OF_STOCK * width, 3)
+    corners = {"corner_a_mm": (x - half_x, y - half_y), "corner_b_mm": (x + half_x, y + half_y)}
+    return {**area(stock_mm, diameter_mm), **({} if drawn else corners)}
+
+
+def face(stock_mm: tuple[float, float, float], diameter_mm: float) -> dict[str, Any]:
+    """Return the values of a thin facing."""
+    depth_mm = min(FACED_MM, stock_mm[2] / 2)
+    return {"depth_mm": depth_mm, "stepdown_mm": depth_mm, "stepover_mm": round(SHARE_FACING * diameter_mm, 3)}
+
+
+def contour(stock_mm: tuple[float, float, float]) -> dict[str, Any]:
+    """Return the depths of a contour that cuts through the stock."""
+    return {"depth_mm": stock_mm[2], "stepdown_mm": min(STEPDOWN_MM, stock_mm[2])}
+
+
+def holes(stock_mm: tuple[float, float, float], origin: str, drawn: bool) -> dict[str, Any]:
+    """Return the values of holes round the middle of the stock, or of those that a drawing gives."""
+    centre, radius_mm = _centre(stock_mm, origin), round(SHARE_OF_STOCK * min(stock_mm[:2]), 3)
+    round_middle = {"pattern_centre_mm": centre, "pattern_radius_mm": radius_mm}
+    places = {"pattern_kind": "drawing"} if drawn else round_middle
+    return {"depth_mm": half_deep(stock_mm)["depth_mm"], **places}
+
+
+def bored(diameter_mm: float) -> float:
+    """Return the diameter of a bore or thread that a tool can cut."""
+    return round(SHARE_BORED * diameter_mm, 3)
+
+
+def half_deep(stock_mm: tuple[float, float, float]) -> dict[str, Any]:
+    """Return the depths of what goes half through thin stock."""
+    depth_mm = min(DEPTH_MM, stock_mm[2] / 2)
+    return {"depth_mm": depth_mm, "stepdown_mm": min(STEPDOWN_MM, depth_mm)}
 
 
 def engraving(stock_mm: tuple[float, float, float]) -> dict[str, Any]:
     """Return the values of an engraving that stays within the stock."""
-    return {"depth_mm": min(ENGRAVING_MM, stock_mm[2] / 2)}
+    return {"depth_mm": min(ENGRAVING_MM, stock_mm[2] / 2), "order": "short"}
 
 
 def _stock(box: Any, size_mm: tuple[float, float, float]) -> dict[str, Any]:
@@ -50,10 +97,13 @@ def _rounded(numbers_mm: tuple[float, ...]) -> tuple[float, ...]:
     return tuple(round(number, 4) for number in numbers_mm)
 
 
+def _centre(stock_mm: tuple[float, float, float], origin: str) -> tuple[float, float]:
+    return (0.0, 0.0) if origin == "top-centre" else (stock_mm[0] / 2, stock_mm[1] / 2)
+
+
 def _middle(stock_mm: tuple[float, float, float], origin: str) -> dict[str, Any]:
-    centre = (0.0, 0.0) if origin == "top-centre" else (stock_mm[0] / 2, stock_mm[1] / 2)
     return {
-        "centre_mm": centre,
+        "centre_mm": _centre(stock_mm, origin),
         "radius_x_mm": round(SHARE_OF_STOCK * stock_mm[0], 3),
         "radius_y_mm": round(SHARE_OF_STOCK * stock_mm[1], 3),
     }

@@ -6,8 +6,8 @@ from __future__ import annotations
 from typing import Any
 
 from CNCStepper.workbench.commands import defaults
-from CNCStepper.workbench.commands.creation import Operation, labelled, tool_for
-from CNCStepper.workbench.words import QT_TRANSLATE_NOOP, tr
+from CNCStepper.workbench.commands.creation import Operation
+from CNCStepper.workbench.words import QT_TRANSLATE_NOOP, later
 
 
 class EllipticalPocket(Operation):
@@ -16,14 +16,9 @@ class EllipticalPocket(Operation):
     name = "CNCStepper_EllipticalPocket"
     menu_text = QT_TRANSLATE_NOOP("CNCStepper_EllipticalPocket", "Elliptical pocket")
     tooltip = QT_TRANSLATE_NOOP("CNCStepper_EllipticalPocket", "Cuts a pocket: the selected ellipse, or one by numbers")
+    cycle = "elliptical_pocket"
+    label = later("Elliptical pocket")
 
-    def add(self, job: Any, drawing: Any) -> Any:
-        """Return the new operation."""
-        from CNCStepper.workbench import api
-        from CNCStepper.workbench.ellipses import ellipse_of
-
-        if drawing is not None:
-            ellipse_of(drawing)
-        tool = tool_for(job)
-        values = defaults.pocket(tuple(job.StockSize), job.StockOrigin, float(tool.Diameter), drawing is not None)
-        return labelled(api.add_elliptical_pocket(job, drawing, tool=tool, **values), tr("Elliptical pocket"))
+    def values(self, job: Any, tool: Any, is_drawn: bool) -> dict[str, Any]:
+        """Return values that fit the stock and the tool."""
+        return defaults.pocket(tuple(job.StockSize), job.StockOrigin, float(tool.Diameter), is_drawn)

@@ -5,9 +5,9 @@ from __future__ import annotations
 
 from typing import Any
 
-from CNCStepper.workbench.commands import choice, defaults
-from CNCStepper.workbench.commands.creation import Operation, labelled, tool_for
-from CNCStepper.workbench.words import QT_TRANSLATE_NOOP, tr
+from CNCStepper.workbench.commands import defaults
+from CNCStepper.workbench.commands.creation import Operation
+from CNCStepper.workbench.words import QT_TRANSLATE_NOOP, later
 
 
 class Engrave(Operation):
@@ -16,20 +16,10 @@ class Engrave(Operation):
     name = "CNCStepper_Engrave"
     menu_text = QT_TRANSLATE_NOOP("CNCStepper_Engrave", "Engrave")
     tooltip = QT_TRANSLATE_NOOP("CNCStepper_Engrave", "Cuts along the lines of the selected drawing")
+    cycle = "engrave"
+    label = later("Engraving")
+    no_drawing = later("Select what is to be engraved: a sketch, a wire, a B-spline or a freehand line")
 
-    def why_not(self) -> str:
-        """Return why nothing can be engraved."""
-        return super().why_not() or ("" if choice.drawing() is not None else _no_drawing())
-
-    def add(self, job: Any, drawing: Any) -> Any:
-        """Return the new operation."""
-        from CNCStepper.workbench import api
-        from CNCStepper.workbench.shapes import edges_of
-
-        edges_of(drawing)
-        values = defaults.engraving(tuple(job.StockSize))
-        return labelled(api.add_engrave(job, drawing, tool=tool_for(job), **values), tr("Engraving"))
-
-
-def _no_drawing() -> str:
-    return tr("Select what is to be engraved: a sketch, a wire, a B-spline or a freehand line")
+    def values(self, job: Any, tool: Any, is_drawn: bool) -> dict[str, Any]:
+        """Return values that fit the stock."""
+        return defaults.engraving(tuple(job.StockSize))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the commands share that take a job's program further."""
+"""What the commands share that take a job's program further, or one that was edited."""
 
 from __future__ import annotations
 
@@ -7,22 +7,30 @@ from typing import Any
 
 from CNCStepper.workbench import missing
 from CNCStepper.workbench.commands import choice
+from CNCStepper.workbench.features.base import named, problem_of
+from CNCStepper.workbench.sentences import translated
 
 
 def why_not() -> str:
-    """Return why no job's program can be taken further, "" when one can."""
+    """Return why no program can be taken further, "" when one can."""
+    if (edited := choice.program()) is not None:
+        return why_not_of(edited)
     return missing.why_not() or choice.why_no_panel() or choice.why_no_job() or choice.why_no_program(choice.job())
 
 
-def made_job() -> Any:
-    """Return the job that is meant, its program made from what the document says now; raises JobError."""
-    job = choice.job()
-    make(job)
-    return job
+def why_not_of(edited: Any) -> str:
+    """Return why an edited program cannot be taken further, "" when it can."""
+    problem = named(edited, translated(problem_of(edited))) if problem_of(edited) else ""
+    return missing.why_not() or choice.why_no_panel() or problem
+
+
+def meant() -> Any:
+    """Return the edited program that is selected, else the job that is meant."""
+    return choice.program() or choice.job()
 
 
 def make(job: Any) -> None:
-    """Make a job's program from what the document says now; raises JobError when there can be none."""
+    """Make a program from what the document says now; raises JobError when there can be none."""
     from CNCStepper.workbench import api
 
     job.Document.recompute()

@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from CNCStepper.workbench.commands import proving
 from CNCStepper.workbench.commands.base import Command
 from CNCStepper.workbench.words import QT_TRANSLATE_NOOP
@@ -20,7 +22,12 @@ class Send(Command):
         return proving.why_not()
 
     def run(self) -> None:
-        """Send the job that is meant."""
+        """Send the program that is meant."""
+        self.take(proving.meant())
+
+    def take(self, program: Any) -> None:
+        """Send a job or an edited program."""
         from CNCStepper.workbench import dock
 
-        dock.send(proving.made_job())
+        proving.make(program)
+        dock.send(program)

@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from CNCStepper.workbench.commands import proving
 from CNCStepper.workbench.commands.base import Command
 from CNCStepper.workbench.words import QT_TRANSLATE_NOOP
@@ -20,9 +22,14 @@ class Simulate(Command):
         return proving.why_not()
 
     def run(self) -> None:
-        """Open the simulation of the job that is meant."""
+        """Open the simulation of the program that is meant."""
+        self.take(proving.meant())
+
+    def take(self, program: Any) -> None:
+        """Open the simulation of a job or of an edited program."""
         from CNCStepper.workbench import freehand
         from CNCStepper.workbench.simulation import open_simulation
 
         freehand.leave()
-        open_simulation(proving.made_job())
+        proving.make(program)
+        open_simulation(program)

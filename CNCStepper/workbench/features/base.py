@@ -15,10 +15,12 @@ from typing import Any
 
 from CNCStepper.errors import CNCStepperError, JobError
 from CNCStepper.units import mm_min_from_mm_s, mm_s_from_mm_min
+from CNCStepper.workbench.patience import patience
 from CNCStepper.workbench.words import later
 
 JOB = "CNCStepper_Job"
 FAILED = "object-failed"  # the code of an error that another object has caused
+HIDDEN = 2  # FreeCAD's mode of a property that its editor does not show
 OUTPUT = 8  # FreeCAD's Prop_Output: a change of it makes nothing out of date
 SPEED = "App::PropertySpeed"  # FreeCAD keeps speeds in mm/s, everything of ours is mm/min
 DISTANCE = "App::PropertyDistance"  # not PropertyLength: that turns a negative value into 0 without a word
@@ -31,8 +33,10 @@ BOOL = "App::PropertyBool"
 TEXT = "App::PropertyString"
 LINK = "App::PropertyLink"
 DRAWING = "App::PropertyLinkGlobal"  # a drawing may lie inside a part or body, the operation outside
+PICKED = "App::PropertyLinkSubGlobal"  # FreeCAD follows the faces and edges when it numbers them anew
 CONTAINERS = "App::PropertyLinkListGlobal"
-NUMBERS = (SPEED, DISTANCE, ANGLE, "App::PropertyFloat")
+FLOAT = "App::PropertyFloat"
+NUMBERS = (SPEED, DISTANCE, ANGLE, FLOAT)
 
 
 @dataclass(frozen=True)
@@ -40,7 +44,9 @@ class Property:
     """One property of a document object; `default` is a value for `key`, in the unit that its suffix names.
 
     group, label, text: English, marked for the translators with `later`; a panel shows the label and explains it
-    with the text. choices: of an enumeration. output: shown, saved, and set by the object alone.
+    with the text. choices: of an enumeration. output: shown, saved, and set by the object alone. only: the key of
+    another property and those of its values with which this one counts; () where it always does. plane: whether only
+    X and Y of a position count.
     """
 
     key: str
@@ -52,6 +58,8 @@ class Property:
     default: Any = None
     choices: tuple[str, ...] = ()
     output: bool = False
+    only: tuple[str, tuple[str, ...]] | tuple[()] = ()
+    plane: bool = False
 
 
 PROBLEM = Property(
@@ -70,6 +78,7 @@ class Feature:
 
     Type = ""
     PROPERTIES: tuple[Property, ...] = ()
+    WHY_FIXED = ""  # why some of them cannot be typed
     refusal: CNCStepperError | None = None  # why the last `make` failed
 
     def __init__(self, obj: Any):
@@ -100,7 +109,8 @@ class Feature:
     def execute(self, obj: Any) -> None:
         """Make `obj`, as FreeCAD asks; a refusal shows on it and takes back the programs that stand on it."""
         try:
-            self.make(obj)
+            with patience():
+                self.make(obj)
         except CNCStepperError as error:
             self._refuse(obj, error)
         except Exception as error:
@@ -157,6 +167,11 @@ def show_in_window(obj: Any) -> None:
         viewproviders.attach(obj)
 
 
+def entry_of(proxy: Feature, key: str) -> Property:
+    """Return the property of that key."""
+    return next(entry for entry in proxy.PROPERTIES if entry.key == key)
+
+
 def proxy_type(obj: Any) -> str:
     """Return which of our document objects `obj` is, as "CNCStepper_Job", or "" for one that is not ours."""
     return getattr(getattr(obj, "Proxy", None), "Type", "")
@@ -188,7 +203,11 @@ def value_of(obj: Any, entry: Property) -> Any:
         number = float(getattr(value, "Value", value))
         return round(mm_min_from_mm_s(number), 6) if entry.type == SPEED else number
     if entry.type == POSITION:
-        return tuple(value)
+        return tuple(value)[: 2 if entry.plane else 3]
+    if entry.type == POINTS and entry.plane:
+        return [tuple(point)[:2] for point in value]
+    if entry.type == PICKED:
+        return tuple(name for name in value[1] if name) if value else ()
     return value
 
 
@@ -205,6 +224,8 @@ def set_value(obj: Any, entry: Property, value: Any) -> None:
         value = _vector(entry, value)
     elif entry.type == POINTS:
         value = [_vector(entry, row) for row in value]
+    elif entry.type == PICKED:
+        value = (obj.Drawing, list(value)) if value and obj.Drawing is not None else None
     try:
         setattr(obj, entry.name, value)
     except (TypeError, ValueError) as error:

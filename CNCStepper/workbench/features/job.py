@@ -5,12 +5,15 @@ from __future__ import annotations
 
 from typing import Any
 
+from CNCStepper.errors import JobError
 from CNCStepper.state import WORK_SYSTEMS
 from CNCStepper.workbench import clamps, packages, program_file
 from CNCStepper.workbench.features.base import (
     CONTAINERS,
     DISTANCE,
     ENUMERATION,
+    HIDDEN,
+    INTEGER,
     POINTS,
     POSITION,
     TEXT,
@@ -28,7 +31,9 @@ JOB_GROUP = later("Job")
 LINKS = "App::PropertyLinkList"
 SOLIDS = CONTAINERS  # a clamp may lie inside a part, the job outside
 ORIGINS = ("top-centre", "top-left-front")
-SETUP = {"Clearance", "Retract", "WorkOrigin", "Operations"}  # what an operation's own figures depend on
+FED_BY = {"Machine", "Material"}  # what the tools' feeds depend on
+STOCK_SHAPE = {"StockForm", "StockSize", "StockOrigin"}
+SETUP = {"Clearance", "Retract", "WorkOrigin", "Operations", *STOCK_SHAPE}  # what an operation's figures depend on
 
 
 class Job(Feature):
@@ -51,6 +56,8 @@ class Job(Feature):
                  later("The work coordinate system"), "G54", choices=WORK_SYSTEMS),
         Property("coolant", "Coolant", ENUMERATION, PROGRAM, later("Coolant"),
                  later("What is switched on while cutting"), "none", choices=("none", "mist", "flood")),
+        Property("material", "Material", TEXT, STOCK, later("Material"),
+                 later("Tools without feeds or speed take theirs from its table"), ""),
         Property("stock_form", "StockForm", ENUMERATION, STOCK, later("Form"),
                  later("What the raw material looks like"), "box", choices=FORMS),
         Property("stock_size_mm", "StockSize", POSITION, STOCK, later("Size"),
@@ -62,6 +69,10 @@ class Job(Feature):
                  later("Where the work zero lies in this document"), (0.0, 0.0, 0.0)),
         Property("edge_mm", "EdgeMargin", DISTANCE, STOCK, later("Edge margin"),
                  later("How far from the stock's edge cuts must stay; 0: the edge does not matter"), 0.0),
+        Property("part", "ProgramPart", INTEGER, PROGRAM, later("Program number"),
+                 later("Which one is shown, checked and sent, where the machine wants one a tool"), 1),
+        Property("parts", "ProgramParts", INTEGER, PROGRAM, later("Programs"),
+                 later("How many there are: one, or one a tool in turn"), 0, output=True),
         Property("clearance_mm", "Clearance", DISTANCE, HEIGHTS, later("Clearance"),
                  later("Where rapids travel across the work"), 10.0),
         Property("retract_mm", "Retract", DISTANCE, HEIGHTS, later("Retract"),
@@ -100,9 +111,12 @@ class Job(Feature):
         if not active_operations(obj):
             self.invalidate(obj, "the job has no operations")
             return
-        from CNCStepper.workbench.making import program
+        from CNCStepper.workbench.making import programs
 
-        program_file.store(obj, program(obj))
+        texts = [text for _, text in programs(obj)]
+        obj.ProgramParts = len(texts)
+        obj.setEditorMode("ProgramPart", 0 if len(texts) > 1 else HIDDEN)
+        program_file.store(obj, texts[_part(obj, len(texts)) - 1])
         obj.Message = ""
 
     def invalidate(self, obj: Any, why: str) -> None:
@@ -119,9 +133,27 @@ class Job(Feature):
             return
         if name == "Clamps" and "ClampContainers" in obj.PropertiesList:
             obj.ClampContainers = clamps.containers(obj.Clamps)
+        if name in FED_BY and "Tools" in obj.PropertiesList:
+            for tool in obj.Tools:
+                tool.touch()
         if name in SETUP and "Operations" in obj.PropertiesList:
             for operation in obj.Operations:
                 operation.touch()
+
+
+def _part(obj: Any, parts: int) -> int:
+    """Return which of its programs a job object holds, from 1; raises JobError for one that there is not."""
+    if parts == 1:
+        return 1
+    if not 1 <= obj.ProgramPart <= parts:
+        raise JobError(
+            "part-missing",
+            "there is no such part of the program",
+            value=f"{obj.ProgramPart}",
+            limit=f"1 to {parts}",
+            advice="choose one of them",
+        )
+    return int(obj.ProgramPart)
 
 
 def active_operations(job: Any) -> list[Any]:

@@ -7,27 +7,45 @@ from typing import Any
 
 from CNCStepper.machine.shapes import SHAPES, foreign_keys
 from CNCStepper.workbench import packages
-from CNCStepper.workbench.features.base import ANGLE, DISTANCE, ENUMERATION, INTEGER, SPEED, Feature, Property, values
+from CNCStepper.workbench.features.base import (
+    ANGLE,
+    DISTANCE,
+    ENUMERATION,
+    FLOAT,
+    INTEGER,
+    JOB,
+    SPEED,
+    Feature,
+    Property,
+    proxy_type,
+    show,
+    values,
+)
 from CNCStepper.workbench.words import later
 
 TOOL, CUTTING, FORM, LIMITS = later("Tool"), later("Cutting"), later("Tip"), later("Lengths and limits")
+USED = later("In the program")
 
 
 class Tool(Feature):
     """The proxy of a tool; its keys are those of a job file's `[[tool]]`."""
 
     Type = "CNCStepper_Tool"
+    WHY_FIXED = later("A tool of this shape has none")
     PROPERTIES = (
         Property("number", "Number", INTEGER, TOOL, later("Number"), later("The T word of the program"), 1),
         Property("shape", "ToolShape", ENUMERATION, TOOL, later("Shape"), later("The form of the cutter"), "flat",
                  choices=SHAPES),
         Property("diameter_mm", "Diameter", DISTANCE, TOOL, later("Diameter"), later("The diameter of the cutter"),
                  6.0),
-        Property("feed_mm_min", "Feed", SPEED, CUTTING, later("Feed"), later("The speed of cutting moves"), 800.0),
-        Property("plunge_mm_min", "Plunge", SPEED, CUTTING, later("Plunge feed"), later("The speed straight down"),
-                 200.0),
-        Property("spindle_rpm", "SpindleSpeed", "App::PropertyFloat", CUTTING, later("Spindle"),
-                 later("Spindle turns a minute"), 10000.0),
+        Property("feed_mm_min", "Feed", SPEED, CUTTING, later("Feed"),
+                 later("The speed of cutting moves; 0: that of the job's material"), 800.0),
+        Property("plunge_mm_min", "Plunge", SPEED, CUTTING, later("Plunge feed"),
+                 later("The speed straight down; 0: that of the job's material"), 200.0),
+        Property("spindle_rpm", "SpindleSpeed", FLOAT, CUTTING, later("Spindle"),
+                 later("Spindle turns a minute; 0: those of the job's material"), 10000.0),
+        Property("made_of", "MadeOf", ENUMERATION, CUTTING, later("Made of"), later("What the cutter is made of"),
+                 "carbide", choices=("carbide", "hss")),
         Property("corner_radius_mm", "CornerRadius", DISTANCE, FORM, later("Corner radius"),
                  later("Of a bull nose; 0: not given"), 0.0),
         Property("tip_diameter_mm", "TipDiameter", DISTANCE, FORM, later("Tip diameter"),
@@ -44,6 +62,9 @@ class Tool(Feature):
                  later("The length of the cutting edges; 0: not given"), 0.0),
         Property("length_mm", "Length", DISTANCE, LIMITS, later("Free length"),
                  later("From the tip to the holder; 0: not given"), 0.0),
+        Property("length_offset_mm", "LengthOffset", DISTANCE, LIMITS, later("Length offset"),
+                 later("What the controller adds to Z, where the machine takes lengths from a table; 0: not given"),
+                 0.0),
         Property("holder_diameter_mm", "HolderDiameter", DISTANCE, LIMITS, later("Holder diameter"),
                  later("The diameter of what holds the tool; 0: not given"), 0.0),
         Property("ramp_max_deg", "RampMax", ANGLE, LIMITS, later("Steepest ramp"),
@@ -55,6 +76,12 @@ class Tool(Feature):
                  later("The thickest chip that a tooth bears; 0: not given"), 0.0),
         Property("engagement_max_deg", "EngagementMax", ANGLE, LIMITS, later("Greatest engagement"),
                  later("How much of the rim may be in the material, as an angle; 0: not given"), 0.0),
+        Property("used_feed_mm_min", "FeedUsed", SPEED, USED, later("Feed"),
+                 later("The feed of the program"), 0.0, output=True),
+        Property("used_plunge_mm_min", "PlungeUsed", SPEED, USED, later("Plunge feed"),
+                 later("The plunge feed of the program"), 0.0, output=True),
+        Property("used_spindle_rpm", "SpindleUsed", FLOAT, USED, later("Spindle"),
+                 later("The spindle's speed in the program"), 0.0, output=True),
     )  # fmt: skip
 
     def add_properties(self, obj: Any) -> None:
@@ -76,7 +103,14 @@ class Tool(Feature):
         """Raise JobError that names the value that cannot be."""
         model_of(obj)
 
-    make = check
+    def make(self, obj: Any) -> None:
+        """Show feeds and speed as the program has them, which the material of the tool's job may give."""
+        tool = model_of(obj)
+        from CNCStepper.workbench.feeds import fed
+
+        tool = fed(tool, next((other for other in obj.InList if proxy_type(other) == JOB), None))
+        keys = [entry.key for entry in self.PROPERTIES if entry.output]
+        show(obj, {key: getattr(tool, key.removeprefix("used_")) for key in keys})
 
 
 OPTIONAL = {entry.key for entry in Tool.PROPERTIES if entry.group in (FORM, LIMITS)}

@@ -6,14 +6,17 @@ from __future__ import annotations
 from typing import Any
 
 from CNCStepper.workbench.features.base import JOB, proxy_type
-from CNCStepper.workbench.features.elliptical_pocket import FINISH, PATH
+from CNCStepper.workbench.features.common import FINISH, PATH
+from CNCStepper.workbench.features.contour import LEADS, TABS
+from CNCStepper.workbench.features.operation import Operation
 from CNCStepper.workbench.features.tool import FORM, LIMITS
 from CNCStepper.workbench.panels.editor import Editor
-from CNCStepper.workbench.panels.links import DrawingField, ToolField
+from CNCStepper.workbench.panels.links import DrawingField, PickedField, ToolField
 from CNCStepper.workbench.panels.panel import Panel
+from CNCStepper.workbench.panels.points import PointsField
 
-KINDS = {"tool": ToolField, "drawing": DrawingField}
-FOLDED = {"CNCStepper_EllipticalPocket": (FINISH, PATH), "CNCStepper_Tool": (FORM, LIMITS)}
+KINDS = {"tool": ToolField, "drawing": DrawingField, "picked": PickedField, "pattern_points_mm": PointsField}
+RARE = (FINISH, PATH, TABS, LEADS)  # groups of operations
 FREEHAND = "CNCStepper_Freehand"
 HIDDEN = {FREEHAND: ("points_mm",)}
 
@@ -25,7 +28,8 @@ def panel_of(obj: Any) -> Panel:
         from CNCStepper.workbench.panels.job import JobPanel
 
         return JobPanel(obj)
-    editor = Editor(obj, KINDS, FOLDED.get(name, ()), HIDDEN.get(name, ()))
+    folded = RARE if isinstance(obj.Proxy, Operation) else (FORM, LIMITS)
+    editor = Editor(obj, KINDS, folded, HIDDEN.get(name, ()))
     if name == FREEHAND:
         from CNCStepper.workbench.panels.freehand import FreehandPanel
 

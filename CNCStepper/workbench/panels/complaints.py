@@ -40,16 +40,25 @@ def model_of_type(obj: Any) -> Any:
 def complaints(model: Any, values: dict[str, Any], shown: Callable[[str, float], str]) -> dict[str, Refused]:
     """Return what a pydantic model has against single values, by key; what is not in `values` is not judged.
 
+    A value in a table is known by both names: "tabs_count" is "count" in the table "tabs".
     shown: gives a limit as the user reads it, from a key and a number in the unit of that key.
     """
     from pydantic import ValidationError
 
+    tables = {key: value for key, value in values.items() if isinstance(value, dict)}
+    keys = {*values, *(f"{table}_{key}" for table, content in tables.items() for key in content)}
     try:
         model.model_validate({key: value for key, value in values.items() if key in model.model_fields})
     except ValidationError as error:
-        found = [(str(problem["loc"][0]), problem) for problem in error.errors() if problem["loc"]]
-        return {key: _sentence(key, problem, shown) for key, problem in reversed(found) if key in values}
+        found = [(_key_at(problem["loc"]), problem) for problem in error.errors() if problem["loc"]]
+        return {key: _sentence(key, problem, shown) for key, problem in reversed(found) if key in keys}
     return {}
+
+
+def _key_at(place: tuple[Any, ...]) -> str:
+    """Return the key of a place in a model; in between may stand the name of a kind, at the end a row's number."""
+    names = [part for part in place if isinstance(part, str)]
+    return names[0] if len(names) == 1 else f"{names[0]}_{names[-1]}"
 
 
 def _sentence(key: str, problem: Any, shown: Callable[[str, float], str]) -> Refused:

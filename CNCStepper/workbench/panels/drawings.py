@@ -6,29 +6,26 @@ from __future__ import annotations
 from typing import Any
 
 from CNCStepper.errors import CNCStepperError
-from CNCStepper.workbench.features.base import proxy_type
 
 MOST_EDGES = 2000  # more are no drawing that a list should look through
 
 
 def follows(operation: Any, drawing: Any) -> bool:
-    """Return whether an operation can follow a drawing: lines that lie flat; for a pocket, one ellipse."""
+    """Return whether an operation can follow a drawing: lines that lie flat, of which each kind wants its own."""
     if not _is_drawing(drawing) or operation in drawing.OutListRecursive:
         return False
-    from CNCStepper.workbench.ellipses import ellipse_of
-    from CNCStepper.workbench.shapes import edges_of
-
-    look = ellipse_of if proxy_type(operation) == "CNCStepper_EllipticalPocket" else edges_of
     try:
-        look(drawing)
+        operation.Proxy.look(drawing, ())
     except CNCStepperError:
         return False
     return True
 
 
 def _is_drawing(obj: Any) -> bool:
-    """Return whether an object holds lines and no solid; datum planes, axes and origins are none."""
+    """Return whether an object holds lines or points and no solid; datum planes, axes and origins are none."""
     if not obj.isDerivedFrom("Part::Feature") or obj.isDerivedFrom("Part::Datum"):
         return False
     shape = obj.Shape
-    return not shape.isNull() and not shape.Solids and 0 < len(shape.Edges) <= MOST_EDGES
+    if shape.isNull():
+        return bool(obj.isDerivedFrom("Sketcher::SketchObject"))
+    return not shape.Solids and bool(shape.Vertexes) and len(shape.Edges) <= MOST_EDGES

@@ -15,12 +15,14 @@ from typing import Any
 from PySide import QtCore, QtGui
 
 from CNCStepper.errors import CNCStepperError
+from CNCStepper.workbench import warming
 from CNCStepper.workbench.features.base import FAILED, edit, named, problem_of, values
 from CNCStepper.workbench.panels.complaints import complaints, key_of, labelled, model_of_type
 from CNCStepper.workbench.panels.fields import ERROR_COLOUR, NAME, WARNING_COLOUR, Field, note_label
 from CNCStepper.workbench.panels.form import Form
 from CNCStepper.workbench.panels.measures import text_of
 from CNCStepper.workbench.panels.numbers import Refused
+from CNCStepper.workbench.patience import WAITS
 from CNCStepper.workbench.remake import remake
 from CNCStepper.workbench.sentences import translated
 from CNCStepper.workbench.tell import guarded
@@ -52,6 +54,8 @@ class Editor(QtGui.QWidget):
         self.timer.setInterval(PAUSE_MS)
         self.timer.timeout.connect(guarded(self.apply))
         self.form.changed.connect(self.timer.start)
+        if run := warming.running():
+            run.ended.connect(self.timer.start)  # what had to wait is made now
         self.refused = False  # whether the object could not be made from what stands here
         self.good: dict[str, Any] = {}  # the last values with which the object could be made
         column = QtGui.QVBoxLayout(self)
@@ -72,6 +76,7 @@ class Editor(QtGui.QWidget):
     def stop(self) -> None:
         """Let nothing reach the object any more: it may be gone before the form is."""
         self.timer.stop()
+        self.timer.blockSignals(True)
         for field in self.form.fields.values():
             for editor in field.editors:
                 editor.blockSignals(True)
@@ -101,7 +106,7 @@ class Editor(QtGui.QWidget):
     def refresh(self) -> None:
         """Show what stands in the object now."""
         self.form.refresh()
-        self._say(self.warnings, "\n".join(getattr(self.obj.Proxy, "warnings", ())))
+        self._say(self.warnings, "\n".join(map(self._labelled, getattr(self.obj.Proxy, "warnings", ()))))
 
     def _read(self) -> dict[str, Any]:
         """Return what the changed fields say, by key; those that say nothing sensible are marked."""
@@ -148,18 +153,21 @@ class Editor(QtGui.QWidget):
     def _tell(self, error: CNCStepperError, changed: list[str]) -> None:
         """Say an error beside the field that it speaks of, or at the bottom."""
         key = key_of(error, changed) or key_of(error, self.form.fields)
-        sentence = labelled(
-            translated(error.sentence), {key: field.label.text() for key, field in self.form.fields.items()}
-        )
+        sentence = self._labelled(error.sentence)
         if key:
             self.form.mark(key, sentence)
         else:
             self._say(self.problem, sentence)
 
+    def _labelled(self, sentence: str) -> str:
+        """Return what the core says in the user's language, with the labels of the fields in place of their keys."""
+        return labelled(translated(sentence), {key: field.label.text() for key, field in self.form.fields.items()})
+
     def _own_refusal(self) -> CNCStepperError | None:
-        """Return why the object itself cannot be made; what another object has caused is not mended here."""
+        """Return why the object itself cannot be made; what another object has caused is not mended here, nor
+        what only has to wait."""
         error = self.obj.Proxy.refusal
-        return None if error is None or error.code == FAILED else error
+        return None if error is None or error.code in (FAILED, WAITS) else error
 
     def _caused_elsewhere(self) -> str:
         """Return what stands in the way of the program though this object is good, "" when nothing does."""

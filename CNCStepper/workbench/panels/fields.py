@@ -23,9 +23,11 @@ from CNCStepper.workbench.words import tr
 
 NAME = "CNCStepper_Panel"
 ERROR_COLOUR = "#d32f2f"  # reads on light and on dark
+FRAME = f"border: 1px solid {ERROR_COLOUR}; border-radius: 2px;"  # of what is wrong
 WARNING_COLOUR = "#b26a00"
 NOTE_SIZE = 0.9  # of the usual letters
 AXES = "XYZ"
+GAP_PX = 2  # above and below a field
 
 
 class Field(QtCore.QObject):
@@ -40,9 +42,10 @@ class Field(QtCore.QObject):
         self.edited = False  # what stands here is not yet in the object
         self.widget = QtGui.QWidget(parent)
         self.label = QtGui.QLabel(tr(entry.label), parent)
+        self.label.setContentsMargins(0, GAP_PX, 0, GAP_PX)
         self.note = note_label(f"{NAME}_{entry.key}_error", ERROR_COLOUR, self.widget)
         self._column = QtGui.QVBoxLayout(self.widget)
-        self._column.setContentsMargins(0, 0, 0, 0)
+        self._column.setContentsMargins(0, GAP_PX, 0, GAP_PX)
         self._column.setSpacing(1)
         self.editors = self.make()
         self._column.addWidget(self.note)
@@ -65,20 +68,34 @@ class Field(QtCore.QObject):
         return bool(value != value_of(self.obj, self.entry))
 
     def refresh(self) -> None:
-        """Show the object's value, unless a person is just changing it here; let it rest where it is not his."""
+        """Show the object's value, unless a person is just changing it here; let it rest where it is not his.
+
+        A field whose value does not count is not seen.
+        """
         reason = self._why_fixed()
+        self.show(self.counts())
         for editor in self.editors:
             editor.setEnabled(not reason)
         self.widget.setToolTip(reason)
         if not self.edited and (reason or not self.has_focus()):
             self.write()
 
+    def counts(self) -> bool:
+        """Return whether the value counts beside the object's others."""
+        return "Hidden" not in self.obj.getEditorMode(self.entry.name)
+
+    def show(self, seen: bool) -> None:
+        """Let the field and its label be seen, or not."""
+        for part in (self.label, self.widget):
+            part.setVisible(seen)
+
     def mark(self, sentence: str) -> None:
         """Say below the field what is wrong with it; "" takes it back."""
         self.note.setText(sentence)
         self.note.setVisible(bool(sentence))
         for editor in self.editors:
-            editor.setStyleSheet(f"border: 1px solid {ERROR_COLOUR}; border-radius: 2px;" if sentence else "")
+            # by its name: else the list that it opens, and its tooltip, would have the frame too
+            editor.setStyleSheet(f"#{editor.objectName()} {{ {FRAME} }}" if sentence else "")
 
     def has_focus(self) -> bool:
         """Return whether the keyboard is here."""
@@ -121,10 +138,7 @@ class Field(QtCore.QObject):
     def _why_fixed(self) -> str:
         if any(path.lstrip(".").split(".")[0] == self.entry.name for path, *_ in self.obj.ExpressionEngine):
             return tr("An expression gives this value; change it in the property editor")
-        if "ReadOnly" not in self.obj.getEditorMode(self.entry.name):
-            return ""
-        is_drawn = "Drawing" in self.obj.PropertiesList
-        return tr("The drawing gives this value") if is_drawn else tr("A tool of this shape has none")
+        return tr(self.obj.Proxy.WHY_FIXED) if "ReadOnly" in self.obj.getEditorMode(self.entry.name) else ""
 
 
 class NumberField(Field):
@@ -152,7 +166,7 @@ class VectorField(Field):
         row = QtGui.QHBoxLayout()
         row.setSpacing(3)
         self._column.addLayout(row)
-        axes = AXES[:2] if self.entry.key == "centre_mm" else AXES
+        axes = AXES[:2] if self.entry.plane else AXES
         lines = [self.line(f"_{axis.lower()}", row) for axis in axes]
         for axis, line in zip(axes, lines, strict=True):
             line.setAccessibleName(f"{self.label.text()} {axis}")

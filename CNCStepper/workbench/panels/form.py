@@ -8,7 +8,7 @@ from typing import Any
 from PySide import QtCore, QtGui
 
 from CNCStepper.workbench.features.base import INTEGER, NUMBERS, Property, value_of
-from CNCStepper.workbench.panels.fields import NAME, Field, field_class
+from CNCStepper.workbench.panels.fields import GAP_PX, NAME, Field, field_class
 from CNCStepper.workbench.panels.measures import text_of
 from CNCStepper.workbench.words import tr
 
@@ -110,7 +110,7 @@ class Form(QtGui.QWidget):
             box = Box(tr(title), title.split()[0].lower(), folded, self)
             layout = QtGui.QFormLayout(box.body)
             layout.setContentsMargins(*MARGINS)
-            layout.setVerticalSpacing(4)
+            layout.setVerticalSpacing(0)  # a field brings its own, so that those that are not seen take no room
             layout.setFieldGrowthPolicy(QtGui.QFormLayout.FieldGrowthPolicy.ExpandingFieldsGrow)
             layout.setLabelAlignment(QtCore.Qt.AlignmentFlag.AlignLeft | QtCore.Qt.AlignmentFlag.AlignVCenter)
             self.boxes[title] = box
@@ -139,6 +139,7 @@ class Form(QtGui.QWidget):
         label = QtGui.QLabel(tr(entry.label), self)
         for widget in (label, value):
             widget.setToolTip(tr(entry.text))
+        value.setContentsMargins(0, GAP_PX, 0, GAP_PX)
         self.results[entry.key] = value
         _layout(self.box(entry.group)).addRow(label, value)
 

@@ -8,13 +8,15 @@ from typing import Any
 from PySide import QtGui
 
 from CNCStepper.workbench.commands.defaults import stock_of_drawing, stock_of_solid
-from CNCStepper.workbench.features.job import HEIGHTS, PROGRAM, STOCK
+from CNCStepper.workbench.features.job import HEIGHTS, MACHINE, PROGRAM, STOCK
 from CNCStepper.workbench.features.tool import FORM, LIMITS
+from CNCStepper.workbench.panels.axis import AxisSheet
 from CNCStepper.workbench.panels.clamp_list import ClampList
 from CNCStepper.workbench.panels.editor import Editor
 from CNCStepper.workbench.panels.fields import NAME
+from CNCStepper.workbench.panels.form import MARGINS, Box
 from CNCStepper.workbench.panels.lists import OperationList, ToolList
-from CNCStepper.workbench.panels.machine import DialectField, MachineField
+from CNCStepper.workbench.panels.machine import DialectField, MachineField, MaterialField
 from CNCStepper.workbench.panels.panel import Panel
 from CNCStepper.workbench.panels.stock_size import StockSizeField
 from CNCStepper.workbench.remake import remake
@@ -23,10 +25,11 @@ from CNCStepper.workbench.stock import CYLINDER
 from CNCStepper.workbench.tell import guarded
 from CNCStepper.workbench.words import later, tr
 
-KINDS = {"machine": MachineField, "dialect": DialectField, "stock_size_mm": StockSizeField}
+KINDS = {"machine": MachineField, "dialect": DialectField, "material": MaterialField, "stock_size_mm": StockSizeField}
 FOLDED = (PROGRAM, HEIGHTS)
 HIDDEN = ("operations", "tools", "clamps")
 CLAMPS, OPERATIONS, TOOLS = later("Clamps"), later("Operations"), later("Tools")
+AXIS = later("Axis arithmetic")
 
 
 class JobPanel(Panel):
@@ -37,6 +40,7 @@ class JobPanel(Panel):
         self.editor = Editor(job, KINDS, FOLDED, HIDDEN)
         super().__init__(job, self.editor)
         self._add_stock_button()
+        self._add_axis_sheet()
         self.clamps = ClampList(job, self.editor)
         self.operations = OperationList(job, self.editor)
         self.tools = ToolList(job, self.editor)
@@ -96,6 +100,15 @@ class JobPanel(Panel):
         button.setAutoDefault(False)
         button.clicked.connect(guarded(self.fit_stock))
         self.editor.form.add_widget(STOCK, button)
+
+    def _add_axis_sheet(self) -> None:
+        box = Box(tr(AXIS), "axis", True, self.editor)
+        self.axis = AxisSheet(self.job, box.body)
+        column = QtGui.QVBoxLayout(box.body)
+        column.setContentsMargins(*MARGINS)
+        column.addWidget(self.axis)
+        self.editor.form.add_widget(MACHINE, box)
+        self.editor.applied.connect(guarded(self.axis.follow))
 
     def _tool_editor(self, tool: Any) -> Editor:
         editor = Editor(tool, {}, (FORM, LIMITS), parent=self.tools)

@@ -7,11 +7,12 @@ from typing import Any
 
 from PySide import QtGui
 
-from CNCStepper.workbench.features.base import proxy_type
+from CNCStepper.workbench.commands.choice import picked
+from CNCStepper.workbench.features.base import value_of
 from CNCStepper.workbench.features.operation import jobs_of
 from CNCStepper.workbench.panels.choices import words_of
 from CNCStepper.workbench.panels.drawings import follows
-from CNCStepper.workbench.panels.fields import NAME, ChoiceField
+from CNCStepper.workbench.panels.fields import NAME, ChoiceField, Field
 from CNCStepper.workbench.words import tr
 
 
@@ -39,12 +40,20 @@ class DrawingField(ChoiceField):
 
     def choices(self) -> list[tuple[Any, str]]:
         """Return no drawing, and all that the document has for this operation."""
-        nothing = tr("none, the numbers count") if proxy_type(self.obj) == POCKET else tr("none yet")
         drawings = [other for other in self.obj.Document.Objects if follows(self.obj, other)]
-        return [(None, nothing), *((drawing, drawing.Label) for drawing in drawings)]
+        return [(None, tr(self.obj.Proxy.NO_DRAWING)), *((drawing, drawing.Label) for drawing in drawings)]
+
+    def touched(self) -> None:
+        """Note the choice: of another drawing all counts."""
+        self.pick(())
+
+    def pick(self, names: tuple[str, ...]) -> None:
+        """Note the choice, and which faces and edges of the drawing count."""
+        self.parent().fields["picked"].take(names)
+        super().touched()
 
     def take(self) -> None:
-        """Choose the selected object; what is wrong with it is said as of any other."""
+        """Choose the selected object, or its selected faces and edges; what is wrong is said as of any other."""
         import FreeCADGui
 
         selected = [other for other in FreeCADGui.Selection.getSelection() if other is not self.obj]
@@ -53,7 +62,7 @@ class DrawingField(ChoiceField):
             return
         self._offer(selected[0])
         self.editors[0].setCurrentIndex(self.values.index(selected[0]))
-        self.touched()
+        self.pick(picked(selected[0], self.obj.Proxy.PICKS_LINES))
 
     def write(self) -> None:
         """Show the operation's drawing, whether it can be followed or not."""
@@ -72,7 +81,33 @@ class DrawingField(ChoiceField):
             self.editors[0].addItem(drawing.Label)
 
 
-POCKET = "CNCStepper_EllipticalPocket"
+class PickedField(Field):
+    """The faces and edges of the drawing that count; not seen where all of it does."""
+
+    def make(self) -> list[Any]:
+        """Add the label that names them."""
+        self.names: tuple[str, ...] = ()
+        names = self.add(QtGui.QLabel(self.widget))
+        names.setWordWrap(True)
+        return [names]
+
+    def take(self, names: tuple[str, ...]) -> None:
+        """Let these count."""
+        self.names = names
+        self.edited = True
+
+    def read(self) -> tuple[str, ...]:
+        """Return their names."""
+        return self.names
+
+    def write(self) -> None:
+        """Show their names."""
+        self.names = value_of(self.obj, self.entry)
+        self.editors[0].setText(", ".join(self.names))
+
+    def counts(self) -> bool:
+        """Return whether there are some."""
+        return super().counts() and bool(value_of(self.obj, self.entry))
 
 
 def tool_words(tool: Any) -> str:

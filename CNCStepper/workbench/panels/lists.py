@@ -147,6 +147,8 @@ class ToolList(ObjectList):
         super().__init__(job, "tools", parent)
         self.button("add", tr("Add tool"), tr("Add a tool to this job"), self.add)
         self.button("remove", tr("Remove tool"), tr("Delete the marked tool"), self.remove)
+        tip = tr("Add the tools of FreeCAD's library or of a tool table")
+        self.layout().addWidget(self.button("import", tr("Import…"), tip, self.import_))  # in a line of its own
         self.refresh()
 
     def objects(self) -> list[Any]:
@@ -163,6 +165,19 @@ class ToolList(ObjectList):
         self.say("")
         self.refresh()
         self.choose(tool)
+        self.changed.emit()
+
+    def import_(self) -> None:
+        """Ask for a file of tools, and list them."""
+        from CNCStepper.workbench import tool_import
+
+        tool_import.ask(self.job, self.imported)
+
+    def imported(self) -> None:
+        """List the tools that have come, and mark the last."""
+        self.say("")
+        self.refresh()
+        self.choose(self.job.Tools[-1])
         self.changed.emit()
 
     def remove(self) -> None:

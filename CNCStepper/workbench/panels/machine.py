@@ -68,6 +68,16 @@ class MachineField(ChoiceField):
         return str(Path(file).parent) if file else ""
 
 
+class MaterialField(ChoiceField):
+    """A material of the table, or none."""
+
+    def choices(self) -> list[tuple[Any, str]]:
+        """Return none, and the materials by their names."""
+        from CNCStepper.machine.material import material_names
+
+        return [("", tr("not given")), *((name, words_of(name)) for name in material_names())]
+
+
 class DialectField(ChoiceField):
     """The machine's own dialect, or another one that we write."""
 

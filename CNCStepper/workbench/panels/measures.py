@@ -20,7 +20,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from CNCStepper.units import MM_PER_INCH, S_PER_MIN
-from CNCStepper.workbench.features.base import ANGLE, DISTANCE, INTEGER, POSITION, SPEED, Property
+from CNCStepper.workbench.features.base import ANGLE, DISTANCE, INTEGER, POINTS, POSITION, SPEED, Property
 from CNCStepper.workbench.panels.numbers import LARGEST, Refused, shortened, shown, tidied
 from CNCStepper.workbench.words import later
 
@@ -45,7 +45,7 @@ class Measure:
 def measure_of(entry: Property) -> Measure:
     """Return how values of a property are shown to this user."""
     imperial, centimetres = schema() in IMPERIAL, schema() in CENTIMETRES
-    if entry.type in (DISTANCE, POSITION):
+    if entry.type in (DISTANCE, POSITION, POINTS):
         unit, factor = ("in", MM_PER_INCH) if imperial else ("cm", MM_PER_CM) if centimetres else ("mm", 1.0)
         return Measure(unit, factor, "Length")
     if entry.type == SPEED:
@@ -104,13 +104,14 @@ def _quantity(tidy: str, text: str, obj: Any) -> Any:
     """Return FreeCAD's quantity; its expressions know sums with units, its quantities know 1/4\" and 3' 4\"."""
     import FreeCAD
 
+    reasons = []
     for read in (FreeCAD.Units.Quantity, obj.evalExpression):
         try:
             with _decimal_points():
                 return FreeCAD.Units.Quantity(read(tidy))
-        except Exception:  # FreeCAD raises many kinds here, of which several are no more than Exception
-            continue
-    raise Refused(later("'{0}' is no number"), shortened(text))
+        except Exception as reason:  # FreeCAD raises many kinds here, of which several are no more than Exception
+            reasons.append(reason)
+    raise Refused(later("'{0}' is no number"), shortened(text)) from reasons[-1]
 
 
 @contextmanager

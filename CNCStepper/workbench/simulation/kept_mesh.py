@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from CNCStepper.workbench.features.program import job_behind
 from CNCStepper.workbench.freehand.mode import undo_step
 from CNCStepper.workbench.simulation.figures import clock_text
 from CNCStepper.workbench.words import tr
@@ -19,5 +20,5 @@ def keep_mesh(job: Any, stl: str, time_s: float) -> Any:
         obj = job.Document.addObject("Mesh::Feature", "CutPart")
         obj.Label = tr("{0}, cut until {1}").format(job.Label, clock_text(time_s))
         obj.Mesh = Mesh.Mesh(stl)
-        obj.Placement = FreeCAD.Placement(FreeCAD.Vector(job.WorkOrigin), FreeCAD.Rotation())
+        obj.Placement = FreeCAD.Placement(FreeCAD.Vector(job_behind(job).WorkOrigin), FreeCAD.Rotation())
     return obj

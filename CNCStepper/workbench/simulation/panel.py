@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 from PySide import QtCore, QtGui
@@ -66,19 +67,22 @@ class SimulationPanel(QtGui.QWidget):
             self._content.deleteLater()
             self._content = None
 
-    def show_result(self, result: ProofResult, player: Player, height_range_mm: tuple[float, float]) -> None:
-        """Show what was proven."""
+    def load_result(self, result: ProofResult, player: Player, height_range_mm: tuple[float, float]) -> Iterator[None]:
+        """Show what was proven, made a few ms at a time: run it on from a timer until it ends."""
         self.say("")
         self._content = QtGui.QWidget()
         layout = QtGui.QVBoxLayout(self._content)
         layout.setContentsMargins(0, 0, 0, 0)
         layout.addWidget(Controls(player))
+        yield
         layout.addWidget(Legend(*height_range_mm))
         layout.addWidget(self._path_box())
         layout.addWidget(self._keep_button())
         layout.addLayout(_totals(result))
         self.findings.show(result.findings)
+        yield
         self.program.show_program(result.program_lines)
+        yield
         split = QtGui.QSplitter(QtCore.Qt.Orientation.Vertical)
         split.setChildrenCollapsible(False)
         split.addWidget(_titled(tr("Program"), self.program))

@@ -39,6 +39,23 @@ class ProgramLines(QtCore.QAbstractTableModel):
         return str(section + 1) if role == DISPLAY and orientation == QtCore.Qt.Orientation.Vertical else None
 
 
+class Numbers(QtGui.QHeaderView):
+    """The numbers beside the lines, as wide as they are told: Qt would ask thousands of them how wide they are."""
+
+    def __init__(self, parent: Any):
+        super().__init__(QtCore.Qt.Orientation.Vertical, parent)
+        self._width_px = 0
+
+    def set_width(self, width_px: int) -> None:
+        """Set the width."""
+        self._width_px = width_px
+        self.setFixedWidth(width_px)
+
+    def sizeHint(self) -> Any:
+        """Return that width; Qt asks."""
+        return QtCore.QSize(self._width_px, 0)
+
+
 class ProgramList(QtGui.QTableView):
     """A list of the program's lines with the one under way marked; `chosen` sends the line that a person goes to."""
 
@@ -60,7 +77,8 @@ class ProgramList(QtGui.QTableView):
 
     def _set_up_headers(self, line_px: int) -> None:
         fixed = QtGui.QHeaderView.ResizeMode.Fixed
-        numbers, across = self.verticalHeader(), self.horizontalHeader()
+        numbers, across = Numbers(self), self.horizontalHeader()
+        self.setVerticalHeader(numbers)
         numbers.setMinimumSectionSize(1)
         numbers.setDefaultSectionSize(line_px)
         numbers.setSectionResizeMode(fixed)
@@ -74,7 +92,7 @@ class ProgramList(QtGui.QTableView):
         """Show these lines."""
         digits = max(len(str(len(lines))), 3)
         letter_px = self.fontMetrics().boundingRect("0" * 100).width() / 100
-        self.verticalHeader().setFixedWidth(round(letter_px * (digits + 2)))
+        self.verticalHeader().set_width(round(letter_px * (digits + 2)))
         self.horizontalHeader().setMinimumSectionSize(round(letter_px * (max(map(len, lines), default=0) + 2)))
         self.setModel(ProgramLines(lines, self))
         self.selectionModel().currentChanged.connect(self._choose)

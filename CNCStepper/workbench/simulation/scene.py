@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from CNCStepper.workbench.simulation.moments import Tiles
 
 FACES_AT_ONCE = 2500  # so many are handed to the 3D view at once, which takes a few ms
+POINTS_AT_ONCE = 10_000  # of lines, likewise
 FEED_RGB = (0.13, 0.15, 0.18)
 RAPID_RGB = (0.84, 0.09, 0.44)
 STOCK_RGB = (0.45, 0.36, 0.22)
@@ -89,8 +90,11 @@ class Scene:
         """Add path, tools and marker, a few ms at a time."""
         self._root.addChild(self._path)
         for lines, rgb in ((result.rapids, RAPID_RGB), (result.feeds, FEED_RGB)):
-            self._path.addChild(nodes.separator(nodes.plain(rgb), nodes.lines(lines.points, lines.counts)))
-            yield
+            group = nodes.separator(nodes.plain(rgb))
+            self._path.addChild(group)
+            for piece in lines.pieces(POINTS_AT_ONCE):
+                group.addChild(nodes.separator(nodes.lines(piece.points, piece.counts)))
+                yield
         self._add_tools(result.tools)
         self._add_marker()
 

@@ -20,7 +20,7 @@ from CNCStepper.workbench.simulation.material import Material
 from CNCStepper.workbench.simulation.panel import SimulationPanel
 from CNCStepper.workbench.simulation.player import Player
 from CNCStepper.workbench.simulation.stage import Stage, view_of
-from CNCStepper.workbench.simulation.watch import JobWatch
+from CNCStepper.workbench.watch import ProgramWatch
 from CNCStepper.workbench.words import tr
 
 if TYPE_CHECKING:
@@ -40,7 +40,8 @@ class SimulationTask:
         self.form.keep.connect(tell.guarded(self._want_mesh))
         self.form.destroyed.connect(self._leave)  # however FreeCAD closes the panel
         self._job = job
-        self._watch = JobWatch(job, self._changed, self._deleted)
+        self._document_name = job.Document.Name
+        self._watch = ProgramWatch(job, self._changed, self._deleted, self._document_closing)
         self._run: ProofRun | None = None
         self._result: ProofResult | None = None
         self._player: Player | None = None
@@ -166,7 +167,7 @@ class SimulationTask:
 
     def _rest_bit_by_bit(self, result: ProofResult, player: Player, scene: Scene) -> Iterator[None]:
         """Bring in path, tools and panel likewise, and stand at the end."""
-        self.form.show_result(result, player, scene.height_range_mm)
+        yield from self.form.load_result(result, player, scene.height_range_mm)
         self.form.program.chosen.connect(tell.guarded(self._go_to_line))
         self.form.findings.chosen.connect(tell.guarded(self._go_to_finding))
         yield
@@ -240,6 +241,10 @@ class SimulationTask:
 
     def _deleted(self) -> None:
         QtCore.QTimer.singleShot(0, tell.guarded(self.reject))
+
+    def _document_closing(self, name: str) -> None:
+        if name == self._document_name:
+            self._deleted()
 
 
 def _words(error: CNCStepperError) -> str:

@@ -24,15 +24,13 @@ def attach(obj: Any) -> None:
 
 def _kind(obj: Any) -> type:
     from CNCStepper.workbench.features.base import JOB, proxy_type
+    from CNCStepper.workbench.features.operation import Operation as Feature
     from CNCStepper.workbench.viewproviders.base import ViewProvider
     from CNCStepper.workbench.viewproviders.job import Job
     from CNCStepper.workbench.viewproviders.operation import Operation
     from CNCStepper.workbench.viewproviders.preview import Preview
+    from CNCStepper.workbench.viewproviders.program import Program
 
-    kinds = {
-        JOB: Job,
-        "CNCStepper_EllipticalPocket": Operation,
-        "CNCStepper_Engrave": Operation,
-        "CNCStepper_Preview": Preview,
-    }
-    return kinds.get(proxy_type(obj), ViewProvider)
+    if isinstance(obj.Proxy, Feature):
+        return Operation
+    return {JOB: Job, "CNCStepper_Preview": Preview, "CNCStepper_Program": Program}.get(proxy_type(obj), ViewProvider)

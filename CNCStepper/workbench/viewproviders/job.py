@@ -54,7 +54,7 @@ class Job(ViewProvider):
     @polled
     def claimChildren(self) -> list[Any]:
         """Return what stands below the job in the tree."""
-        return [*self.obj.Tools, *self.obj.Operations, *previews(self.obj)]
+        return [*self.obj.Tools, *self.obj.Operations, *previews(self.obj), *edited_programs(self.obj)]
 
     @polled
     def onChanged(self, view: Any, name: str) -> None:
@@ -69,8 +69,9 @@ class Job(ViewProvider):
 
     @guarded
     def onDelete(self, view: Any, parts: Any) -> bool:
-        """Delete what belongs to this job alone, in the same undo step; drawings stay."""
-        for child in [child for child in self.claimChildren() if self.is_its_own(child)]:
+        """Delete what belongs to this job alone, in the same undo step; drawings and edited programs stay."""
+        parts = [child for child in self.claimChildren() if child not in edited_programs(self.obj)]
+        for child in [child for child in parts if self.is_its_own(child)]:
             child.Document.removeObject(child.Name)
         return True
 
@@ -81,10 +82,12 @@ class Job(ViewProvider):
 
     def entries(self) -> list[Entry]:
         """Return the entries of every object, and what takes the program further."""
+        from CNCStepper.workbench.commands.edit_program import EditProgram
         from CNCStepper.workbench.commands.send import Send
         from CNCStepper.workbench.commands.simulate import Simulate
 
-        further = [Entry(each.text(), each.name, each.run, each.why_not()) for each in (Simulate(), Send())]
+        commands = (Simulate(), Send(), EditProgram())
+        further = [Entry(each.text(), each.name, each.run, each.why_not()) for each in commands]
         return [*super().entries(), *further, self.saving()]
 
     def saving(self) -> Entry:
@@ -103,3 +106,8 @@ class Job(ViewProvider):
 def previews(job: Any) -> list[Any]:
     """Return the previews of a job (one, unless a user deleted or copied it)."""
     return [other for other in job.InList if proxy_type(other) == "CNCStepper_Preview"]
+
+
+def edited_programs(job: Any) -> list[Any]:
+    """Return the programs that were edited from a job's own."""
+    return [other for other in job.InList if proxy_type(other) == "CNCStepper_Program"]

@@ -27,13 +27,19 @@ tool = load(ROOT / "tools" / "translations.py")
 PORTUGUESE = tool.read(tool.catalogue("_pt-BR"))
 
 
+@pytest.fixture(scope="module")
+def shown() -> dict:
+    """The texts of the whole source, with their places; to find them takes a second."""
+    return tool.texts()
+
+
 def test_every_shown_text_goes_through_tr() -> None:
     assert tool.faults() == []
 
 
 @pytest.mark.parametrize("suffix", tool.LANGUAGES)
-def test_the_catalogues_hold_what_the_source_shows(suffix: str) -> None:
-    held, wanted = set(tool.read(tool.catalogue(suffix))), tool.texts()
+def test_the_catalogues_hold_what_the_source_shows(suffix: str, shown: dict) -> None:
+    held, wanted = set(tool.read(tool.catalogue(suffix))), shown
     missing = [f"{wanted[text]}: {text}" for text in sorted(set(wanted) - held)]
     assert missing == [], "run 'make translations', then translate what it brought in"
     assert sorted(held - set(wanted)) == [], "nothing shows these any more: run 'make translations'"

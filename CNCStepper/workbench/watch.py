@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Watches a job while its simulation is open: its program may change, its document may be closed."""
+"""Watches an object with a program: its program may be made anew, it may be deleted, documents may be closed."""
 
 from __future__ import annotations
 
@@ -7,14 +7,19 @@ from collections.abc import Callable
 from typing import Any
 
 
-class JobWatch:
-    """Calls `changed` when the job's program changes, `deleted` when the job or its document is about to go."""
+class ProgramWatch:
+    """Calls `changed` when the program of `obj` changes, `deleted` before it goes, `closing` before a document goes.
 
-    def __init__(self, job: Any, changed: Callable[[], None], deleted: Callable[[], None]):
+    obj: what is watched, None for nothing; it may be another one later.
+    """
+
+    def __init__(
+        self, obj: Any, changed: Callable[[], None], deleted: Callable[[], None], closing: Callable[[str], None]
+    ):
         import FreeCAD
 
-        self._job, self._document_name = job, job.Document.Name
-        self._changed, self._deleted = changed, deleted
+        self.obj = obj
+        self._changed, self._deleted, self._closing = changed, deleted, closing
         FreeCAD.addDocumentObserver(self)
         self._watching = True
 
@@ -28,15 +33,15 @@ class JobWatch:
 
     def slotChangedObject(self, obj: Any, name: str) -> None:
         """FreeCAD calls this at every change of a property."""
-        if name == "Program" and obj is self._job:
+        if name == "Program" and obj is self.obj:
             self._changed()
 
     def slotDeletedObject(self, obj: Any) -> None:
         """FreeCAD calls this before an object goes."""
-        if obj is self._job:
+        if self.obj is not None and obj is self.obj:
+            self.obj = None
             self._deleted()
 
     def slotDeletedDocument(self, document: Any) -> None:
         """FreeCAD calls this before a document goes."""
-        if document.Name == self._document_name:
-            self._deleted()
+        self._closing(document.Name)

@@ -1,0 +1,99 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The editors in FreeCAD's window: one dock for each text, one behind the other; none goes with something unsaved."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import FreeCADGui
+from PySide import QtCore, QtGui
+
+from CNCStepper.workbench import tell
+from CNCStepper.workbench.editor.panel import EditorPanel
+from CNCStepper.workbench.words import tr
+
+NAME = "CNCStepper_Editor_dock"
+WIDTH = 430
+
+
+class EditorDock(QtGui.QDockWidget):
+    """The dock of one text."""
+
+    def __init__(self, source: Any, window: Any):
+        panel = EditorPanel(source)
+        super().__init__(window)
+        self.setObjectName(NAME)
+        self.panel = panel
+        self.setWidget(self.panel)
+        self.panel.title_changed.connect(tell.guarded(self._name))
+        self._name()
+
+    def closeEvent(self, event: Any) -> None:
+        """Go, unless somebody thinks better of losing what is not saved."""
+        if not tell.guarded(self.panel.may_close)():
+            event.ignore()
+            return
+        self.panel.end()
+        super().closeEvent(event)
+        self.deleteLater()
+
+    def sizeHint(self) -> Any:
+        """Return a comfortable size."""
+        return QtCore.QSize(WIDTH, 600)
+
+    def _name(self) -> None:
+        self.setWindowTitle(tr("Program: {0}").format(self.panel.title))
+
+
+class ClosingGuard(QtCore.QObject):
+    """Asks about every unsaved text before FreeCAD's window closes."""
+
+    def __init__(self, window: Any):
+        super().__init__(window)
+        self._window = window
+        window.installEventFilter(self)
+        QtCore.QCoreApplication.instance().aboutToQuit.connect(self._quit)
+
+    def eventFilter(self, watched: Any, event: Any) -> bool:
+        """Keep the window open when somebody thinks better of closing it."""
+        if not isinstance(event, QtCore.QEvent) or event.type() != QtCore.QEvent.Type.Close:
+            return False  # PySide2 may take an event for a deleted object that lay at its address
+        for dock in docks():
+            if not tell.guarded(dock.panel.may_close)():
+                event.ignore()
+                return True
+        return False
+
+    def _quit(self) -> None:
+        self._window.removeEventFilter(self)
+        for dock in docks():
+            dock.panel.end()
+
+
+_guard: list[ClosingGuard] = []
+
+
+def docks() -> list[EditorDock]:
+    """Return the docks of all texts that are being edited."""
+    found = FreeCADGui.getMainWindow().findChildren(QtGui.QDockWidget, NAME)
+    return [dock for dock in found if isinstance(dock, EditorDock)]
+
+
+def open_source(source: Any) -> EditorDock:
+    """Show the editor of a source in front; one that is open already is shown as it is."""
+    window = FreeCADGui.getMainWindow()
+    if not _guard:
+        _guard.append(ClosingGuard(window))
+    others = docks()
+    dock = next((dock for dock in others if dock.panel.source.key == source.key), None)
+    if dock is None:
+        dock = EditorDock(source, window)
+        window.addDockWidget(QtCore.Qt.DockWidgetArea.RightDockWidgetArea, dock)
+        if others:
+            window.tabifyDockWidget(others[-1], dock)
+        else:  # Qt would forget the width at the next change of anything else in the window
+            window.resizeDocks([dock], [WIDTH], QtCore.Qt.Orientation.Horizontal)
+    dock.show()
+    dock.raise_()
+    dock.panel.edit.setFocus()
+    return dock

@@ -1,0 +1,40 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The operations by the cycles that they stand for, in the order of the toolbar."""
+
+from __future__ import annotations
+
+from CNCStepper.errors import JobError
+from CNCStepper.workbench.features.bore import Bore
+from CNCStepper.workbench.features.circular_pocket import CircularPocket
+from CNCStepper.workbench.features.contour import Contour
+from CNCStepper.workbench.features.drill import Drill
+from CNCStepper.workbench.features.elliptical_pocket import EllipticalPocket
+from CNCStepper.workbench.features.engrave import Engrave
+from CNCStepper.workbench.features.face import Face
+from CNCStepper.workbench.features.operation import Operation
+from CNCStepper.workbench.features.pocket import Pocket
+from CNCStepper.workbench.features.rectangular_pocket import RectangularPocket
+from CNCStepper.workbench.features.thread import Thread
+
+KINDS: tuple[type[Operation], ...] = (
+    Face,
+    Pocket,
+    RectangularPocket,
+    CircularPocket,
+    EllipticalPocket,
+    Contour,
+    Drill,
+    Bore,
+    Thread,
+    Engrave,
+)
+OPERATIONS = {kind.CYCLE: kind for kind in KINDS}
+
+
+def operation_class(cycle: str) -> type[Operation]:
+    """Return the kind of document object that stands for a cycle; raises JobError for a name that is none."""
+    if cycle not in OPERATIONS:
+        raise JobError(
+            "cycle-unknown", f"there is no cycle '{cycle}'", advice=f"use one of: {', '.join(sorted(OPERATIONS))}"
+        )
+    return OPERATIONS[cycle]

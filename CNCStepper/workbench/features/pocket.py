@@ -1,0 +1,37 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""CNCStepper_Pocket: what the closed lines of a drawing enclose, less the islands in it."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from CNCStepper.workbench.features.base import values
+from CNCStepper.workbench.features.common import ANY_POCKET
+from CNCStepper.workbench.features.operation import OPERATION, Operation, drawn, drawn_curves
+from CNCStepper.workbench.shapes import require_closed
+from CNCStepper.workbench.words import later
+
+
+class Pocket(Operation):
+    """The proxy of a pocket; the outermost closed lines are its outlines, those in them islands, and so on."""
+
+    Type = "CNCStepper_Pocket"
+    CYCLE = "pocket"
+    PROPERTIES = (
+        *OPERATION,
+        *drawn(later("Region"), later("A sketch, wires or faces: closed lines, those inside are islands")),
+        *ANY_POCKET,
+    )
+
+    @classmethod
+    def look(cls, drawing: Any, picked: tuple[str, ...]) -> None:
+        """Raise GeometryError unless all lines of the drawing are closed."""
+        require_closed(drawing, picked)
+
+    def cycle_values(self, obj: Any, origin_mm: tuple[float, ...]) -> dict[str, Any]:
+        """Return the parameters, and the drawing's closed curves as outlines and islands."""
+        from CNCStepper.workbench.nesting import nested
+
+        curves = drawn_curves(obj, origin_mm, "choose a sketch, closed wires or faces for it")
+        outlines, islands = nested(curves, obj.Drawing.Label)
+        return {**self.given(values(obj)), "outlines": outlines, "islands": islands}

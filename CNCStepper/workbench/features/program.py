@@ -1,0 +1,53 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""CNCStepper_Program: a program that a person has edited, kept in the document; no recompute writes over it."""
+
+from __future__ import annotations
+
+import hashlib
+from typing import Any
+
+from CNCStepper.errors import JobError
+from CNCStepper.workbench import program_file
+from CNCStepper.workbench.features.base import LINK, TEXT, Feature, Property, proxy_type
+from CNCStepper.workbench.undo import follow
+from CNCStepper.workbench.words import later
+
+PROGRAM = later("Program")
+
+
+class Program(Feature):
+    """The proxy of an edited program; it is checked, simulated and sent with what its job says of machine and stock."""
+
+    Type = "CNCStepper_Program"
+    PROPERTIES = (
+        Property("job", "Job", LINK, PROGRAM, later("Job"),
+                 later("The job whose machine, stock, tools and clamps the program is for")),
+        Property("program", "Program", "App::PropertyFileIncluded", PROGRAM, later("Program"),
+                 later("The program, kept in this document"), output=True),
+        Property("made_from", "MadeFrom", TEXT, PROGRAM, later("Made from"),
+                 later("The fingerprint of the job's program from which this one was edited"), "", output=True),
+        Property("note", "Note", TEXT, PROGRAM, later("Note"),
+                 later("What happened to the job's own program since"), "", output=True),
+    )  # fmt: skip
+
+    def add_properties(self, obj: Any) -> None:
+        """Add what `obj` lacks, and see that it follows every undo."""
+        super().add_properties(obj)
+        follow()
+
+    def make(self, obj: Any) -> None:
+        """Say whether the job's own program is still the one that was edited; the text stays as it is."""
+        if proxy_type(obj.Job) != "CNCStepper_Job":
+            raise JobError("job-missing", "the edited program has no job", advice="choose its job")
+        changed = obj.MadeFrom and obj.MadeFrom != fingerprint(program_file.load(obj.Job))
+        obj.Note = "the job's own program has changed since this one was edited" if changed else ""
+
+
+def fingerprint(text: str) -> str:
+    """Return what names a program's text."""
+    return hashlib.sha256(text.encode("utf-8")).hexdigest()
+
+
+def job_behind(obj: Any) -> Any:
+    """Return the job whose machine, stock and tools a program is for: an edited program's, else the object itself."""
+    return obj.Job if proxy_type(obj) == Program.Type else obj
