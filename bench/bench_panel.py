@@ -6,18 +6,13 @@ Python starts FreeCAD with this file, and FreeCAD measures: its task panels do t
 
 from __future__ import annotations
 
-import os
-import shutil
 import statistics
-import subprocess
 import sys
-import tempfile
 import time
-import traceback
-from pathlib import Path
 from typing import Any
 
-ROOT = Path(__file__).resolve().parents[1]
+from in_freecad import ROOT, is_measuring, run
+
 EDITS = 40
 
 
@@ -69,21 +64,5 @@ def inside() -> None:
         print(f"panel: edit the demo's {make.__name__}: {result}", file=sys.stderr)
 
 
-def main() -> None:
-    """Start FreeCAD with this file and print what it measures."""
-    with tempfile.TemporaryDirectory() as home:
-        command = [str(shutil.which("freecadcmd")), __file__, "-M", str(ROOT)]
-        environment = {**os.environ, "FREECAD_USER_HOME": home, "CNCSTEPPER_BENCH": "inside"}
-        done = subprocess.run(command, env=environment, capture_output=True, text=True, check=True)
-    print("\n".join(line for line in done.stderr.splitlines() if line.startswith("panel:")))
-
-
-if os.environ.get("CNCSTEPPER_BENCH") == "inside":  # in FreeCAD this is no __main__, and it ends by os._exit
-    try:
-        inside()
-    except BaseException:
-        traceback.print_exc()
-        os._exit(1)
-    os._exit(0)
-elif __name__ == "__main__":
-    main()
+if __name__ == "__main__" or is_measuring("panel"):
+    run(__file__, "panel", inside)

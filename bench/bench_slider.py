@@ -8,18 +8,16 @@ the graphics card's. The answers come from the process that a simulation's panel
 from __future__ import annotations
 
 import os
-import shutil
 import statistics
-import subprocess
 import sys
-import tempfile
 import time
-import traceback
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-ROOT = Path(__file__).resolve().parents[1]
+from bench_panel import engraving, pocket
+from in_freecad import is_measuring, run
+
 MOVES = 100
 LIMIT_S = 300.0
 
@@ -106,9 +104,6 @@ def inside() -> None:
     import FreeCAD
     from PySide import QtCore
 
-    sys.path.insert(0, str(ROOT / "bench"))
-    from bench_panel import engraving, pocket
-
     application = QtCore.QCoreApplication.instance() or QtCore.QCoreApplication([])
     for make in (pocket, engraving):
         document = FreeCAD.newDocument()
@@ -118,23 +113,5 @@ def inside() -> None:
     application.processEvents()
 
 
-def main() -> None:
-    """Start FreeCAD with this file and print what it measures."""
-    with tempfile.TemporaryDirectory() as home:
-        command = [str(shutil.which("freecadcmd")), __file__, "-M", str(ROOT)]
-        environment = {**os.environ, "FREECAD_USER_HOME": home, "CNCSTEPPER_BENCH": "slider"}
-        done = subprocess.run(command, env=environment, capture_output=True, text=True, check=False)
-    print("\n".join(line for line in done.stderr.splitlines() if line.startswith("slider:")))
-    if done.returncode:
-        sys.exit(done.stderr)
-
-
-if os.environ.get("CNCSTEPPER_BENCH") == "slider":  # in FreeCAD this is no __main__, and it ends by os._exit
-    try:
-        inside()
-    except BaseException:
-        traceback.print_exc()
-        os._exit(1)
-    os._exit(0)
-elif __name__ == "__main__":
-    main()
+if __name__ == "__main__" or is_measuring("slider"):
+    run(__file__, "slider", inside)
