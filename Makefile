@@ -4,17 +4,21 @@
 SHELL := /bin/bash
 .SHELLFLAGS := -euo pipefail -c
 .DEFAULT_GOAL := help
-.PHONY: help setup demo test matrix quick bench lint translations pictures clean
+# The tests start many a Python: each would compile anew what it loads, some 10 s of `make quick`.
+unexport PYTHONDONTWRITEBYTECODE
+.PHONY: help setup demo test matrix quick soak fuzz bench lint translations pictures clean
 
 help:
 	@echo "make demo    draw, cut and check the demonstration part in headless FreeCAD and on the virtual grbl"
 	@echo "make test    everything: lint, types, all tests, those inside FreeCAD too"
 	@echo "make matrix  the tests inside FreeCAD 0.20.2, 1.0.0 and 1.1.3, with and without a window (sets them up; as root)"
 	@echo "make quick   the tests that take under 60 s together and need no FreeCAD"
+	@echo "make soak    the random cases of every cycle, 500 each in place of 25 (an hour or more); RUNS=n takes another number"
+	@echo "make fuzz    100 000 hostile programs for the reader (CASES=n), then atheris looks for more for FUZZ_S=300 seconds"
 	@echo "make bench   measure speed, beside the programs we compare ourselves with"
 	@echo "make lint    style and types only"
 	@echo "make translations   collect the texts that a person sees, and compile their Portuguese"
-	@echo "make pictures   take the pictures of the window in docs/pictures anew"
+	@echo "make pictures   take the pictures in docs/pictures anew: of every cycle, and of the window"
 	@echo "make setup   only what the others need: system packages and .venv"
 	@echo "make clean   remove what tests, demo and benchmarks have made (.venv stays, the FreeCADs of make matrix go)"
 
@@ -25,7 +29,7 @@ demo: setup
 	@.venv/bin/python examples/demo.py
 
 test: setup lint
-	@.venv/bin/python -m pytest -n 2 --dist loadfile -m "not freecad"
+	@.venv/bin/python -m pytest -n 2 --dist loadfile --no-loadscope-reorder -m "not freecad"
 	@.venv/bin/python -m pytest -m freecad
 
 matrix:
@@ -34,7 +38,25 @@ matrix:
 
 quick:
 	@tools/setup.sh python
-	@.venv/bin/python -m pytest -n 2 --dist loadfile -m "not slow and not freecad"
+	@.venv/bin/python -m pytest -n 2 --dist loadfile --no-loadscope-reorder -m "not slow and not freecad"
+
+RUNS := 500
+soak:
+	@tools/setup.sh python
+	@echo "seeds 1 to $(RUNS); a failed test has its seed in its name: pytest 'FILE::TEST[SEED]' repeats it"
+	@grep -rlE --include='test_*.py' "from cases import.*SEEDS|CNCSTEPPER_CASES" tests/unit | CNCSTEPPER_CASES=$(RUNS) xargs -d '\n' \
+		.venv/bin/python -m pytest -n 2 --dist worksteal
+
+CASES := 100000
+FUZZ_S := 300
+fuzz:
+	@tools/setup.sh python
+	@CNCSTEPPER_FUZZ=$(CASES) .venv/bin/python -m pytest -q -n 2 tests/unit/gcode/test_gcode_fuzz.py
+	@.venv/bin/python -c "import atheris" 2>/dev/null || .venv/bin/python -m pip install -q atheris || \
+		{ echo "fuzz: atheris cannot be installed on this Python, so there is no coverage-guided run" >&2; exit 1; }
+	@mkdir -p build/fuzz
+	@.venv/bin/python tests/fuzz/fuzz_gcode.py -max_total_time=$(FUZZ_S) -timeout=20 -rss_limit_mb=1500 \
+		-artifact_prefix=build/fuzz- build/fuzz tests/bad tests/data/ngc
 
 bench: setup
 	@for script in bench/bench_*.py; do .venv/bin/python "$$script"; done
@@ -50,6 +72,7 @@ translations:
 	@.venv/bin/python tools/translations.py
 
 pictures: setup
+	@.venv/bin/python tools/cycle_pictures.py
 	@.venv/bin/python tools/pictures.py
 
 clean:

@@ -8,6 +8,8 @@ time, so that a change is judged by what it changed.
 from __future__ import annotations
 
 import os
+import subprocess
+import sys
 from collections.abc import Callable
 from pathlib import Path
 
@@ -15,8 +17,10 @@ import numpy as np
 import pytest
 from hypothesis import settings
 
+ROOT = Path(__file__).parents[1]
 GOLDEN = Path(__file__).parent / "golden"
 PICTURES = GOLDEN / "pictures"
+FIRST = ("unit/job/test_certify.py", "unit/geometry/test_offset.py")  # compile what most others call, a worker each
 PIXEL_DIFFERS = 32  # of 255, in any colour
 PIXELS_DIFFER = 0.001  # share of all pixels
 
@@ -29,8 +33,31 @@ def pytest_addoption(parser: pytest.Parser) -> None:
     parser.addoption("--update-golden", action="store_true", help="write the golden files anew")
 
 
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """Let two files be first: with a cold cache all workers would compile the same kernels at the same time."""
+    places = {Path(__file__).parent / name: place for place, name in enumerate(FIRST)}
+    items.sort(key=lambda item: places.get(item.path, len(places)))
+
+
 def _updates(request: pytest.FixtureRequest) -> bool:
     return bool(request.config.getoption("--update-golden") or os.environ.get("UPDATE_GOLDEN") == "1")
+
+
+@pytest.fixture
+def printed_three_ways(tmp_path: Path) -> Callable[[str], list[str]]:
+    """Return what a script prints with its kernels compiled, compiled with checked bounds, and as plain Python.
+
+    The checked ones have a cache of their own: numba takes what is compiled without the checks from a shared one.
+    """
+    checked = {"NUMBA_BOUNDSCHECK": "1", "NUMBA_CACHE_DIR": str(tmp_path)}
+
+    def printed(script: str, more: dict[str, str]) -> str:
+        environment = {**os.environ, "PYTHONPATH": str(ROOT), **more}
+        run = subprocess.run([sys.executable, "-c", script], env=environment, cwd=ROOT, capture_output=True, text=True)
+        assert run.returncode == 0, run.stderr
+        return run.stdout
+
+    return lambda script: [printed(script, more) for more in ({}, checked, {"NUMBA_DISABLE_JIT": "1"})]
 
 
 @pytest.fixture

@@ -76,6 +76,7 @@ def test_windows_is_told_its_own_commands(machine: Path) -> None:
     assert "py -m venv .venv" in result.stderr
 
 
+@pytest.mark.slow
 def test_the_second_set_up_costs_less_than_two_seconds() -> None:
     begin = time.monotonic()
     subprocess.run([str(ROOT / "tools" / "setup.sh"), "python"], check=True, capture_output=True, timeout=300)

@@ -21,9 +21,11 @@ FLOORS = [  # from the top; rooms on one line do not know each other
     {"simulation"},
     {"motion"},
     {"gcode", "cycles", "drawing"},
+    {"scan"},
     {"toolpath"},
-    {"geometry", "machine", "state"},
+    {"geometry", "machine", "state", "canned"},
     {"errors", "units", "kernels"},
+    {"kernel_cache"},
 ]
 FLOOR_OF = {room: floor for floor, rooms in enumerate(FLOORS) for room in rooms}
 
