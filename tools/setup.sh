@@ -41,7 +41,7 @@ missing_packages() {
     if [ -z "$(find_python)" ]; then echo python3; fi
     if ! [ -e "$stamp" ] && ! /usr/bin/python3 -c 'import ensurepip' 2>/dev/null; then echo python3-venv; fi
     if [ "$1" = translations ] && ! has lrelease && ! [ -x /usr/lib/qt5/bin/lrelease ]; then echo qttools5-dev-tools; fi
-    if [ "$1" != all ]; then return; fi
+    if [ "$1" != all ] && [ "$1" != matrix ]; then return; fi
     if ! has freecadcmd && ! has FreeCADCmd; then echo freecad; fi
     if ! has rs274; then echo linuxcnc-uspace; fi
     if ! [ -e "$locale_sources" ]; then echo locales; fi

@@ -36,9 +36,9 @@ def stub(programs: Path, name: str, script: str) -> None:
     path.chmod(0o755)
 
 
-def run(checkout: Path) -> subprocess.CompletedProcess[str]:
+def run(checkout: Path, what: str = "all") -> subprocess.CompletedProcess[str]:
     environment = {**os.environ, "PATH": str(checkout.parent / "bin")}
-    command = [str(shutil.which("bash")), "tools/setup.sh", "all"]
+    command = [str(shutil.which("bash")), "tools/setup.sh", what]
     return subprocess.run(command, cwd=checkout, env=environment, capture_output=True, text=True, timeout=60)
 
 
@@ -50,6 +50,14 @@ def test_a_user_without_rights_is_told_the_command(machine: Path) -> None:
     assert "freecad linuxcnc-uspace" in result.stderr
     assert "xvfb openbox" in result.stderr
     assert "was called" not in result.stdout
+
+
+def test_the_matrix_needs_all_that_and_what_makes_the_other_freecads(machine: Path) -> None:
+    stub(machine.parent / "bin", "apt-get", "exit 1")
+    told = run(machine, "matrix").stderr
+    assert "freecad linuxcnc-uspace" in told
+    assert ("debootstrap" in told) == (not Path("/usr/sbin/debootstrap").exists())  # the machine's own is seen there
+    assert "debootstrap" not in run(machine).stderr
 
 
 def test_root_gets_them_installed_and_a_failure_is_said(machine: Path) -> None:
