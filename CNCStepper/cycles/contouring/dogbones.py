@@ -13,6 +13,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Literal
 
 import numpy as np
 import shapely
@@ -26,6 +27,7 @@ LONGEST = 3.0  # of the tool's radius: a sharper corner gets no relief
 CHORD_MM = 0.0005
 LOOKS = np.array([0.25, 0.5, 0.75, 0.95])  # of the way from where the tool touches a wall to the corner
 BENT = 0.05  # of the tool's radius, that a wall may be off that way
+ASTRAY_RAD = math.radians(45.0)  # by which that way may turn off the tool's
 APART_MM = 4.0 * COINCIDENT_MM  # nearer to each other, or to an end, two reliefs are one, or none
 
 
@@ -34,12 +36,14 @@ class Corner:
     """A corner of the path that the wall's own corner lies behind.
 
     place: of the path's corner. rest_mm: how much the tool leaves there, or LONGEST tool radii where it is more.
-    relief: where the tool's centre must go to take it; None where that is too far.
+    relief: where the tool's centre must go to take it, None where it may not: that is too far, or the place is a gap
+    between walls that do not meet.
     """
 
     place: tuple[float, float]
     rest_mm: float
     relief: tuple[float, float] | None
+    why_not: Literal["", "far", "gap"] = ""
 
 
 class Corners:
@@ -61,28 +65,32 @@ class Corners:
 
     def _corner(self, path: Curve, vertex: int, before: complex, after: complex, kind: Dogbones) -> Corner:
         place = complex(*path.xy[vertex])
+        here = place.real, place.imag
         out = (before - after) / abs(before - after)
         far_mm = self._seen_mm(place, out)
         if far_mm is None:
-            return Corner((place.real, place.imag), LONGEST * self._tool_mm, None)
-        if not self._walls_meet(place, before, after, place + out * far_mm):
-            return Corner((place.real, place.imag), far_mm - self._tool_mm, None)
-        relief = place + out * (far_mm - self._tool_mm)
+            far = abs(before + after) < 2.0 / (1.0 + LONGEST)  # straight walls would meet beyond what is looked at
+            return Corner(here, LONGEST * self._tool_mm, None, "far" if far else "gap")
+        corner = place + out * far_mm
+        if not self._walls_meet(place, before, after, corner):
+            return Corner(here, far_mm - self._tool_mm, None, "gap")
+        relief = corner - out * self._tool_mm
         if kind == "side":
-            corner = place + out * far_mm
             lengths = path.lengths_mm
             along = before if lengths[vertex - 1] >= lengths[vertex] else -after
             relief = place + along * ((corner - place) * np.conj(along)).real
-        return Corner((place.real, place.imag), far_mm - self._tool_mm, (float(relief.real), float(relief.imag)))
+        return Corner(here, far_mm - self._tool_mm, (float(relief.real), float(relief.imag)))
 
     def _walls_meet(self, place: complex, before: complex, after: complex, corner: complex) -> bool:
-        """Return whether walls lead to the corner from both places where the tool touches them.
+        """Return whether walls lead to the corner from both places where the tool touches them, on as the tool came.
 
-        Elsewhere the corner is only seen through a gap that is too narrow for the tool, or across a wall's bend, and
-        a stroke to it would cut into what ends before it.
+        Elsewhere the corner is only seen through a gap that is too narrow for the tool, at the end of a slit, or
+        across a wall's bend, and a stroke to it would cut into what ends before it.
         """
         side = 1.0 if (1j * before * np.conj(corner - place)).real > 0.0 else -1.0
         feet = place + side * 1j * self._tool_mm * np.array([before, after])
+        if np.abs(np.angle((corner - feet) / [before, -after])).max() > ASTRAY_RAD:
+            return False
         looks = (feet[:, None] + (corner - feet)[:, None] * LOOKS).ravel()
         near = self._tree.query(shapely.points(xy_of(looks)), predicate="dwithin", distance=BENT * self._tool_mm)
         return len(np.unique(near[0])) == len(looks)
@@ -135,6 +143,34 @@ def strokes(corners: Sequence[Corner]) -> list[Curve]:
     """Return the ways from the path to the reliefs."""
     ends = [(corner.place, corner.relief) for corner in corners if corner.relief is not None]
     return [Curve(np.array(xy), np.zeros(1)) for xy in ends]
+
+
+def rest_warnings(corners: Sequence[Corner], *, boned: bool) -> list[str]:
+    """Return what to tell of corners that keep their material; boned: dog-bones take all others."""
+    return [*_sharp_warnings([each for each in corners if each.why_not != "gap"], boned), *_gap_warnings(corners)]
+
+
+def _sharp_warnings(corners: Sequence[Corner], boned: bool) -> list[str]:
+    if not corners:
+        return []
+    most = max(corners, key=lambda corner: corner.rest_mm)
+    more = "more than" if most.why_not else "up to"
+    told = "a dog-bone would be too long" if boned else "dog-bones or a smaller tool take it away"
+    return [
+        f"{more} {most.rest_mm:.3f} mm of material stays in {len(corners)} inside corner(s) that are sharper "
+        f"than the tool; {told}"
+    ]
+
+
+def _gap_warnings(corners: Sequence[Corner]) -> list[str]:
+    gaps = [corner for corner in corners if corner.why_not == "gap"]
+    if not gaps:
+        return []
+    x, y = max(gaps, key=lambda corner: corner.rest_mm).place
+    return [
+        f"material stays in {len(gaps)} gap(s) between walls that are narrower than the tool, the deepest one before "
+        f"X{x:.3f} Y{y:.3f}; a smaller tool takes it away"
+    ]
 
 
 def _point(place: complex) -> shapely.Point:

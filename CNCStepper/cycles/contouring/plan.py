@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 import shapely
 
-from CNCStepper.cycles.contouring.dogbones import Corner, Corners, relieved_mm, strokes, with_reliefs
+from CNCStepper.cycles.contouring.dogbones import Corner, Corners, relieved_mm, rest_warnings, strokes, with_reliefs
 from CNCStepper.cycles.contouring.leads import Fitted, Walls, fit_closed, fit_open
 from CNCStepper.cycles.contouring.neighbours import hurt_warnings, require_apart
 from CNCStepper.cycles.contouring.refusals import require_cuttable
@@ -217,18 +217,7 @@ class _Planner:
 
     def _warn(self, ways: list[_Way], tabs: int, left: list[Corner], reliefs: list[Curve]) -> None:
         cycle, thick_mm = self.cycle, self.setup.thickness_mm
-        if left:
-            most = max(left, key=lambda corner: corner.rest_mm)
-            more = "up to" if most.relief is not None else "more than"
-            told = (
-                "dog-bones or a smaller tool take it away"
-                if cycle.dogbones == "none"
-                else "a dog-bone would be too long"
-            )
-            self.warnings.append(
-                f"{more} {most.rest_mm:.3f} mm of material stays in {len(left)} inside corner(s) that are sharper "
-                f"than the tool; {told}"
-            )
+        self.warnings += rest_warnings(left, boned=cycle.dogbones != "none")
         if hanging := self.sides.hanging([way.exact for way in ways]):
             x, y = self.sides.tightest()
             self.warnings.append(

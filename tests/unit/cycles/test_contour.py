@@ -241,6 +241,27 @@ def test_a_gap_too_narrow_for_the_tool_gets_no_dog_bone(gap_mm: float) -> None:
     assert len(boned) == len(plain)
 
 
+@pytest.mark.parametrize("wide_mm", [0.1, 0.4, 2.0])
+@pytest.mark.parametrize("kind", ["corner", "side"])
+def test_a_slit_gets_no_dog_bone_at_its_end(wide_mm: float, kind: str) -> None:
+    """The slit's own walls lead to its end, but not on the way that the tool takes past its mouth."""
+    mouth, end = wide_mm / 2.0, [(-8.0, 20.0), (-20.0, 20.0), (-20.0, -20.0), (20.0, -20.0), (20.0, 20.0), (8.0, 20.0)]
+    slit = from_points([*end, (mouth, 20.0), (mouth, 12.0), (-mouth, 12.0), (-mouth, 20.0)], closed=True)
+    plain, boned = (cut(contour(slit, dogbones=each)) for each in ("none", kind))
+    assert len(boned[0]) == len(plain[0])
+    told = "material stays in 1 gap(s) between walls that are narrower than the tool, the deepest one before X0.000 Y"
+    assert [answer.warnings[0].startswith(told) for _, answer in (plain, boned)] == [True, True]
+    assert len(plain[1].warnings) == len(boned[1].warnings) == 1
+
+
+def test_a_gap_is_not_called_a_corner_too_sharp_for_a_dog_bone() -> None:
+    parts = circle((0.0, 0.0), 15.0), circle((22.0, 0.0), 4.0)
+    for kind in ("none", "corner"):
+        warnings = cut(contour(*parts, dogbones=kind))[1].warnings
+        assert any("gap(s) between walls" in told for told in warnings)
+        assert not any("inside corner" in told for told in warnings)
+
+
 def test_what_dog_bones_take_does_not_rest() -> None:
     assert cut(contour(side="inside"))[1].figures["rest_mm"] == pytest.approx(1.243, abs=1e-3)
     assert cut(contour(side="inside", dogbones="corner"))[1].figures["rest_mm"] == 0.0

@@ -175,7 +175,7 @@ def test_no_dog_bone_is_cut_where_the_tool_only_turns_before_a_gap() -> None:
     path, answer = cut(contour(plate, island, side="inside", dogbones="side"), tool(2 * R))
     tip = shapely.Polygon(island.points(1e-4)).buffer(-0.01)
     assert swept(path, R, -4.0).intersection(tip).area == 0.0
-    assert any("inside corner" in told for told in answer.warnings)
+    assert any("2 gap(s) between walls" in told for told in answer.warnings)
 
 
 def test_a_dog_bone_into_a_neighbour_is_told() -> None:
