@@ -133,6 +133,8 @@ class _Planner:
             return []
         busy = [lead for way in ways for lead in way.fitted.leads]
         busy += [way.curve.part(0.0, max(self._overcut_mm(way), START_MM)) for way in ways]
+        if cycle.dogbones != "none":
+            busy += [stroke for way in ways for stroke in strokes(way.corners)]
         for way in (way for way in ways if way.finishing):
             wall_mm = self.sides.clear_mm if cycle.side != "on" else self.radius_mm
             scrap_mm = self.radius_mm + cycle.finish_stepover_mm
@@ -160,7 +162,7 @@ class _Planner:
         pieces = stretches(way.curve, areas, self.radius_mm)
         overcut_mm, near_mm = self._overcut_mm(way), cycle.tolerance_mm
         corners = way.corners if cycle.dogbones != "none" else []
-        relieved = [(piece if up else with_reliefs(piece, corners, near_mm), up) for piece, up in pieces]
+        relieved = [(with_reliefs(piece, corners, near_mm), up) for piece, up in pieces]
         return Path(
             pieces=tuple(pieces),
             relieved=tuple(relieved),

@@ -6,7 +6,7 @@ r"""Tabs: where they stand, and where the tool must be above them.
  .---.+---------+.---.       its disc would enter it, so that the width stays, on bends too and from passes beside.
 (  o  | the tab |  o  )
  '---'+---------+'---'       No tab stands on a corner, near an entry or a lead, or nearer to another tab than the
-      |         |            tool needs to get down between them.
+      |         |            tool needs to get down between them, or near a dog-bone.
 """
 
 from __future__ import annotations
@@ -39,7 +39,7 @@ class Ground:
     """What tabs on one path have to do with: the tool's radius, where scrap lies, how wide the cut is beside the path.
 
     wall_mm, scrap_mm: from the path to the part and to the far edge of the cut. busy: ways on which the tool goes
-    down, entries and leads. free_from_mm: where the stretch ends over which a closed path runs twice.
+    down: entries, leads and dog-bones. free_from_mm: where the stretch ends over which a closed path runs twice.
     """
 
     tool_mm: float

@@ -178,6 +178,18 @@ def test_no_dog_bone_is_cut_where_the_tool_only_turns_before_a_gap() -> None:
     assert any("2 gap(s) between walls" in told for told in answer.warnings)
 
 
+@pytest.mark.slow
+@pytest.mark.parametrize("count", [3, 4, 5])
+def test_no_tab_keeps_a_neighbours_dog_bone_from_being_cut(count: int) -> None:
+    """A disc in the notch of an L, so near that a tab on its lower left would stand before the L's inside corner."""
+    tabs = {"count": count, "width_mm": 1.0, "height_mm": 1.5}
+    found = judged(contour(ELL, circle((16.1, 11.1), 5.0), dogbones="corner", tabs=tabs), tool(2 * R))
+    assert found.clean and max(found.gouge_mm, found.left_mm) <= 0.01
+    corner = shapely.Point(5.0, 0.0).buffer(0.01)
+    assert swept(found.toolpath, R, -4.0).covers(corner.difference(shapely.Polygon(ELL.xy)))
+    assert found.answer.figures["tabs"] >= 2 * count - 1
+
+
 def test_a_dog_bone_into_a_neighbour_is_told() -> None:
     beyond = circle((22, 17), 3.0)  # 0.17 mm within reach of the dog-bone in the corner
     told, bare = (
