@@ -21,6 +21,7 @@ from typing import Literal
 from pydantic import BaseModel, ConfigDict, Field
 from shapely import Polygon
 
+from CNCStepper.cycles.contouring.neighbours import open_edge_warnings
 from CNCStepper.cycles.elliptical_rings import (
     OUTLINE_ERROR_MM,
     Way,
@@ -83,27 +84,31 @@ class EllipticalPocket(BaseModel):
             table.close_span()
             top_mm = floor_mm
         moves.retract()
-        return self._answer(plan, setup.tool.radius_mm)
+        return self._answer(plan, setup)
 
-    def _answer(self, plan: _Plan, tool_mm: float) -> Answer:
-        """Return what is to be removed, and a warning where it cannot be had exactly with this method or tool."""
-        bottom_mm = -self.depth_mm
+    def _answer(self, plan: _Plan, setup: Setup) -> Answer:
+        """Return what is to be removed, with warnings where it cannot be had exactly or opens another part's edge."""
+        left = plan.figures.get("unreachable_mm", 0.0) > self.tolerance_mm
+        tool_mm = setup.tool.radius_mm
+        reachable = _inner(plan.region, tool_mm).buffer(tool_mm, quad_segs=FINE) if left else None
+        removal = Removal(plan.region, 0.0, -self.depth_mm, plan.promise_mm, reachable)
+        edges = open_edge_warnings(reachable or plan.region, setup.parts, self.tolerance_mm)
+        return Answer([removal], plan.figures, [*self._inexact_warnings(plan, left), *edges])
+
+    def _inexact_warnings(self, plan: _Plan, left: bool) -> list[str]:
         if self.method == "dda" and plan.promise_mm > self.tolerance_mm:
-            warning = (
+            return [
                 f"the wall may be up to {plan.promise_mm:.3f} mm off: an ellipse is no offset of an ellipse, and the "
                 f'resolution adds to it; method "tolerance" keeps to tolerance_mm'
-            )
-            return Answer([Removal(plan.region, 0.0, bottom_mm, plan.promise_mm)], plan.figures, [warning])
-        thick_mm = plan.figures.get("unreachable_mm", 0.0)
-        if thick_mm <= self.tolerance_mm:
-            return Answer([Removal(plan.region, 0.0, bottom_mm, plan.promise_mm)], plan.figures)
-        reachable = _inner(plan.region, tool_mm).buffer(tool_mm, quad_segs=FINE)
+            ]
+        if not left:
+            return []
         long_mm, short_mm = sorted((self.radius_x_mm, self.radius_y_mm), reverse=True)
-        warning = (
-            f"{thick_mm:.3f} mm of material stays at each end of the long axis, where the ellipse is tighter than "
-            f"the tool; a tool of at most {2.0 * short_mm**2 / long_mm:.3g} mm diameter reaches it"
-        )
-        return Answer([Removal(plan.region, 0.0, bottom_mm, plan.promise_mm, reachable)], plan.figures, [warning])
+        return [
+            f"{plan.figures['unreachable_mm']:.3f} mm of material stays at each end of the long axis, where the "
+            f"ellipse is tighter than the tool; a tool of at most {2.0 * short_mm**2 / long_mm:.3g} mm diameter "
+            f"reaches it"
+        ]
 
     def _level(
         self, plan: _Plan, moves: Moves, table: TableBuilder, top_mm: float, floor_mm: float, setup: Setup

@@ -13,6 +13,7 @@ from pydantic import BaseModel, ConfigDict, Field, model_validator
 
 from CNCStepper.cycles.area_cycle import AreaCycle
 from CNCStepper.cycles.catalogue import cycle_class
+from CNCStepper.cycles.elliptical_pocket import EllipticalPocket
 from CNCStepper.cycles.form import Cycle, Setup
 from CNCStepper.drawing.heights import read_heights
 from CNCStepper.drawing.points import read_points
@@ -194,7 +195,8 @@ class Job(BaseModel):
         """Return what the job gives that operation besides its own parameters."""
         keep: tuple[Curve, ...] = ()
         parts: tuple[tuple[Curve, ...], ...] = ()
-        if operation.cycle == "contour" or isinstance(operation, AreaCycle):  # a cut is kept by its setup: no more
+        clears = isinstance(operation, AreaCycle | EllipticalPocket)
+        if operation.cycle == "contour" or clears:  # a cut is kept by its setup: no more
             others = [other for other in self.operation if other is not operation]
             if operation.cycle == "contour":
                 keep = tuple(curve for other in others for curve in _kept_by(other))

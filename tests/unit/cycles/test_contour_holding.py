@@ -15,6 +15,7 @@ from shapely.geometry.base import BaseGeometry
 from swept import swept
 
 from CNCStepper.cycles.contour import Contour
+from CNCStepper.cycles.elliptical_pocket import EllipticalPocket
 from CNCStepper.cycles.form import Answer, Setup
 from CNCStepper.cycles.pocket import Pocket
 from CNCStepper.errors import CycleError
@@ -299,8 +300,12 @@ def test_a_cut_into_a_piece_that_is_loose_is_told_with_both_operations(side, tab
 
 
 @pytest.mark.parametrize(("x_mm", "told"), [(0.0, 0), (16.0, 1), (60.0, 0)])
-def test_a_pocket_through_the_edge_of_a_part_is_told_with_its_place(x_mm, told):
-    pocket = Pocket(tool=1, outlines=(circle((x_mm, 0), 8),), depth_mm=1.0, stepdown_mm=1.0, stepover_mm=2.0)
+@pytest.mark.parametrize("elliptical", [False, True])
+def test_a_pocket_through_the_edge_of_a_part_is_told_with_its_place(x_mm, told, elliptical):
+    levels = {"tool": 1, "depth_mm": 1.0, "stepdown_mm": 1.0, "stepover_mm": 2.0}
+    pocket = Pocket(outlines=(circle((x_mm, 0), 8),), **levels)
+    if elliptical:
+        pocket = EllipticalPocket(centre_mm=(x_mm, 0), radius_x_mm=8, radius_y_mm=6, **levels)
     keys = {"machine": "table-a", "clearance_mm": 10.0, "retract_mm": 2.0, "tool": (tool(6),)}
     job = Job(**keys, stock=StockForm(size_mm=(150, 90, 5), origin="top-centre"), operation=(pocket, contour()))
     warnings = make_program(job, load_machine("table-a")).answers[0].warnings
