@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 from cases import SEEDS
 from judged import cut, judged, tool
-from pocket_sweep import runs, spans, unreachable_mm, wanted
+from pocket_sweep import OUTLINE_MM, runs, spans, unreachable_mm, wanted
 from shapely import LinearRing, LineString, Point, Polygon, points, prepare
 from swept import Wanted, band, gouge_mm, left_by_level
 
@@ -91,6 +91,14 @@ def gouge(path: Toolpath, pocket: EllipticalPocket, radius_mm: float) -> float:
     return gouge_mm(path, radius_mm, [Wanted(wanted(pocket), -pocket.depth_mm)])
 
 
+def tip_slope(pocket: EllipticalPocket, radius_mm: float) -> float:
+    """Return how far a disc goes into the tips for how much wider the ellipse is: its place there by its radius."""
+    short, long = sorted((pocket.radius_x_mm, pocket.radius_y_mm))
+    if radius_mm <= short**2 / long:
+        return 1.0
+    return math.sqrt((long**2 - short**2) / (short**2 - radius_mm**2)) * radius_mm / short
+
+
 @cache
 def made(case: Case) -> tuple[Case, Toolpath, Answer]:
     """Return the program of a case; where there is no room for its entry it plunges."""
@@ -136,7 +144,8 @@ def test_a_random_pocket_is_cut_exactly(seed: int) -> None:
     found = judged(pocket, tool(2 * radius_mm))
     assert not found.faults and max(found.gouge_mm, found.left_mm) <= promise_mm
     if pocket.method == "tolerance":
-        assert answer.figures["unreachable_mm"] == pytest.approx(unreachable_mm(pocket, radius_mm), abs=4e-3)
+        slack_mm = 4.0 * JUDGE_MM + OUTLINE_MM * tip_slope(pocket, radius_mm)
+        assert answer.figures["unreachable_mm"] == pytest.approx(unreachable_mm(pocket, radius_mm), abs=slack_mm)
     check_recalculation(pocket, answer, radius_mm)
     check_motion(path, pocket)
 
