@@ -45,11 +45,13 @@ def crossings(rows, own, boxes, tree, near, spines, limit):
         first, second = (one - leaves) * LEAF, (other - leaves) * LEAF
         for i in range(first, min(first + LEAF, len(rows))):
             for j in range(max(second, i + 1), min(second + LEAF, len(rows))):
-                if not overlap(boxes, i, boxes, j):
+                if not overlap(boxes, i, boxes, j) or _one_side(rows, i, j) or _one_side(rows, j, i):
                     continue
                 for index in range(_meet(rows, i, j, boxes, pair)):
                     x, y = pair[index, 0], pair[index, 1]
                     if not (_inside(boxes, i, x, y) and _inside(boxes, j, x, y)):
+                        continue
+                    if _at_end(rows, i, x, y) and _at_end(rows, j, x, y):
                         continue
                     a, b = place_on(rows, i, x, y), place_on(rows, j, x, y)
                     ends = (a == 0.0 or a == rows[i, 10]) and (b == 0.0 or b == rows[j, 10])
@@ -76,6 +78,24 @@ def overlap(a, i, b, j):
 
 
 @njit
+def _one_side(rows, i, j):
+    """Return whether row j keeps to one side of the line or circle of row i, and so does not meet it.
+
+    The distance to that is above r where |f| > 2 r + |k| r². Along the chord of j, f leaves its straight way between
+    the ends by |k| chord² / 4 at most, and j leaves the chord by its rise, of at most as much with its own curvature.
+    """
+    k, nx, ny = rows[i, 5], -rows[i, 7], rows[i, 6]
+    bx, by, ex, ey = rows[j, 0] - rows[i, 0], rows[j, 1] - rows[i, 1], rows[j, 2] - rows[i, 0], rows[j, 3] - rows[i, 1]
+    begin = k * (bx * bx + by * by) - 2.0 * (nx * bx + ny * by)
+    end = k * (ex * ex + ey * ey) - 2.0 * (nx * ex + ny * ey)
+    if (begin > 0.0) != (end > 0.0) or abs(rows[j, 4]) > math.pi:
+        return False
+    square = (ex - bx) ** 2 + (ey - by) ** 2
+    reach = 0.25 * abs(rows[j, 5]) * square + 2.0 * NODE_MM
+    return min(abs(begin), abs(end)) > 0.25 * abs(k) * square + reach * (2.0 + abs(k) * reach)
+
+
+@njit
 def place_on(rows, row, x, y):
     """Return the length along a row at which a place on its line or circle lies; -1 where beyond its ends."""
     dx, dy = x - rows[row, 0], y - rows[row, 1]
@@ -92,6 +112,14 @@ def place_on(rows, row, x, y):
     if abs(way - whole) <= NODE_MM:
         return whole
     return way if 0.0 < way < whole else -1.0
+
+
+@njit
+def _at_end(rows, row, x, y):
+    """Return whether a place on a row is surely one of its ends: mostly neighbours meet there, and it is soon told."""
+    begin = abs(x - rows[row, 0]) + abs(y - rows[row, 1])
+    end = abs(x - rows[row, 2]) + abs(y - rows[row, 3])
+    return min(begin, end) <= 0.5 * NODE_MM
 
 
 @njit

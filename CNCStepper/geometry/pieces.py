@@ -80,7 +80,7 @@ def cut(rows, met):
             row[at], length[at] = int(met[crossing, 2 * side]), met[crossing, 2 * side + 1]
             places[at, 0], places[at, 1] = met[crossing, 4], met[crossing, 5]
     node, nodes = merged(places)
-    order, _ = grouped(np.argsort(length, kind="mergesort"), row, count)
+    order = _in_order(length, row, count)
     first = np.empty(len(order), np.int64)
     last, real = np.empty(len(order), np.int64), 0
     for index in range(len(order) - 1):
@@ -91,6 +91,17 @@ def cut(rows, met):
             real += 1
     first, last = first[:real], last[:real]
     return Pieces(row[first], length[first], length[last], node[first], node[last]), nodes
+
+
+@njit
+def _in_order(length, row, count):
+    """Return the order of lengths along rows, row by row; most rows have only their two ends, which are in order."""
+    order, first = grouped(np.arange(len(row)), row, count)
+    for here in range(count):
+        own = order[first[here] : first[here + 1]]
+        if len(own) > 2:
+            own[:] = own[np.argsort(length[own], kind="mergesort")]
+    return order
 
 
 @njit
