@@ -1,0 +1,95 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Whether a restart program does, from the entrance on, what the program itself does: the judge of the restart's text.
+
+It looks at the two tables of moves alone, and knows nothing of how the entry was written.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from CNCStepper.errors import ProgramError
+from CNCStepper.gcode.restart.entrance import Entrance
+from CNCStepper.gcode.restart.program import Program
+from CNCStepper.state import State
+from CNCStepper.toolpath import Toolpath
+
+SAME_MM = 1e-5  # what the numbers of the entry leave
+SAME_FEED = 1e-6  # of the feed
+
+
+def require_same_rest(program: Program, entrance: Entrance, restart: Toolpath, entry_lines: int) -> None:
+    """Raise ProgramError, naming the first line that would differ, unless the rest is run as in the undisturbed run.
+
+    restart: the moves of the restart program, whose first lines, so many, are the entry.
+    """
+    old, new = program.table, restart.table()
+    first = entrance.row + (1 if entrance.share else 0)
+    own = int(np.searchsorted(new.line, entry_lines + 1))
+    count = len(old) - first
+    if len(new) - own != count:
+        raise _differs(program, min(first, len(old) - 1), "as many moves")
+    begin = restart.table().end[own - 1, :3] if own else np.full(3, np.nan)
+    wanted = old.end[entrance.row, :3] if entrance.share else program.begins[entrance.row]
+    if not np.allclose(begin, wanted, rtol=0.0, atol=SAME_MM, equal_nan=True):
+        raise _differs(program, entrance.row, "a move that begins where it should")
+    for name in ("kind", "plane", "turns"):
+        _require(program, first, getattr(new, name)[own:] == getattr(old, name)[first:], f"the same {name}")
+    for name in ("end", "centre"):
+        one, other = getattr(new, name)[own:], getattr(old, name)[first:]
+        _require(program, first, np.isclose(one, other, 0.0, SAME_MM, equal_nan=True).all(axis=1), f"the same {name}")
+    _require(program, first, np.isclose(new.feed[own:], old.feed[first:], SAME_FEED, SAME_FEED), "the same feed")
+    _require_states(program, first, restart, own)
+    _require_events(program, first, restart, own, entrance)
+
+
+def _require_states(program: Program, first: int, restart: Toolpath, own: int) -> None:
+    pairs = np.stack([program.table.state[first:], restart.table().state[own:]], axis=1)
+    kinds, rows = np.unique(pairs, axis=0, return_index=True)
+    for (one, other), row in sorted(zip(kinds.tolist(), rows.tolist(), strict=True), key=lambda pair: pair[1]):
+        if _told(program.path.states[one]) != _told(restart.states[other]):
+            raise _differs(program, first + row, _difference(program.path.states[one], restart.states[other]))
+
+
+def _require_events(program: Program, first: int, restart: Toolpath, own: int, entrance: Entrance) -> None:
+    """Compare what happens between the moves of the program's own lines."""
+    old = [
+        (event.index - first, event.kind, event.value, event.text)
+        for event in program.path.events
+        if event.line >= entrance.first_line
+    ]
+    shift = int(restart.table().line[own]) - int(program.table.line[first]) if own < len(restart) else 0
+    new = [
+        (event.index - own, event.kind, event.value, event.text)
+        for event in restart.events
+        if event.line >= entrance.first_line + shift
+    ]
+    if old != new:
+        raise _differs(program, min(first, len(program.table) - 1), "the same pauses, waits and messages")
+
+
+def _told(state: State) -> tuple:
+    """Return a state for comparison: lengths rounded as they are compared, the speed of a spindle that stands left."""
+    offsets = tuple(round(value, 5) + 0.0 for value in (*state.offset_mm, *state.g92_mm, state.tool_length_mm))
+    feed = round(state.feed_mm_min, 6), round(state.feed_mm_turn, 6)
+    rest = replace(state, offset_mm=(), g92_mm=(), tool_length_mm=0.0, feed_mm_min=0.0, feed_mm_turn=0.0)
+    return offsets, feed, rest
+
+
+def _difference(old: State, new: State) -> str:
+    """Return in words the first part of the state that differs."""
+    name = next(name for name in vars(old) if getattr(old, name) != getattr(new, name))
+    return f"the same {name.rpartition('_m')[0] or name}".replace("_", " ")
+
+
+def _require(program: Program, first: int, same: np.ndarray, what: str) -> None:
+    if not same.all():
+        raise _differs(program, first + int(np.argmin(same)), what)
+
+
+def _differs(program: Program, row: int, what: str) -> ProgramError:
+    advice = "restart at the begin of its operation, or send the whole program"
+    text = f"entered here, the program would not make {what}: it depends on what was run before"
+    return program.refusal("restart-differs", text, row, advice=advice)
