@@ -17,6 +17,7 @@ G91 G18 F800                 the modes of the place
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from math import isnan
 
 from CNCStepper.gcode.ascii import comment_lines
@@ -94,14 +95,16 @@ class EntryWriter:
         return [f"T{tool} M6" if changes else f"T{tool}", later]
 
     def _over(self) -> list[str]:
-        """Return the rapid to above the entrance, and the G92 that is in force there."""
+        """Return the rapid to above the entrance, and the G92 that is in force there.
+
+        The same place in the numbers of that G92 follows: a circle that begins there must close to the last bit.
+        """
         x, y, _ = self.approach.at_mm
-        words = [f"{AXES[axis]}{self._number(self._unshifted(axis, value))}" for axis, value in enumerate((x, y))]
-        found = [f"G0 {' '.join(words)}"]
+        over = [self._unshifted(0, x), self._unshifted(1, y)]
+        found = [" ".join(["G0", *self._words(over)])]
         if any(self.state.g92_mm):
             place = self.model.work((x, y, self.approach.safe_mm))
-            known = [(axis, value) for axis, value in enumerate(place) if not isnan(value)]
-            found.append(" ".join(["G92", *(f"{AXES[axis]}{self._number(value)}" for axis, value in known)]))
+            found += [" ".join(["G92", *self._words(place)]), " ".join(["G0", *self._words(place[:2])])]
         return found
 
     def _outputs(self) -> list[str]:
@@ -138,12 +141,11 @@ class EntryWriter:
         kind, plane = int(table.kind[row]), int(table.plane[row])
         end = self.model.work(tuple(table.end[row, :3].tolist()))
         feed = f"F{self._feed(float(table.feed[row]))}"
-        words = [f"{AXES[axis]}{self._number(value)}" for axis, value in enumerate(end) if not isnan(value)]
         if kind == LINE:
-            return [" ".join(["G1", *words, feed])]
+            return [" ".join(["G1", *self._words(end), feed])]
         to_centre = table.centre[row] - self.approach.at_mm
         arms = [f"{CENTRES[axis]}{self._number(to_centre[axis])}" for axis in sorted(PLANE_AXES[plane][:2])]
-        return [" ".join([PLANE_CODES[plane], MOTION_NAMES[kind], *words, *arms, feed])]
+        return [" ".join([PLANE_CODES[plane], MOTION_NAMES[kind], *self._words(end), *arms, feed])]
 
     def _modes_there(self) -> list[str]:
         """Return the modes in which the program's own lines are to be read."""
@@ -157,8 +159,13 @@ class EntryWriter:
         row, in_arc = self.entrance.row, self.entrance.share and self.program.table.kind[self.entrance.row] > LINE
         held = {PLANE_CODES[int(self.program.table.plane[row])] if in_arc else "G17", "G90", "G91.1", "G94"}
         words = [word for word in wanted if word not in held and word in self.dialect.codes]
-        feed = [f"F{self._feed(state.feed_mm_min)}"] * (state.feed_mm_min > 0 and model.per_minute)
-        return [" ".join([*words, *feed]), "G80" * (model.motion == NO_MOTION)]
+        return [self._feed_there(), " ".join(words), "G80" * (model.motion == NO_MOTION)]
+
+    def _feed_there(self) -> str:
+        """Return the F of the place, which G93 would no longer take, where the entry has not just said it."""
+        row, wanted = self.entrance.row, self.state.feed_mm_min
+        held = float(self.program.table.feed[row]) if self.entrance.share else self.approach.plunge_mm_min
+        return f"F{self._feed(wanted)}" if wanted and wanted != held else ""
 
     # numbers of the text
 
@@ -169,6 +176,10 @@ class EntryWriter:
     def _unshifted(self, axis: int, machine_mm: float) -> float:
         """Return a machine coordinate as a work coordinate without G92, mm."""
         return self._work(axis, machine_mm) + self.state.g92_mm[axis]
+
+    def _words(self, place: Sequence[float]) -> list[str]:
+        """Return the words of a place, mm, for the axes along which it is known."""
+        return [f"{AXES[axis]}{self._number(value)}" for axis, value in enumerate(place) if not isnan(value)]
 
     def _number(self, length_mm: float) -> str:
         return number_text(length_mm / self.unit_mm, self.decimals)

@@ -15,7 +15,7 @@ from CNCStepper.gcode.restart.program import Program
 from CNCStepper.gcode.restart.stretches import Stretch, cutting
 from CNCStepper.toolpath import LINE, Span
 
-COARSE, FINE = 9, 513  # places on an arc that are looked at, first on all, then on the nearest
+COARSE, FINE = 9, 65  # places on an arc that are looked at: on all arcs, then on the nearest, then about the best
 SAME_MM = 0.01  # ways that are as near to a point as that lie on top of each other
 
 
@@ -60,8 +60,8 @@ def place_of(program: Program, where: Where) -> Place:
 def by_line(program: Program, number: int, time: int = 0) -> Place:
     """Return where the first move at or after a line of the file begins."""
     runs = _runs_of(program, number)
-    if len(runs) > 1 and not 1 <= time <= len(runs):
-        what = f"line {number} is run {len(runs)} times"
+    if (len(runs) > 1 or time) and not 1 <= time <= len(runs):
+        what = f"line {number} is run {len(runs)} time{'s' * (len(runs) != 1)}"
         advice = f"say which time is meant, from 1 to {len(runs)}"
         raise ProgramError("restart-time", what, advice=advice, place=_file(program, number))
     row = int(np.searchsorted(program.table.line, runs[max(time, 1) - 1]))
@@ -126,9 +126,12 @@ def _nearest(program: Program, rows: np.ndarray, at_mm: np.ndarray) -> tuple[np.
     away, shares = np.empty(len(rows)), np.empty(len(rows))
     arcs = program.table.kind[rows] > LINE
     away[~arcs], shares[~arcs] = _nearest_on_lines(program, rows[~arcs], at_mm)
-    away[arcs], shares[arcs] = _nearest_on_arcs(program, rows[arcs], at_mm, COARSE)
+    whole = np.tile((0.0, 1.0), (len(rows), 1))
+    away[arcs], shares[arcs] = _nearest_on_arcs(program, rows[arcs], at_mm, whole[arcs], COARSE)
     near = arcs & (away - program.ways.length_mm[rows] / COARSE <= away.min())
-    away[near], shares[near] = _nearest_on_arcs(program, rows[near], at_mm, FINE)
+    for width in (1.0, 2.0 / FINE, 4.0 / FINE**2):
+        bounds = np.clip(shares[near, None] + (-width, width), 0, 1)
+        away[near], shares[near] = _nearest_on_arcs(program, rows[near], at_mm, bounds, FINE)
     return away, shares
 
 
@@ -142,15 +145,15 @@ def _nearest_on_lines(program: Program, rows: np.ndarray, at_mm: np.ndarray) -> 
 
 
 def _nearest_on_arcs(
-    program: Program, rows: np.ndarray, at_mm: np.ndarray, count: int
+    program: Program, rows: np.ndarray, at_mm: np.ndarray, bounds: np.ndarray, count: int
 ) -> tuple[np.ndarray, np.ndarray]:
-    if not len(rows):
-        return np.zeros(0), np.zeros(0)
-    each, shares = np.repeat(rows, count), np.tile(np.linspace(0, 1, count), len(rows))
-    tips = program.tips(program.places(each, shares), each)[:, : len(at_mm)]
+    """Return the nearest of `count` places on each arc, between its two bounds, float64[n, 2], shares of it."""
+    shares = np.linspace(bounds[:, 0], bounds[:, 1], count, axis=1)
+    each = np.repeat(rows, count)
+    tips = program.tips(program.places(each, shares.ravel()), each)[:, : len(at_mm)]
     away = np.sqrt(((tips - at_mm) ** 2).sum(axis=1)).reshape(-1, count)
-    best = away.argmin(axis=1)
-    return away.min(axis=1), np.linspace(0, 1, count)[best]
+    best = away.argmin(axis=1) if len(rows) else np.zeros(0, int)
+    return away.min(axis=1, initial=np.inf), shares[np.arange(len(rows)), best]
 
 
 def _file(program: Program, line: int = 0) -> FilePlace:

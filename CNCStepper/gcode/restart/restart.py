@@ -10,6 +10,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from CNCStepper.errors import ProgramError
 from CNCStepper.gcode.dialects import Dialect
 from CNCStepper.gcode.interpret import interpret
 from CNCStepper.gcode.model import Model
@@ -72,9 +73,19 @@ def restart_of(program: Program, where: Where, options: Options | None = None) -
     lines = ["%"] * marked + entry + rest
     text, begin = "".join(f"{line}\n" for line in lines), _start(program, model)
     own = len(lines) - len(rest)
-    require_same_rest(program, entrance, interpret(text, begin, program.dialect), own)
+    require_same_rest(program, entrance, _read(text, begin, program, entrance), own)
     file_lines = np.r_[np.zeros(own, int), program.file_lines[entrance.first_line - 1 :]]
     return Restart(text, begin, file_lines, cut_before(program, entrance, approach), program, entrance, approach)
+
+
+def _read(text: str, begin: Start, program: Program, entrance: Entrance) -> Toolpath:
+    """Return the moves of the restart program; raises ProgramError where it cannot stand alone."""
+    try:
+        return interpret(text, begin, program.dialect)
+    except ProgramError as error:
+        what = f"entered here, the program does not stand alone: {error.what}"
+        advice = "restart at another place, or send the whole program"
+        raise program.refusal("restart-differs", what, entrance.row, error.value, advice) from error
 
 
 def _start(program: Program, model: Model) -> Start:
