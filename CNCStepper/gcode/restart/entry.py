@@ -19,6 +19,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from math import isnan
+from pathlib import PurePath
 
 from CNCStepper.gcode.ascii import comment_lines
 from CNCStepper.gcode.codes import AXES, CODE_OF_PLANE, MOTION_NAMES, NO_MOTION, PLANE_CODES, UNIT_CODES
@@ -51,18 +52,23 @@ class EntryWriter:
         self.unit_mm = UNIT_MM[self.state.units]
         self.decimals = dialect_decimals(self.dialect, self.state.units) + MORE_DECIMALS
 
-    def lines(self) -> list[str]:
-        """Return the lines, in their order."""
+    def lines(self, marks: int = 0) -> list[str]:
+        """Return the lines, in their order; `marks`: how many lines are to stand before them."""
         switched = self._switched_on()
         before, after = ([], switched) if self.approach.is_beam else (switched, [])
-        found = [*self._title(), "M5 M9", *self._modes(), *self._up(), *self._tool(), *self._over(), *self._outputs()]
+        found = ["M5 M9", *self._modes(), *self._up(), *self._tool(), *self._over(), *self._outputs()]
         found += [*before, *self._down(), *after, *self._rest_of_move(), *self._modes_there()]
-        return [line for line in found if line]
+        found = [line for line in found if line]
+        return [*self._title(marks + len(found)), *found]
 
-    def _title(self) -> list[str]:
-        line = self.program.file_line(self.entrance.row)
-        title = comment_lines(f"restart of {self.program.file or 'a program'} at line {line}")
-        operations = (f"begin operation: {name}" for name in self.model.operations)
+    def _title(self, more: int) -> list[str]:
+        """Return the comments before an entry; `more`: the lines that stand before the program's own beside them."""
+        program, name = self.program, PurePath(self.program.file).name or "a program"
+        title = comment_lines(f"restart of {name} at line {program.file_line(self.entrance.row)}")
+        operations = [f"begin operation: {name}" for name in self.model.operations]
+        if self.entrance.first_line <= len(program.lines):
+            own = len(title) + len(operations) + 1 + more + 1
+            title.append(f"line {own} here is its line {program.file_lines[self.entrance.first_line - 1]}")
         return [f"({text})" for text in (*title, *operations)]
 
     def _modes(self) -> list[str]:
@@ -81,9 +87,10 @@ class EntryWriter:
     def _up(self) -> list[str]:
         """Return the tool's length, and the rapid that lifts it."""
         length_mm = self.state.tool_length_mm
-        length = f"G43.1 Z{self._number(length_mm)}" if length_mm else ""
+        by_word = "G43.1" in self.dialect.codes
+        length = f"G43.1 Z{self._number(length_mm)}" if by_word else f"G43 H{self.state.tool}"
         safe = "" if isnan(self.approach.safe_mm) else f"G0 Z{self._number(self._unshifted(2, self.approach.safe_mm))}"
-        return [length, safe]
+        return [length * bool(length_mm), safe]
 
     def _tool(self) -> list[str]:
         """Return the words that name the tool; an M6 only where a T does not change it."""

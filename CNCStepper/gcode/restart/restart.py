@@ -67,10 +67,9 @@ def restart_of(program: Program, where: Where, options: Options | None = None) -
     model = program.model_before(entrance.first_line)
     _check_model(program, entrance, model)
     approach = approach_to(program, entrance, model, options)
-    entry = EntryWriter(program, entrance, approach, model).lines()
     rest = rest_of(program.lines[entrance.first_line - 1 :], model, program.dialect)
-    marked = any(map(is_tape_mark, rest))
-    lines = ["%"] * marked + entry + rest
+    marks = ["%"] * any(map(is_tape_mark, rest))
+    lines = marks + EntryWriter(program, entrance, approach, model).lines(len(marks)) + rest
     text, begin = "".join(f"{line}\n" for line in lines), _start(program, model)
     own = len(lines) - len(rest)
     require_same_rest(program, entrance, _read(text, begin, program, entrance), own)
@@ -93,12 +92,8 @@ def _start(program: Program, model: Model) -> Start:
     systems = {name: stored_point(model.parameters, offset_number(name), model.unit_mm)[:3] for name in WORK_SYSTEMS}
     old = program.start
     offsets = {name: offset for name, offset in systems.items() if any(offset) or name in old.work_offsets_mm}
-    return replace(Start(), zero_known=old.zero_known) if old == Start() and not offsets else _with(old, offsets)
-
-
-def _with(old: Start, offsets: dict[str, tuple[float, ...]]) -> Start:
-    unknown = Start().position_mm
-    return replace(old, position_mm=unknown, work_offsets_mm=offsets, g92_mm=ZERO3, tool=0, spindle_rpm=0.0)
+    nowhere = Start().position_mm
+    return replace(old, position_mm=nowhere, work_offsets_mm=offsets, g92_mm=ZERO3, tool=0, spindle_rpm=0.0)
 
 
 def _check_model(program: Program, entrance: Entrance, model: Model) -> None:

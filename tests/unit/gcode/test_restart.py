@@ -88,7 +88,7 @@ def test_a_work_zero_that_is_not_known_is_no_hindrance(name: str) -> None:
 
 def test_the_entry_comes_from_above_with_the_spindle_turning() -> None:
     made = restart(SQUARE, Where(line=10), start=START, options=Options(spin_up_s=5.0))
-    entry = made.text.splitlines()[1:]
+    entry = made.text.splitlines()[2:]
     assert entry[:9] == [
         "M5 M9",
         "G21 G17 G90 G91.1",
@@ -122,7 +122,7 @@ def test_the_overlap_ends_where_the_pass_begins() -> None:
 def test_the_overlap_is_cut_again_and_no_more() -> None:
     made = restart(SQUARE, Where(line=10), start=START, options=Options(overlap_mm=25.0))
     assert made.approach.at_mm == pytest.approx((-200 + 35, -150, -31))
-    assert made.text.splitlines()[11] == "G1 X40 Y0 Z-1 F800"
+    assert made.text.splitlines()[12] == "G1 X40 Y0 Z-1 F800"
 
 
 def test_a_descent_is_entered_at_its_begin() -> None:
@@ -204,3 +204,5 @@ def test_marks_and_line_numbers_of_the_old_file_are_told() -> None:
     lines, old = made.text.splitlines(), SQUARE.splitlines()
     assert [old[number - 1] for number in made.file_lines[made.file_lines > 0]][1:] == lines[-9:]
     assert len(made.file_lines) == len(lines)
+    own = len(lines) - 9
+    assert lines[1] == f"(line {own} here is its line {made.file_lines[own - 1]})"
