@@ -72,12 +72,11 @@ def assert_nothing_cut_on_the_way(made: Restart, told: str) -> None:
 
 @pytest.mark.parametrize("name", PROGRAMS)
 def test_from_every_line_the_rest_is_run_as_in_the_undisturbed_run(name: str) -> None:
-    for overlap_mm in (0.0, 3.0):
-        for line, made in restarts(name, overlap_mm=overlap_mm):
-            told = f"line {line}: {made.entrance}\n{made.text}"
-            assert_same_rest(made, told)
-            assert_nothing_cut_on_the_way(made, told)
-            prepare(made.text, PROGRAMS[name][0], start=made.start)
+    for line, made in [*restarts(name), *restarts(name, overlap_mm=3.0)[::2]]:
+        told = f"line {line}: {made.entrance}\n{made.text}"
+        assert_same_rest(made, told)
+        assert_nothing_cut_on_the_way(made, told)
+        prepare(made.text, PROGRAMS[name][0], start=made.start)
 
 
 @pytest.mark.parametrize("name", ["g92", "incremental", "inches", "canned cycles", "laser"])
