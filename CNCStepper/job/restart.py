@@ -156,11 +156,13 @@ def _incomplete(proof: Proof) -> list[Finding]:
     """
     allowed_mm = max((removal.tolerance_mm for removal in proof.given.removals), default=0.0) + JUDGE_ERROR_MM
     found = []
-    for code, what in (("gouge", "the wanted part is cut into"), ("left_over", "material is left")):
+    for code, text in (
+        ("gouge", "the moves that are taken as done cut into the wanted part"),
+        ("left_over", "the moves that are taken as done leave material that should be removed"),
+    ):
         value_mm = proof.report[f"{code}_mm"]
         told = any(finding.code == code.replace("_", "-") for finding in proof.findings)
         if value_mm is not None and value_mm > allowed_mm and not told:
-            text = f"{what} by the moves that are taken as done"
             numbers = {"value": value_mm, "limit": allowed_mm, "unit": "mm"}
             place = Place(proof.report["program"], 1, 1)
             advice = "restart earlier, or make a new part"

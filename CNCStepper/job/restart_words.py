@@ -19,10 +19,11 @@ def words_of(restart: Restart) -> Iterator[str]:
     """Yield what a restart does, in its order: where it enters, from what height, with what on, and why there."""
     program, entrance, approach = restart.program, restart.entrance, restart.approach
     row, line = entrance.row, program.file_line(entrance.row)
-    within = f", {entrance.share:.0%} into its move" if entrance.share else ""
     place = program.tips(np.array([approach.at_mm]), np.array([row]))[0]
-    operation = next((f" of {span.name}" for span in program.operations if span.first <= row < span.last), "")
-    yield f"enters line {line}{operation}{within}, at {_point(place)}"
+    yield f"enters line {line} at {_point(place)}"
+    if entrance.share:
+        yield f"with {entrance.share:.0%} of its move done"
+    yield from (f"in the operation {span.name}" for span in program.operations if span.first <= row < span.last)
     yield from (f"because {note}" for note in entrance.notes)
     if entrance.overlap_mm:
         yield f"cuts {entrance.overlap_mm:.3g} mm before the place again"
@@ -32,7 +33,7 @@ def words_of(restart: Restart) -> Iterator[str]:
     if not isnan(approach.safe_mm):
         up_mm = approach.safe_mm - program.frame_mm[2] - state.tool_length_mm
         yield f"goes up to Z {up_mm:.3f} first, then over the place"
-    yield _spindle(restart)
+    yield from _switched_on(restart)
     if approach.plunge_mm_min:
         yield f"goes down at {approach.plunge_mm_min:g} mm/min"
     if any(state.g92_mm):
@@ -41,16 +42,19 @@ def words_of(restart: Restart) -> Iterator[str]:
     yield f"then runs {own} lines of the program as they are; all before them is taken as cut"
 
 
-def _spindle(restart: Restart) -> str:
-    """Say what is switched on, when, and how long the machine waits for it."""
+def _switched_on(restart: Restart) -> Iterator[str]:
+    """Yield what is switched on, and how long the machine waits for it."""
     state, approach = restart.approach.state, restart.approach
-    coolant = " and coolant" if state.mist or state.flood else ""
     if not state.spindle_turns:
-        return f"with the spindle off{' but the coolant on' if coolant else ''}, as the program has it there"
-    wait = f", and waits {approach.dwell_s:g} s" if approach.dwell_s else ""
-    if approach.is_beam:
-        return f"switches the beam{coolant} on at S{state.spindle_rpm:g} once it is down{wait}"
-    return f"starts the spindle{coolant} at {state.spindle_rpm:g} rpm, {SENSES[state.spindle]}{wait}"
+        yield "leaves the spindle off, as the program has it there"
+    elif approach.is_beam:
+        yield f"switches the beam on at S{state.spindle_rpm:g} once it is down"
+    else:
+        yield f"starts the spindle at {state.spindle_rpm:g} rpm, {SENSES[state.spindle]}"
+    if state.mist or state.flood:
+        yield "switches the coolant on"
+    if approach.dwell_s:
+        yield f"waits {approach.dwell_s:g} s"
 
 
 def contour_table(program: Program) -> Iterator[tuple[int, int, str, str, float]]:

@@ -57,8 +57,8 @@ def _safe_mm(program: Program, row: int, state: State, z_mm: float, options: Opt
         safe_mm = own_mm + options.height_mm
         if safe_mm < z_mm:
             value, limit = f"{options.height_mm:g} mm", f"at least {z_mm - own_mm:g} mm"
-            what = f"the path is entered above the height that is given (value {value}, limit {limit})"
-            raise program.refusal("restart-height", what, row, advice="give a greater height")
+            what = "the path is entered above the height that is given"
+            raise program.refusal("restart-height", what, row, value=value, limit=limit, advice="give a greater height")
         return safe_mm
     heights = program.table.end[:, 2] - program.lengths_mm
     ways = np.abs(program.table.end[:, :2] - program.begins[:, :2])

@@ -47,7 +47,9 @@ def place_of(program: Program, where: Where) -> Place:
     said = bool(where.line) + bool(where.operation or where.contour) + bool(where.at_mm)
     if said != 1:
         what = "the place of a restart is a line, an operation, a contour or a point"
-        raise ProgramError("restart-where", what, value=f"{said} of them", advice="give one", place=_file(program))
+        raise ProgramError(
+            "restart-where", what, value=str(said), limit="1", advice="give one of them", place=_file(program)
+        )
     if where.line:
         return by_line(program, where.line, where.time)
     if where.at_mm:
@@ -61,9 +63,9 @@ def by_line(program: Program, number: int, time: int = 0) -> Place:
     """Return where the first move at or after a line of the file begins."""
     runs = _runs_of(program, number)
     if (len(runs) > 1 or time) and not 1 <= time <= len(runs):
-        what = f"line {number} is run {len(runs)} time{'s' * (len(runs) != 1)}"
-        advice = f"say which time is meant, from 1 to {len(runs)}"
-        raise ProgramError("restart-time", what, advice=advice, place=_file(program, number))
+        what = f"which run of line {number} is meant is not clear"
+        advice, limit = "say which time it is run", f"1 to {len(runs)}"
+        raise ProgramError("restart-time", what, limit=limit, advice=advice, place=_file(program, number))
     row = int(np.searchsorted(program.table.line, runs[max(time, 1) - 1]))
     if row == len(program.table):
         what = f"nothing moves at line {number} or after it"
@@ -88,7 +90,7 @@ def operation_of(program: Program, name: str) -> Span:
     if len(found) == 1:
         return found[0]
     known = ", ".join(f"{number} ({span.name})" for number, span in enumerate(spans, 1)) or "none"
-    what = f"the program has {len(found) or 'no'} operation{'s' * (len(found) != 1)} called '{name}'"
+    what = f"no operation, or more than one, is called '{name}'"
     raise ProgramError("restart-operation", what, advice=f"its operations are: {known}", place=_file(program))
 
 
@@ -98,7 +100,7 @@ def by_contour(program: Program, number: int, operation: str = "") -> Place:
     if not 1 <= number <= len(found):
         what = f"there is no contour {number}"
         limit = f"1 to {len(found)}"
-        raise ProgramError("restart-contour", what, limit=limit, advice="give another", place=_file(program))
+        raise ProgramError("restart-contour", what, limit=limit, advice="choose another", place=_file(program))
     return Place(found[number - 1].first)
 
 

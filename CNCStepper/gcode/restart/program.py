@@ -136,9 +136,10 @@ class Program:
         run_whole(reader, "".join(f"{text}\n" for text in self.lines[: line - 1]), Library())
         return reader.model
 
-    def refusal(self, code: str, what: str, row: int, value: str = "", advice: str = "") -> ProgramError:
+    def refusal(self, code: str, what: str, row: int, *, value: str = "", limit: str = "", advice: str) -> ProgramError:
         """Return the error that names the file's line of a row."""
-        return ProgramError(code, what, value=value, advice=advice, place=Place(self.file, self.file_line(row), 1))
+        place = Place(self.file, self.file_line(row), 1)
+        return ProgramError(code, what, value=value, limit=limit, advice=advice, place=place)
 
 
 def read_program(text: str, dialect: str | Dialect = "grbl", start: Start | None = None, file: str = "") -> Program:

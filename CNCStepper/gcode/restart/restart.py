@@ -84,7 +84,7 @@ def _read(text: str, begin: Start, program: Program, entrance: Entrance) -> Tool
     except ProgramError as error:
         what = f"entered here, the program does not stand alone: {error.what}"
         advice = "restart at another place, or send the whole program"
-        raise program.refusal("restart-differs", what, entrance.row, error.value, advice) from error
+        raise program.refusal("restart-differs", what, entrance.row, value=error.value, advice=advice) from error
 
 
 def _start(program: Program, model: Model) -> Start:
@@ -103,5 +103,5 @@ def _check_model(program: Program, entrance: Entrance, model: Model) -> None:
         raise program.refusal("restart-lathe", what, entrance.row, advice="send the whole program")
     if np.isnan(program.begins[entrance.row, :2]).any():
         what = "where the tool stands here is not known"
-        advice = "give the work zero and the position (--work-zero, --position), or choose a place after the next rapid"
+        advice = "give the work zero and the position, or choose a place after the next rapid"
         raise program.refusal("restart-place-unknown", what, entrance.row, advice=advice)

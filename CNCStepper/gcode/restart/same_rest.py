@@ -30,17 +30,17 @@ def require_same_rest(program: Program, entrance: Entrance, restart: Toolpath, e
     own = int(np.searchsorted(new.line, entry_lines + 1))
     count = len(old) - first
     if len(new) - own != count:
-        raise _differs(program, min(first, len(old) - 1), "as many moves")
+        raise _differs(program, min(first, len(old) - 1), "moves")
     begin = restart.table().end[own - 1, :3] if own else np.full(3, np.nan)
     wanted = old.end[entrance.row, :3] if entrance.share else program.begins[entrance.row]
     if not np.allclose(begin, wanted, rtol=0.0, atol=SAME_MM, equal_nan=True):
-        raise _differs(program, entrance.row, "a move that begins where it should")
+        raise _differs(program, entrance.row, "begin")
     for name in ("kind", "plane", "turns"):
-        _require(program, first, getattr(new, name)[own:] == getattr(old, name)[first:], f"the same {name}")
+        _require(program, first, getattr(new, name)[own:] == getattr(old, name)[first:], name)
     for name in ("end", "centre"):
         one, other = getattr(new, name)[own:], getattr(old, name)[first:]
-        _require(program, first, np.isclose(one, other, 0.0, SAME_MM, equal_nan=True).all(axis=1), f"the same {name}")
-    _require(program, first, np.isclose(new.feed[own:], old.feed[first:], SAME_FEED, SAME_FEED), "the same feed")
+        _require(program, first, np.isclose(one, other, 0.0, SAME_MM, equal_nan=True).all(axis=1), name)
+    _require(program, first, np.isclose(new.feed[own:], old.feed[first:], SAME_FEED, SAME_FEED), "feed")
     _require_states(program, first, restart, own)
     _require_events(program, first, restart, own, entrance)
 
@@ -67,7 +67,7 @@ def _require_events(program: Program, first: int, restart: Toolpath, own: int, e
         if event.line >= entrance.first_line + shift
     ]
     if old != new:
-        raise _differs(program, min(first, len(program.table) - 1), "the same pauses, waits and messages")
+        raise _differs(program, min(first, len(program.table) - 1), "events")
 
 
 def _told(state: State) -> tuple:
@@ -79,9 +79,8 @@ def _told(state: State) -> tuple:
 
 
 def _difference(old: State, new: State) -> str:
-    """Return in words the first part of the state that differs."""
-    name = next(name for name in vars(old) if getattr(old, name) != getattr(new, name))
-    return f"the same {name.rpartition('_m')[0] or name}".replace("_", " ")
+    """Return the name of the first part of the state that differs."""
+    return next(name for name in vars(old) if getattr(old, name) != getattr(new, name))
 
 
 def _require(program: Program, first: int, same: np.ndarray, what: str) -> None:
@@ -89,7 +88,8 @@ def _require(program: Program, first: int, same: np.ndarray, what: str) -> None:
         raise _differs(program, first + int(np.argmin(same)), what)
 
 
-def _differs(program: Program, row: int, what: str) -> ProgramError:
+def _differs(program: Program, row: int, value: str) -> ProgramError:
+    """Return the refusal of an entrance after which something is not as it was; value: what."""
     advice = "restart at the begin of its operation, or send the whole program"
-    text = f"entered here, the program would not make {what}: it depends on what was run before"
-    return program.refusal("restart-differs", text, row, advice=advice)
+    what = "entered here, the program would do something else than when it is run whole"
+    return program.refusal("restart-differs", what, row, value=value, advice=advice)

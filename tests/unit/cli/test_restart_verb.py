@@ -45,7 +45,7 @@ def test_without_a_place_the_contours_are_listed(program: Path) -> None:
 def test_a_dry_run_tells_and_writes_nothing(program: Path) -> None:
     result = called(program, *AGAINST, "--line", "10")
     assert result.exit_code == 0, result.output
-    assert "enters line 10, at X20.000 Y10.000 Z-1.000" in result.output
+    assert "enters line 10 at X20.000 Y10.000 Z-1.000" in result.output
     assert "starts the spindle at 12000 rpm" in result.output
     assert [path.name for path in program.parent.iterdir()] == [program.name]
 
@@ -73,7 +73,7 @@ def test_a_restart_that_would_crash_is_refused(program: Path) -> None:
         (("--line", "2"), "nothing is cut before this place"),
         (("--line", "5", "--contour", "1"), "give one"),
         (("--contour", "9"), "there is no contour 9"),
-        (("--operation", "x"), "the program has no operations called 'x'"),
+        (("--operation", "x"), "no operation, or more than one, is called 'x'"),
     ],
 )
 def test_a_place_that_is_none_is_refused_in_words(program: Path, arguments: tuple[str, ...], words: str) -> None:

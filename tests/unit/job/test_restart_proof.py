@@ -140,11 +140,13 @@ def test_words_tell_where_from_what_height_and_with_what() -> None:
     start = Start.with_work_zero((-200.0, -200.0, -40.0))
     proven = restart_program(SQUARE, machine_a(), Where(line=11), Entering(overlap_mm=5), start=start)
     assert list(words_of(proven.restart)) == [
-        "enters line 10, 88% into its move, at X5.000 Y20.000 Z-2.000",
+        "enters line 10 at X5.000 Y20.000 Z-2.000",
+        "with 88% of its move done",
         "cuts 5 mm before the place again",
         "with tool 1 in the spindle",
         "goes up to Z 10.000 first, then over the place",
-        "starts the spindle at 12000 rpm, clockwise (M3), and waits 3 s",
+        "starts the spindle at 12000 rpm, clockwise (M3)",
+        "waits 3 s",
         "goes down at 200 mm/min",
         "then runs 4 lines of the program as they are; all before them is taken as cut",
     ]
