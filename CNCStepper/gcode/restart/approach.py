@@ -88,7 +88,7 @@ def _dwell_s(program: Program, row: int, state: State, options: Options) -> floa
     if not state.spindle_turns:
         return 0.0
     own_s = 0.0
-    on = program.spindle_on()
+    on = program.spindle_on
     for event in program.path.events:
         fresh = event.index == 0 or event.index >= len(on) or not on[event.index - 1]
         if event.kind == "dwell" and event.index <= row and fresh and program.path.states[event.state].spindle_turns:

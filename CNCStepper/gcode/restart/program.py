@@ -93,8 +93,9 @@ class Program:
                 reader.line(text)
         return found
 
+    @cached_property
     def spindle_on(self) -> np.ndarray:
-        """Return on which rows the spindle turns, or the beam is on, bool[n]."""
+        """On which rows the spindle turns, or the beam is on, bool[n]."""
         return np.array([state.spindle_turns for state in self.path.states], bool)[self.table.state]
 
     def at(self, row: int, share: float) -> np.ndarray:

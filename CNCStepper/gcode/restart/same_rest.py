@@ -7,13 +7,14 @@ It looks at the two tables of moves alone, and knows nothing of how the entry wa
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 
 from CNCStepper.errors import ProgramError
 from CNCStepper.gcode.restart.entrance import Entrance
 from CNCStepper.gcode.restart.program import Program
-from CNCStepper.state import State
+from CNCStepper.state import ZERO3, State
 from CNCStepper.toolpath import Toolpath
 
 SAME_MM = 1e-5  # what the numbers of the entry leave
@@ -49,8 +50,9 @@ def _require_states(program: Program, first: int, restart: Toolpath, own: int) -
     pairs = np.stack([program.table.state[first:], restart.table().state[own:]], axis=1)
     kinds, rows = np.unique(pairs, axis=0, return_index=True)
     for (one, other), row in sorted(zip(kinds.tolist(), rows.tolist(), strict=True), key=lambda pair: pair[1]):
-        if _told(program.path.states[one]) != _told(restart.states[other]):
-            raise _differs(program, first + row, _difference(program.path.states[one], restart.states[other]))
+        before, after = program.path.states[one], restart.states[other]
+        if not _same(before, after):
+            raise _differs(program, first + row, _difference(before, after))
 
 
 def _require_events(program: Program, first: int, restart: Toolpath, own: int, entrance: Entrance) -> None:
@@ -70,12 +72,23 @@ def _require_events(program: Program, first: int, restart: Toolpath, own: int, e
         raise _differs(program, min(first, len(program.table) - 1), "events")
 
 
-def _told(state: State) -> tuple:
-    """Return a state for comparison: lengths rounded as they are compared, the speed of a spindle that stands left."""
-    offsets = tuple(round(value, 5) + 0.0 for value in (*state.offset_mm, *state.g92_mm, state.tool_length_mm))
-    feed = round(state.feed_mm_min, 6), round(state.feed_mm_turn, 6)
-    rest = replace(state, offset_mm=(), g92_mm=(), tool_length_mm=0.0, feed_mm_min=0.0, feed_mm_turn=0.0)
-    return offsets, feed, rest
+def _same(old: State, new: State) -> bool:
+    """Whether two states are one, but for what the numbers of the entry leave in offsets and feeds."""
+    if old == new:
+        return True
+    one, other = (
+        [*state.offset_mm, *state.g92_mm, state.tool_length_mm, state.feed_mm_min, state.feed_mm_turn]
+        for state in (old, new)
+    )
+    blank: dict[str, Any] = {
+        "offset_mm": ZERO3,
+        "g92_mm": ZERO3,
+        "tool_length_mm": 0.0,
+        "feed_mm_min": 0.0,
+        "feed_mm_turn": 0.0,
+    }
+    near = bool(np.allclose(one, other, rtol=SAME_FEED, atol=SAME_MM))
+    return near and replace(old, **blank) == replace(new, **blank)
 
 
 def _difference(old: State, new: State) -> str:

@@ -31,7 +31,7 @@ class Stretch(NamedTuple):
 
 def stretches(program: Program) -> list[Stretch]:
     """Return all runs of rows that are no rapids, parted where the spindle or the beam is switched."""
-    feeds, on = program.feeds, program.spindle_on()
+    feeds, on = program.feeds, program.spindle_on
     breaks = np.flatnonzero((feeds[1:] != feeds[:-1]) | (on[1:] != on[:-1])) + 1
     firsts, lasts = np.r_[0, breaks], np.r_[breaks, len(feeds)]
     return [Stretch(first, last) for first, last in zip(firsts.tolist(), lasts.tolist(), strict=True) if feeds[first]]
@@ -39,7 +39,7 @@ def stretches(program: Program) -> list[Stretch]:
 
 def cutting(program: Program) -> list[Stretch]:
     """Return the stretches that cut: all, or those with the spindle or the beam on where a program switches one."""
-    on = program.spindle_on()
+    on = program.spindle_on
     return [stretch for stretch in stretches(program) if on[stretch.first] or not on.any()]
 
 
