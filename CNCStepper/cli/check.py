@@ -90,7 +90,7 @@ def command(
         words["tell"] = lambda stage: progress.doing(f"{STAGES[stage]} {program.name}")
         words["share"] = progress.share
         if job:
-            proof = prove_job(job, machine, text, earlier=_earlier(job, machine, part), **words)
+            proof = prove_job(job, machine, text, earlier=earlier_parts(job, machine, part), **words)
         else:
             proof = prove(text, machine, stock=stock_of(stock, origin), tools=tool, **words)
     show_findings(proof.findings)
@@ -118,7 +118,7 @@ def _require_readable(text: str, start: Start | None, language: str, program: Pa
         sys.exit(1)
 
 
-def _earlier(job: Job, machine: Machine, part: int | None) -> list[Proof]:
+def earlier_parts(job: Job, machine: Machine, part: int | None) -> list[Proof]:
     """Return the proofs of the job's programs before this one; raises a usage error where nobody says which it is."""
     from CNCStepper.job.make import is_split, make_parts
     from CNCStepper.job.prove import prove_parts

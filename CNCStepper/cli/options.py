@@ -61,6 +61,23 @@ class NumbersType(click.ParamType):
         return numbers
 
 
+class PointType(click.ParamType):
+    """X,Y or X,Y,Z in mm with decimal points."""
+
+    name = "X,Y[,Z]"
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> tuple[float, ...]:
+        if isinstance(value, tuple):
+            return value
+        try:
+            numbers = tuple(float(part) for part in value.split(","))
+        except ValueError:
+            numbers = ()
+        if len(numbers) not in (2, 3) or not all(-MOST < number < MOST for number in numbers):
+            self.fail(f"'{value}' is no point: two or three numbers in mm, such as 12.5,40 or 12.5,40,-2", param, ctx)
+        return numbers
+
+
 class _Named(click.ParamType):
     """A word that one of our own readers understands; its refusal is a usage error (exit 2)."""
 

@@ -102,7 +102,7 @@ def command(
     else:
         job = _checked(wanted, dialect_name(dialect, wanted.machine), unchecked)
     job = replace(job, port=port, baud=baud, allow_differences=allow_differences)
-    _conclude(watch(_confirmed(job, zero_confirmed), resume_pauses))
+    conclude(watch(confirmed(job, zero_confirmed), resume_pauses))
 
 
 @dataclass(frozen=True)
@@ -218,14 +218,14 @@ def _uncertified(wanted: _Wanted, dialect: str) -> SendJob:
     return send_job(wire, wanted.machine, wanted.file, wanted.start)
 
 
-def _confirmed(job: SendJob, confirmed: bool) -> SendJob:
+def confirmed(job: SendJob, confirmed: bool) -> SendJob:
     """Return the job with the zero confirmed, by the option or by the person at the terminal."""
     if not confirmed and sys.stdin.isatty():
         confirmed = click.confirm("Is the work zero set on the stock, and the way free?", default=False)
     return replace(job, zero_confirmed=confirmed)
 
 
-def _conclude(outcome: Outcome) -> None:
+def conclude(outcome: Outcome) -> None:
     """Say how it ended and how the machine stands; only "done" is exit status 0."""
     status = outcome.status
     click.echo(f"{status.acknowledged} of {status.total} lines acknowledged in {status.elapsed_s:.1f} s")

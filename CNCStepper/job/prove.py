@@ -199,6 +199,46 @@ def prove_job(
     """
     tell("make")
     answers = _answers(job, machine, len(earlier)) if answers is None else answers
+    own = [removal for answer in answers for removal in answer.removals]
+    proof = prove_operations(
+        job,
+        machine,
+        text,
+        answers,
+        first=operations_before(job, len(earlier)),
+        removals=own + (list(earlier[-1].given.removals) if earlier else []),
+        before=Before.of(earlier),
+        file=file,
+        start=start,
+        tell=tell,
+        share=share,
+        dialect=dialect,
+        see=see,
+    )
+    return with_findings(proof, list(_refused(earlier, file)))
+
+
+def prove_operations(
+    job: Job,
+    machine: Machine,
+    text: str,
+    answers: Sequence[Answer],
+    *,
+    first: int,
+    removals: Sequence[Removal],
+    before: Before | None,
+    file: str = "",
+    start: Start | None = None,
+    tell: Tell = lambda stage: None,
+    share: Share = lambda share: None,
+    dialect: str = "",
+    see: See = lambda part: None,
+) -> Proof:
+    """Return the proof of a text that runs some of a job's operations, on the stock that others may have cut before.
+
+    answers: of the operations that it runs, of which `first` of the job's come before. removals: what those before
+    and these want removed together.
+    """
     proof = prove(
         text,
         machine,
@@ -207,37 +247,40 @@ def prove_job(
         start=job.started(start, machine),
         stock=job.stock.stock(),
         tools=job.on(machine).tools,
-        removals=[removal for answer in answers for removal in answer.removals]
-        + (list(earlier[-1].given.removals) if earlier else []),
+        removals=removals,
         keep_out=job.clamps,
         edge_mm=job.stock.edge_mm,
-        before=Before.of(earlier),
+        before=before,
         tell=tell,
         share=share,
         see=see,
     )
-    own = findings_of(job, machine, proof.toolpath, answers, file, _operations_before(job, len(earlier)))
-    findings = sorted([*proof.findings, *_refused(earlier, file), *own], key=lambda finding: finding.place.line)
-    return replace(proof, findings=findings, report=_told(proof, answers, findings))
+    own = list(findings_of(job, machine, proof.toolpath, answers, file, first))
+    return with_findings(replace(proof, report=_told(proof, answers)), own)
 
 
-def _operations_before(job: Job, parts: int) -> int:
+def operations_before(job: Job, parts: int) -> int:
     """Return how many operations the first parts hold into which a job is split."""
     stretches = groupby(operation.tool for operation in job.operation)
     return sum(len(list(stretch)) for _, stretch in islice(stretches, parts))
 
 
-def _told(proof: Proof, answers: Sequence[Answer], findings: Sequence[Finding]) -> dict[str, Any]:
-    """Return a proof's report with what its job's cycles answered and what was found in all."""
+def _told(proof: Proof, answers: Sequence[Answer]) -> dict[str, Any]:
+    """Return a proof's report with what its job's cycles answered."""
     return proof.report | {
         "operations": [
             operation | {"figures": answer.figures, "rest_corners": [asdict(corner) for corner in answer.corners]}
             for operation, answer in zip(proof.report["operations"], answers, strict=False)
-        ],
-        "errors": sum(finding.severity == "error" for finding in findings),
-        "warnings": sum(finding.severity == "warning" for finding in findings),
-        "findings": [finding.as_dict() for finding in findings],
+        ]
     }
+
+
+def with_findings(proof: Proof, more: Sequence[Finding]) -> Proof:
+    """Return a proof in which more was found; its report tells of it too."""
+    findings = sorted([*proof.findings, *more], key=lambda finding: finding.place.line)
+    counts = {f"{kind}s": sum(one.severity == kind for one in findings) for kind in ("error", "warning")}
+    told = {"findings": [finding.as_dict() for finding in findings]}
+    return replace(proof, findings=findings, report=proof.report | counts | told)
 
 
 def _refused(earlier: Sequence[Proof], file: str) -> Iterator[Finding]:

@@ -25,8 +25,7 @@ from CNCStepper.gcode.edit.numbers import MOST_DECIMALS, dialect_decimals, numbe
 from CNCStepper.gcode.edit.source import require_straight, work_place
 from CNCStepper.gcode.edit.tokens import changed, tokens_of
 from CNCStepper.gcode.interpret import Interpreter, interpret
-from CNCStepper.gcode.model import Model
-from CNCStepper.gcode.saved_modes import modes_of, path_words
+from CNCStepper.gcode.said_modes import said_modes
 from CNCStepper.gcode.words import is_tape_mark
 from CNCStepper.state import Start, State
 from CNCStepper.toolpath import RAPID, Toolpath
@@ -34,14 +33,6 @@ from CNCStepper.toolpath import RAPID, Toolpath
 PAUSES = frozenset(("M0", "M1", "T", "N"))
 SAME_MM = 1e-6
 ENDS = frozenset(("M2", "M30"))
-PATH_MODES, RETRACT_MODES = frozenset(("G61", "G61.1", "G64")), frozenset(("G98", "G99"))
-OVERRIDES = frozenset(("M48", "M49", "M50", "M51"))
-OVERRIDE_WORDS = {  # by whether feed and spindle may be overridden; a program begins with both
-    (True, True): "M48",
-    (True, False): "M51 P0",
-    (False, True): "M50 P0",
-    (False, False): "M49",
-}
 
 
 @dataclass(frozen=True)
@@ -119,21 +110,12 @@ def _changes(
         tool = reader.model.state.tool
         if tool != state.tool and tool:
             if cut:
-                more = _more_modes(model, said)
+                more = said_modes(model, said)
                 changes.append(_Change(number, _first_line(lines, number), tool, state, motion, place, row, more))
             first_tool = first_tool or tool
         cut = cut or reader.table.index > row
         said |= {token.name for token in tokens_of(line)}
     return changes, reader.toolpath(), first_tool
-
-
-def _more_modes(model: Model, said: set[str]) -> tuple[str, ...]:
-    """Return the words of those modes that no row shows."""
-    modes = modes_of(model)
-    path = (path_words(modes),) if said & PATH_MODES else ()
-    retract = ("G98" if model.to_initial else "G99",) if said & RETRACT_MODES else ()
-    allowed = "feed" in modes.overrides, "speed" in modes.overrides
-    return *path, *retract, *((OVERRIDE_WORDS[allowed],) if said & OVERRIDES else ())
 
 
 def _first_line(lines: list[str], change: int) -> int:

@@ -1,0 +1,72 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a restart does, and where a program may be restarted, in words for people."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from math import isnan
+
+import numpy as np
+
+from CNCStepper.gcode.restart.places import contours
+from CNCStepper.gcode.restart.program import Program
+from CNCStepper.gcode.restart.restart import Restart
+
+SENSES = {"cw": "clockwise (M3)", "ccw": "counter-clockwise (M4)"}
+
+
+def words_of(restart: Restart) -> Iterator[str]:
+    """Yield what a restart does, in its order: where it enters, from what height, with what on, and why there."""
+    program, entrance, approach = restart.program, restart.entrance, restart.approach
+    row, line = entrance.row, program.file_line(entrance.row)
+    place = program.tips(np.array([approach.at_mm]), np.array([row]))[0]
+    yield f"enters line {line} at {_point(place)}"
+    if entrance.share:
+        yield f"with {entrance.share:.0%} of its move done"
+    yield from (f"in the operation {span.name}" for span in program.operations if span.first <= row < span.last)
+    yield from (f"because {note}" for note in entrance.notes)
+    if entrance.overlap_mm:
+        yield f"cuts {entrance.overlap_mm:.3g} mm before the place again"
+    state = approach.state
+    if state.tool:
+        yield f"with tool {state.tool} in the spindle"
+    if not isnan(approach.safe_mm):
+        up_mm = approach.safe_mm - program.frame_mm[2] - state.tool_length_mm
+        yield f"goes up to Z {up_mm:.3f} first, then over the place"
+    yield from _switched_on(restart)
+    if approach.plunge_mm_min:
+        yield f"goes down at {approach.plunge_mm_min:g} mm/min"
+    if any(state.g92_mm):
+        yield f"sets G92 as it was: {_point(np.array(state.g92_mm))}"
+    own = int((restart.file_lines > 0).sum())
+    yield f"then runs {own} lines of the program as they are; all before them is taken as cut"
+
+
+def _switched_on(restart: Restart) -> Iterator[str]:
+    """Yield what is switched on, and how long the machine waits for it."""
+    state, approach = restart.approach.state, restart.approach
+    if not state.spindle_turns:
+        yield "leaves the spindle off, as the program has it there"
+    elif approach.is_beam:
+        yield f"switches the beam on at S{state.spindle_rpm:g} once it is down"
+    else:
+        yield f"starts the spindle at {state.spindle_rpm:g} rpm, {SENSES[state.spindle]}"
+    if state.mist or state.flood:
+        yield "switches the coolant on"
+    if approach.dwell_s:
+        yield f"waits {approach.dwell_s:g} s"
+
+
+def contour_table(program: Program) -> Iterator[tuple[int, int, str, str, float]]:
+    """Yield (number, line, operation, where it begins, length in mm) of each contour of a program."""
+    for number, stretch in enumerate(contours(program), start=1):
+        rows = np.array([stretch.first])
+        place = program.tips(program.begins[rows], rows)[0]
+        names = (span.name for span in program.operations if span.first <= stretch.first < span.last)
+        length_mm = float(np.nansum(program.ways.length_mm[stretch.first : stretch.last]))
+        yield number, program.file_line(stretch.first), next(names, ""), _point(place), length_mm
+
+
+def _point(point: np.ndarray) -> str:
+    known = zip("XYZ", point.tolist(), strict=True)
+    return " ".join(f"{axis}{value + 0.0:.3f}" for axis, value in known if not isnan(value))
