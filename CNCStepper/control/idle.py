@@ -7,7 +7,6 @@ from collections.abc import Callable
 from dataclasses import replace
 
 from CNCStepper.control import acts, connect, halt
-from CNCStepper.control.codes import alarm_code, error_code
 from CNCStepper.control.command import Command
 from CNCStepper.control.grbl import HOLD, RESUME, Answered, Grbl, Received
 from CNCStepper.control.grbl_report import Alarm, Feedback, Greeting, Status
@@ -123,7 +122,7 @@ class Idle:
                 self.lose_position()
             elif isinstance(report, Status) and report.state == "Idle":
                 self._alarm = ""
-            elif isinstance(report, Feedback) and report.text == CRITICAL:
+            elif isinstance(report, Feedback) and report.text.endswith(CRITICAL):
                 self._wants_reset = True
 
     def lose_position(self) -> None:
@@ -208,17 +207,19 @@ class Idle:
             return
         self._homing_since_s = None
         if answer.error:
-            code = error_code(answer.error)
+            firmware = self._driver.firmware
+            code = firmware.error(answer.error)
             words = f"the machine does not home: {code.meaning} (error:{answer.error})"
-            self._refuse(Command("home"), MachineRefusal(f"grbl-error-{answer.error}", words, advice=code.advice))
+            refusal = MachineRefusal(f"{firmware.key}-error-{answer.error}", words, advice=code.advice)
+            self._refuse(Command("home"), refusal)
         else:
             self.position_known = self.homed = True
             self._tell("message", "the machine is homed")
 
     def _take_alarm(self, alarm: Alarm) -> None:
-        self._alarm = str(connect.alarm_refusal(alarm))
+        self._alarm = str(connect.alarm_refusal(alarm, self._driver.firmware))
         self._give_up()
-        if not alarm_code(alarm.code).position_kept:
+        if not self._driver.firmware.alarm(alarm.code).position_kept:
             self.lose_position()
 
     def _give_up(self) -> None:

@@ -66,7 +66,7 @@ class Phases:
         status = driver.status
         assert status
         if status.state == "Alarm":
-            raise alarm_refusal(Alarm(-1))
+            raise alarm_refusal(Alarm(-1), driver.firmware)
         if status.state == "Sleep":
             check_state(status)
         if driver.status_asked_s <= self.changed_s:
