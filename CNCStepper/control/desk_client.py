@@ -134,6 +134,10 @@ class DeskClient:
         """Take the lock of an alarm away without homing."""
         self._ask("unlock")
 
+    def type(self, text: str) -> None:
+        """Ask for a line that somebody typed; what came of it is an event "answer", or a refusal."""
+        self._ask("line", text=text)
+
     def override(self, kind: str, percent_step: int | str) -> None:
         """Change "feed" or "spindle" by 10, -10, 1, -1 percent, "rapid" to 100, 50, 25; "reset" brings 100 back."""
         self._ask("override", kind=kind, step=str(percent_step))
