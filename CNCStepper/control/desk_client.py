@@ -67,6 +67,11 @@ class DeskClient:
         """Attach to a desk of `running_desks`; one that has ended meanwhile is "gone"."""
         return cls((read_private(session_file) or {}).get("machine_port", ""), session_file=session_file)
 
+    @property
+    def started_desk(self) -> bool:
+        """Whether the desk was started for this client; it ends when this one leaves and nobody else is there."""
+        return self._process is not None
+
     def poll(self) -> list[dict[str, Any]]:
         """Return what has happened since the last call, at once; to be called from a timer.
 

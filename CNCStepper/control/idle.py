@@ -19,7 +19,7 @@ from CNCStepper.control.readiness import check_state
 from CNCStepper.control.run import Refuse, Tell
 from CNCStepper.control.timing import Timing
 from CNCStepper.control.typed_line import HOME as HOME_LINE
-from CNCStepper.control.typed_line import UNLOCK, kind_of
+from CNCStepper.control.typed_line import MOVING_KINDS, UNLOCK, kind_of
 from CNCStepper.control.watch import Watch
 from CNCStepper.errors import CNCStepperError, LinkError, MachineRefusal
 
@@ -30,6 +30,7 @@ LOCKED = {
     "Sleep": "the controller sleeps and its motors are off: unlock it, then home it or set its zero again",
 }
 HOME = "$H"
+HOMED = "the machine is homed"
 CRITICAL = "Reset to continue"
 
 
@@ -215,6 +216,8 @@ class Idle:
             self._unlock()
             self._tell("answer", "ok")
         else:
+            if kind in MOVING_KINDS:
+                check_state(self._driver.status)
             self._console.send(text, kind, self.position_known)
 
     def _home(self) -> None:
@@ -244,7 +247,7 @@ class Idle:
             self._refuse(Command("home"), refusal)
         else:
             self.position_known = self.homed = True
-            self._tell("message", "the machine is homed")
+            self._tell("message", HOMED)
 
     def _take_alarm(self, alarm: Alarm) -> None:
         self._alarm = str(connect.alarm_refusal(alarm, self._driver.firmware))
