@@ -9,6 +9,7 @@ from dataclasses import replace
 from CNCStepper.control import acts, connect, halt
 from CNCStepper.control.command import Command
 from CNCStepper.control.console import Console
+from CNCStepper.control.firmware import TOOL_CHANGED
 from CNCStepper.control.grbl import HOLD, RESUME, Answered, Grbl, Received
 from CNCStepper.control.grbl_report import Alarm, Feedback, Greeting, Status
 from CNCStepper.control.jogger import LAPSE_S, Jogger, Way
@@ -23,7 +24,7 @@ from CNCStepper.control.typed_line import MOVING_KINDS, UNLOCK, kind_of
 from CNCStepper.control.watch import Watch
 from CNCStepper.errors import CNCStepperError, LinkError, MachineRefusal
 
-PHASES = {"Idle": "idle", "Jog": "jogging", "Home": "homing", "Hold": "held", "Door": "door"}
+PHASES = {"Idle": "idle", "Jog": "jogging", "Home": "homing", "Hold": "held", "Tool": "held", "Door": "door"}
 MOVING = ("Run", "Jog", "Home")
 LOCKED = {
     "Alarm": "the controller is locked: home the machine, or unlock it if its position is surely right",
@@ -185,6 +186,8 @@ class Idle:
     def _resume(self) -> None:
         if self.phase not in ("held", "door"):
             raise MachineRefusal("nothing-to-resume", "the machine is not held", advice="there is nothing to resume")
+        if self._driver.status and self._driver.status.state == "Tool":
+            self._driver.realtime(TOOL_CHANGED)
         self._driver.realtime(RESUME)
 
     def _cancel_jog(self) -> None:

@@ -11,7 +11,7 @@ from CNCStepper.errors import Place, ProgramError
 # Bytes that act at once wherever they stand: ! ? ~, controls, all above 0x7e.
 _ACTING = re.compile(r"[^ \"->@-}]")
 _STORING = re.compile(r"G0*(?:10(?:\.0*)?|28\.10*|30\.10*)(?![\d.])")
-_PAUSE = re.compile(r"M0+(?![\d.])")
+_PAUSE = re.compile(r"M0*[06](?![\d.])")
 _DWELL = re.compile(r"G0*4(?![\d.])")
 _SECONDS = re.compile(r"P(\d*\.?\d*)")
 
@@ -62,7 +62,7 @@ def needs_idle(text: str) -> bool:
 
 
 def pauses(text: str) -> bool:
-    """Return whether a line holds M0."""
+    """Return whether a line holds M0, or M6, at which grblHAL waits for a new tool."""
     return bool(_PAUSE.search(_plain(text)))
 
 
