@@ -55,7 +55,8 @@ class Grbl:
     listen: called after every `receive` with what came, on the same thread.
     firmware: what answers there, grbl until it is known better; window: of its receive buffer one byte stays free.
     status: the last answer to `?`. status_asked_s: when it was asked for, by `clock`; a status may
-    have been on its way before whatever was written later. mpos_mm, wpos_mm: None until reported.
+    have been on its way before whatever was written later. mpos_mm, wpos_mm: None until reported, and
+    until the controller has said whether it reports in mm or in inches.
     overrides: feed, rapid and spindle in percent, as last reported.
     """
 
@@ -149,11 +150,13 @@ class Grbl:
     def feed_mm_min(self) -> float | None:
         """The speed last reported."""
         feed = self.status.feed if self.status else None
-        return feed if feed is None else self._length_mm(feed)
+        return None if feed is None or REPORT_INCHES not in self.settings else self._length_mm(feed)
 
     def mm(self, position: Vector | None) -> Vector | None:
-        """Return a position in the controller's own units ($13) in mm."""
-        return None if position is None else tuple(map(self._length_mm, position))
+        """Return a position in the controller's own units ($13) in mm; None before these units are known."""
+        if position is None or REPORT_INCHES not in self.settings:
+            return None
+        return tuple(map(self._length_mm, position))
 
     def _lines(self, wait_s: float) -> list[str]:
         data = self._tail + self.link.read(wait_s)
