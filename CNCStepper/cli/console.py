@@ -16,6 +16,7 @@ from CNCStepper.errors import CNCStepperError, LinkError
 
 PROMPT = "> "
 HISTORY_LINES = 1000
+MOST_MM_MIN = 100_000.0
 HELP = """\
 ?                      where the machine stands
 !  ~                   hold; go on
@@ -44,10 +45,9 @@ def command(port: str, baud: int) -> None:
         click.echo(place(talk.status))
         if sys.stdin.isatty():
             with _history():
-                _converse(talk)
+                converse(talk)
         else:
-            for line in sys.stdin:
-                Session(talk).do(line.strip())
+            _follow(talk)
 
 
 class Session:
@@ -88,8 +88,7 @@ class Session:
 
     def _jog(self, words: list[str]) -> None:
         feeds = [word for word in words if word[:1] in "Ff"]
-        feed_mm_min = float(feeds[0][1:]) if feeds else FEED_MM_MIN
-        self._type(jog_line(tuple(word for word in words if word not in feeds), feed_mm_min))
+        self._type(jog_line(tuple(word for word in words if word not in feeds), _feed_mm_min(feeds)))
 
     def _type(self, line: str) -> None:
         """Type a line; while it is not done Ctrl-C holds, so that `~` or `stop` can follow."""
@@ -99,8 +98,29 @@ class Session:
         click.echo(answer)
 
 
-def _converse(talk: Talk) -> None:
-    """Ask for line after line; a refusal is said, a lost link ends it."""
+def _follow(talk: Talk) -> None:
+    """Do the lines of a pipe or a file; Ctrl-C holds what moves and ends it."""
+    try:
+        for line in sys.stdin:
+            Session(talk).do(line.strip())
+    except KeyboardInterrupt:
+        talk.client.hold()
+        raise
+
+
+def _feed_mm_min(words: list[str]) -> float:
+    """Return the speed of a word as F500, or the usual one where there is none; raises a usage error."""
+    try:
+        feed_mm_min = float(words[0][1:]) if words else FEED_MM_MIN
+    except ValueError:
+        feed_mm_min = 0.0
+    if not 0 < feed_mm_min < MOST_MM_MIN:
+        raise click.UsageError(f"'{words[0]}' is no speed: write for example F500 (mm/min)")
+    return feed_mm_min
+
+
+def converse(talk: Talk) -> None:
+    """Ask for line after line until quit; a refusal is said, a lost link ends it."""
     session, typed = Session(talk), list[str]()
     for line in _lines():
         if line == "quit":
@@ -110,15 +130,21 @@ def _converse(talk: Talk) -> None:
             continue
         typed.append(line)
         try:
-            session.do(line)
+            _try(session, line)
         except KeyboardInterrupt:
             _hold(talk)
-        except (click.ClickException, ValueError) as error:
-            click.echo(error.format_message() if isinstance(error, click.ClickException) else str(error))
-        except CNCStepperError as error:
-            if isinstance(error, LinkError):
-                raise
-            click.echo(str(error))
+
+
+def _try(session: Session, line: str) -> None:
+    """Do what a line says; what is refused is said."""
+    try:
+        session.do(line)
+    except click.ClickException as error:
+        click.echo(error.format_message())
+    except CNCStepperError as error:
+        if isinstance(error, LinkError):
+            raise
+        click.echo(str(error))
 
 
 def _lines() -> Iterator[str]:

@@ -129,12 +129,12 @@ class JobRun:
         for number in sorted(set(self.job.expected) - set(found.settings)):
             self._tell("warning", f"the controller does not report ${number}: it was not compared")
         moved, modes = self._moved_offsets(found), self._left_modes(found)
+        for difference in [*differences(found.settings, self.job.expected), *moved, *modes]:
+            self._tell("warning", str(difference))
         if not self.job.allow_differences:
             check_settings(found.settings, self.job.expected)
             check_offsets(moved)
             check_modes(modes)
-        for difference in [*differences(found.settings, self.job.expected), *moved, *modes]:
-            self._tell("warning", str(difference))
 
     def _moved_offsets(self, found: connect.Found) -> list[str]:
         return offset_differences(self._offsets_mm(found), found.modes, self.job.work_offsets_mm, self.job.work_system)

@@ -10,7 +10,7 @@ import click
 import pytest
 from test_send import called, command
 
-from CNCStepper.cli.console import Session
+from CNCStepper.cli.console import Session, converse
 from CNCStepper.cli.jog import jog_line
 from CNCStepper.control.outcome import SenderStatus
 from CNCStepper.errors import MachineRefusal
@@ -68,6 +68,27 @@ def test_answer_that_is_no_ok_is_a_refusal():
     talk.answer = "error:22 no feed rate was set; give an F word"
     with pytest.raises(click.ClickException, match="error:22"):
         Session(talk).do("G1X1")
+
+
+def test_refusal_in_a_conversation_is_said_and_the_next_line_is_asked_for(monkeypatch, capsys):
+    talk = FakeTalk()
+    talk.answer = "error:22 no feed rate was set; give an F word"
+    typed = iter(["G1X1", "jog X", "jog X1 Fast", "home", "history", "quit", "G0X9"])
+    monkeypatch.setattr("builtins.input", lambda prompt: next(typed))
+    converse(talk)
+    assert talk.asked == ["G1X1", "home"]
+    said = capsys.readouterr().out
+    assert "error:22" in said and "is no way" in said and said.endswith("G1X1\njog X\njog X1 Fast\nhome\n")
+
+
+def test_end_of_input_and_ctrl_c_at_the_prompt(monkeypatch, capsys):
+    def typed(prompt: str) -> str:
+        raise ends.pop()
+
+    ends = [EOFError(), KeyboardInterrupt()]
+    monkeypatch.setattr("builtins.input", typed)
+    converse(FakeTalk())
+    assert not ends
 
 
 @pytest.mark.parametrize("way", [("X",), ("A1",), ("X1", "X2"), ("X1Y2",), ("X1e3",), ("",)])

@@ -73,6 +73,19 @@ def test_other_settings_are_shown_and_refuse(tmp_path, firmware, settings, words
     visit.receive(person)
     error = visit.outcomes[0].error
     assert error.code == "settings-differ" and words in str(error)
+    assert any(words in text for text in warnings(visit))
+
+
+def test_all_differences_are_shown_where_one_refuses(tmp_path):
+    visit = Visit(tmp_path, settings={30: 1000.0})
+
+    def person():
+        visit.job("G1X-3F1500", expected=EXPECTED, work_offsets_mm={"G54": (1.0, 0.0, 0.0)}, work_system="G55")
+        yield visit.ended()
+
+    visit.receive(person)
+    assert visit.outcomes[0].error.code == "settings-differ"
+    assert [text.split(" ")[0] for text in warnings(visit)] == ["$30", "G55", "G54"]
 
 
 @pytest.mark.parametrize(
