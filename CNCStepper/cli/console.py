@@ -11,10 +11,11 @@ from pathlib import Path
 import click
 
 from CNCStepper.cli.jog import FEED_MM_MIN, jog_line
-from CNCStepper.cli.talk import Event, Talk, place, port_options
+from CNCStepper.cli.talk import Talk, place, port_options
 from CNCStepper.errors import CNCStepperError, LinkError
 
 PROMPT = "> "
+STANDING = ("Hold:0", "Idle", "Alarm", "Tool", "Door:0", "Door:1")
 HISTORY_LINES = 1000
 MOST_MM_MIN = 100_000.0
 HELP = """\
@@ -159,15 +160,11 @@ def _lines() -> Iterator[str]:
 
 
 def _hold(talk: Talk) -> None:
-    """Hold what moves; what had been done already is no error."""
+    """Hold what moves, and wait until it stands; what had been done already is no error."""
     talk.client.hold()
     with suppress(CNCStepperError):
-        talk.until(_held)
+        talk.until(lambda event: event["event"] == "status" and talk.status.machine_state in STANDING)
     click.echo(f"{place(talk.status)}   ~ goes on, stop ends it")
-
-
-def _held(event: Event) -> bool:
-    return event["event"] == "phase" and event["text"] in ("held", "idle")
 
 
 @contextmanager

@@ -18,7 +18,7 @@ from CNCStepper.control.codes_fluidnc import FLUIDNC_ALARMS, FLUIDNC_ERROR_NAMES
 from CNCStepper.control.codes_grbl import GRBL_ALARMS, GRBL_ERRORS
 from CNCStepper.control.codes_grblhal import GRBLHAL_ALARMS, GRBLHAL_ERRORS
 
-TOOL_CHANGED = b"\xa3"  # a person has changed the tool
+TOOL_CHANGED = b"\xa3"  # to grblHAL in its state Tool: a person has changed the tool
 LOOK_UP = "look the number up in the documentation of the controller's version"
 GRBLHAL_TAGS = ("NEWOPT", "AXS")  # of `$I`, which grbl does not have
 
@@ -29,8 +29,7 @@ class Firmware:
 
     small_receive: its receive buffer may be smaller than grbl's, so what it says of it holds. line_characters: of its
     longest line, without blanks where these do not count. error_names: what it may answer in place of a number.
-    inches_question: how it tells whether it reports in inches, where no setting $13 does. tool_state: whether it waits
-    for a tool change in a state of its own, `Tool`, until it hears TOOL_CHANGED.
+    inches_question: how it tells whether it reports in inches, where no setting $13 does.
     """
 
     key: str
@@ -42,7 +41,6 @@ class Firmware:
     blanks_count: bool = False
     error_names: Mapping[str, int] = field(default_factory=dict)
     inches_question: str = ""
-    tool_state: bool = False
 
     def error(self, number: int) -> Code:
         """Return what `error:number` means here."""
@@ -68,7 +66,6 @@ GRBLHAL = Firmware(
     GRBLHAL_ERRORS,
     GRBLHAL_ALARMS,
     line_characters=255,
-    tool_state=True,
 )
 FLUIDNC = Firmware(
     "fluidnc",

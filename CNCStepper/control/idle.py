@@ -186,7 +186,13 @@ class Idle:
     def _resume(self) -> None:
         if self.phase not in ("held", "door"):
             raise MachineRefusal("nothing-to-resume", "the machine is not held", advice="there is nothing to resume")
-        if self._driver.status and self._driver.status.state == "Tool":
+        status = self._driver.status
+        if status and status.name == "Hold:1":  # in which grbl forgets a cycle start
+            advice = "resume once it stands"
+            raise MachineRefusal(
+                "machine-slowing", "the machine is still slowing down", value=status.name, advice=advice
+            )
+        if status and status.state == "Tool":
             self._driver.realtime(TOOL_CHANGED)
         self._driver.realtime(RESUME)
 
