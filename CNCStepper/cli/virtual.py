@@ -31,15 +31,25 @@ def command() -> None:
 )
 @click.option("--trace", type=click.Path(path_type=Path), help="Save the path of the axes: t_s,x_mm,y_mm,z_mm.")
 @click.option("--homing", is_flag=True, help="Start in alarm until homed, as with $22=1.")
+@click.option(
+    "--firmware",
+    type=click.Choice(["grbl", "grblhal", "fluidnc"]),
+    default="grbl",
+    show_default=True,
+    help="Greet, answer and refuse as this one does, with its buffer and line length.",
+)
 @click.option("--until-left", is_flag=True, help="End when its client has left, or when none has come within 30 s.")
 @machine_option(required=False)
-def grbl(pty, tcp, speed, baud, trace, homing, until_left, machine: Machine | None) -> None:
+def grbl(pty, tcp, speed, baud, trace, homing, firmware, until_left, machine: Machine | None) -> None:
     """A grbl 1.1 with 128 bytes and 15 blocks, on a pseudo-terminal or a TCP port; Ctrl-C ends it.
 
-    Without --machine it has the settings of table-a.
+    With --firmware grblhal it has 1023 bytes, lines of 255 characters and M6, which waits in the state Tool; with
+    fluidnc lines of 254 characters, and settings that can only be read. Without --machine it has the settings of
+    table-a.
     """
     if bool(pty) == bool(tcp):
         raise click.UsageError("give either --pty PATH or --tcp HOST:PORT")
+    from CNCStepper.virtual.grbl.firmware import FIRMWARES
     from CNCStepper.virtual.grbl.server import serve
 
     serve(
@@ -51,5 +61,6 @@ def grbl(pty, tcp, speed, baud, trace, homing, until_left, machine: Machine | No
         trace=trace,
         homing=homing,
         until_left=until_left,
-        ready=lambda address: click.echo(f"virtual grbl at {address}"),
+        firmware=FIRMWARES[firmware],
+        ready=lambda address: click.echo(f"virtual {firmware} at {address}"),
     )

@@ -27,6 +27,7 @@ VALUES: dict[str, dict[str, Any]] = {  # of each command: its values and their t
     "set_zero": {"axes": str},
     "home": {},
     "unlock": {},
+    "line": {"text": str},
     "override": {"kind": str, "step": str},
     "end": {},
 }

@@ -6,9 +6,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
-from CNCStepper.control.codes import alarm_code, error_code
-from CNCStepper.control.grbl import Answered, Grbl, Received
-from CNCStepper.control.grbl_report import Alarm, Feedback, Greeting, Vector, vector
+from CNCStepper.control.firmware import GRBL, Firmware
+from CNCStepper.control.grbl import REPORT_INCHES, Answered, Grbl, Received
+from CNCStepper.control.grbl_report import Alarm, Feedback, Greeting, NamedSetting, Vector, vector
 from CNCStepper.control.readiness import check_state
 from CNCStepper.control.timing import Timing
 from CNCStepper.errors import LinkError, MachineRefusal
@@ -20,12 +20,13 @@ OLD_VERSIONS = ("0.", "1.0")
 
 @dataclass(frozen=True)
 class Found:
-    """What answered: version ("1.1h.20190830"), settings by number, offsets by name, `$G` words.
+    """What answered: firmware, version ("1.1h.20190830"), settings by number, offsets by name, `$G` words.
 
     greeted: it restarted when the port was opened, so its position counts from where it stands now.
     """
 
     version: str
+    firmware: Firmware = GRBL
     settings: dict[int, float] = field(default_factory=dict)
     offsets: dict[str, Vector] = field(default_factory=dict)
     modes: str = ""
@@ -47,7 +48,25 @@ def learn(driver: Grbl, timing: Timing, greeted: bool = False) -> Found:
     discard_half_line(driver, timing)
     version = _version(driver, ask(driver, "$I", timing))
     ask(driver, "$$", timing)
-    return Found(version, dict(driver.settings), read_offsets(driver, timing), read_modes(driver, timing), greeted)
+    learn_units(driver, timing)
+    offsets, modes = read_offsets(driver, timing), read_modes(driver, timing)
+    return Found(version, driver.firmware, dict(driver.settings), offsets, modes, greeted)
+
+
+def learn_units(driver: Grbl, timing: Timing) -> None:
+    """Learn whether a firmware without $13 reports in inches; raises MachineRefusal when it does not say."""
+    question = driver.firmware.inches_question
+    if not question or REPORT_INCHES in driver.settings:
+        return
+    driver.send(question)
+    said = {report.text.lower() for report in _answer(driver, timing) if isinstance(report, NamedSetting)}
+    if not said & {"true", "false"}:
+        raise MachineRefusal(
+            "units-unknown",
+            "the controller does not say whether it reports in mm or in inches",
+            advice="update its firmware",
+        )
+    driver.settings[REPORT_INCHES] = float("true" in said)
 
 
 def read_offsets(driver: Grbl, timing: Timing) -> dict[str, Vector]:
@@ -108,18 +127,20 @@ def ask(driver: Grbl, line: str, timing: Timing) -> list[Received]:
     said = _answer(driver, timing)
     error = next(report.error for report in said if isinstance(report, Answered))
     if error:
-        code = error_code(error)
+        code = driver.firmware.error(error)
         raise MachineRefusal(
-            f"grbl-error-{error}", f"the controller refused {line}: {code.meaning} (error:{error})", advice=code.advice
+            f"{driver.firmware.key}-error-{error}",
+            f"the controller refused {line}: {code.meaning} (error:{error})",
+            advice=code.advice,
         )
     return said
 
 
-def alarm_refusal(alarm: Alarm) -> MachineRefusal:
+def alarm_refusal(alarm: Alarm, firmware: Firmware) -> MachineRefusal:
     """Return the refusal that ALARM:n stands for, in words; -1 is an alarm without a number."""
-    code = alarm_code(alarm.code)
+    code = firmware.alarm(alarm.code)
     number = str(alarm.code) if alarm.code >= 0 else "?"
-    return MachineRefusal(f"grbl-alarm-{number}", f"{code.meaning} (ALARM:{number})", advice=code.advice)
+    return MachineRefusal(f"{firmware.key}-alarm-{number}", f"{code.meaning} (ALARM:{number})", advice=code.advice)
 
 
 def restart_refusal(greeting: Greeting) -> MachineRefusal:
@@ -161,7 +182,7 @@ def _checked(driver: Grbl, received: Sequence[Received]) -> Sequence[Received]:
     """Return `received` unless an alarm is in it, which is refused in words."""
     for report in received:
         if isinstance(report, Alarm):
-            raise alarm_refusal(report)
+            raise alarm_refusal(report, driver.firmware)
     return received
 
 
@@ -180,7 +201,7 @@ def _feedback(said: Sequence[Received]) -> list[Feedback]:
 
 
 def _version(driver: Grbl, said: Sequence[Received]) -> str:
-    version = next((report.text.rstrip(":") for report in _feedback(said) if report.tag == "VER"), "")
+    version = next((report.text.rstrip(" :") for report in _feedback(said) if report.tag == "VER"), "")
     if version.startswith(OLD_VERSIONS):
         raise LinkError(
             "grbl-too-old", f"{driver.link.name} runs grbl {version}", limit="1.1", advice="update its firmware"

@@ -159,7 +159,7 @@ class Desk:
                 self._run_job(idle, **command.values)
             elif command.name != "end":
                 idle.do(command)
-                self._zero_is_old = self._zero_is_old or command.name == "set_zero"
+                self._zero_is_old = self._zero_is_old or command.name in ("set_zero", "line")
         except CNCStepperError as error:
             if is_fatal(error):
                 raise

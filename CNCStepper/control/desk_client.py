@@ -67,6 +67,11 @@ class DeskClient:
         """Attach to a desk of `running_desks`; one that has ended meanwhile is "gone"."""
         return cls((read_private(session_file) or {}).get("machine_port", ""), session_file=session_file)
 
+    @property
+    def started_desk(self) -> bool:
+        """Whether the desk was started for this client; it ends when this one leaves and nobody else is there."""
+        return self._process is not None
+
     def poll(self) -> list[dict[str, Any]]:
         """Return what has happened since the last call, at once; to be called from a timer.
 
@@ -133,6 +138,10 @@ class DeskClient:
     def unlock(self) -> None:
         """Take the lock of an alarm away without homing."""
         self._ask("unlock")
+
+    def type(self, text: str) -> None:
+        """Ask for a line that somebody typed; what came of it is an event "answer", or a refusal."""
+        self._ask("line", text=text)
 
     def override(self, kind: str, percent_step: int | str) -> None:
         """Change "feed" or "spindle" by 10, -10, 1, -1 percent, "rapid" to 100, 50, 25; "reset" brings 100 back."""

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from CNCStepper.control.codes import error_code
+from CNCStepper.control.firmware import Firmware
 from CNCStepper.control.grbl import Answered, Grbl
 from CNCStepper.control.lines import dwell_s, needs_idle, pauses, stores
 from CNCStepper.control.send_job import SendJob
@@ -47,11 +47,11 @@ class Feeder:
             if pauses(answered.sent.text):
                 self._message = ""
 
-    def refusal(self, answered: Answered) -> MachineRefusal:
+    def refusal(self, answered: Answered, firmware: Firmware) -> MachineRefusal:
         """Return what `error:n` says about its line, in words and with its place in the file."""
-        code = error_code(answered.error)
+        code = firmware.error(answered.error)
         return MachineRefusal(
-            f"grbl-error-{answered.error}",
+            f"{firmware.key}-error-{answered.error}",
             f"the controller refused '{answered.sent.text}': {code.meaning} (error:{answered.error})",
             advice=code.advice,
             place=self.job.place(answered.sent.index),

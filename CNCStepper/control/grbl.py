@@ -18,13 +18,14 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from CNCStepper.control import grbl_report
+from CNCStepper.control.firmware import GRBL, Firmware, greeted_by, told_by
 from CNCStepper.control.grbl_report import Answer, Feedback, Greeting, Report, Setting, Status, Vector
 from CNCStepper.control.transport import Link
 from CNCStepper.errors import LinkError
 from CNCStepper.units import mm_from_inch
 
 HOLD, RESUME, RESET, STATUS, JOG_CANCEL = b"!", b"~", b"\x18", b"?", b"\x85"
-WINDOW_BYTES = 127  # of grbl's 128 one stays free
+WINDOW_BYTES = 127  # of grbl's 128 one stays free; larger buffers say so themselves ($I, Bf)
 NOISE_LIMIT_BYTES = 4096  # without a line end
 REPORT_INCHES = 13  # the setting that switches reports to inches
 
@@ -52,8 +53,10 @@ class Grbl:
     """A conversation with one controller over `link`.
 
     listen: called after every `receive` with what came, on the same thread.
+    firmware: what answers there, grbl until it is known better; window: of its receive buffer one byte stays free.
     status: the last answer to `?`. status_asked_s: when it was asked for, by `clock`; a status may
-    have been on its way before whatever was written later. mpos_mm, wpos_mm: None until reported.
+    have been on its way before whatever was written later. mpos_mm, wpos_mm: None until reported, and
+    until the controller has said whether it reports in mm or in inches.
     overrides: feed, rapid and spindle in percent, as last reported.
     """
 
@@ -65,6 +68,7 @@ class Grbl:
     ):
         self.link = link
         self.clock = clock
+        self.firmware: Firmware = GRBL
         self.window = WINDOW_BYTES
         self.unanswered: deque[Sent] = deque()
         self.status: Status | None = None
@@ -146,11 +150,13 @@ class Grbl:
     def feed_mm_min(self) -> float | None:
         """The speed last reported."""
         feed = self.status.feed if self.status else None
-        return feed if feed is None else self._length_mm(feed)
+        return None if feed is None or REPORT_INCHES not in self.settings else self._length_mm(feed)
 
     def mm(self, position: Vector | None) -> Vector | None:
-        """Return a position in the controller's own units ($13) in mm."""
-        return None if position is None else tuple(map(self._length_mm, position))
+        """Return a position in the controller's own units ($13) in mm; None before these units are known."""
+        if position is None or REPORT_INCHES not in self.settings:
+            return None
+        return tuple(map(self._length_mm, position))
 
     def _lines(self, wait_s: float) -> list[str]:
         data = self._tail + self.link.read(wait_s)
@@ -172,9 +178,21 @@ class Grbl:
             self.settings[report.number] = report.value
         elif isinstance(report, Greeting):
             self._forget_lines()
-        elif isinstance(report, Feedback) and report.tag == "OPT":
-            self._take_options(report.text)
+            self._recognise(greeted_by(report.text))
+        elif isinstance(report, Feedback):
+            self._take_feedback(report)
         return report
+
+    def _take_feedback(self, report: Feedback) -> None:
+        if firmware := told_by(report.tag, report.text):
+            self._recognise(firmware)
+        elif report.tag == "OPT":
+            self._take_options(report.text)
+
+    def _recognise(self, firmware: Firmware) -> None:
+        """Take over what answers there; a greeting that grblHAL or FluidNC shares with grbl changes nothing."""
+        if firmware not in (self.firmware, GRBL):
+            self.firmware = firmware
 
     def _answered(self, answer: Answer) -> Received:
         if not self._spoken:  # to a line of an earlier sender, or of before a reset
@@ -188,7 +206,8 @@ class Grbl:
             )
         sent = self.unanswered.popleft()
         self._bytes_under_way -= len(sent.text) + 1
-        return Answered(sent, answer.error)
+        error = self.firmware.error_number(answer.text) if answer.error < 0 else answer.error
+        return Answered(sent, error)
 
     def _take_status(self, status: Status) -> None:
         self.status = status
@@ -199,7 +218,8 @@ class Grbl:
         self.overrides = status.overrides or self.overrides
         if status.buffer and not self.unanswered:
             self._free_bytes = status.buffer[1]
-            self.window = max(self.window, self._free_bytes - 1)
+            widest = 0 if self.firmware.small_receive else self.window
+            self.window = max(widest, self._free_bytes - 1)
 
     def _take_options(self, text: str) -> None:
         """Take the receive buffer's size from `[OPT:letters,blocks,bytes]`."""

@@ -2,7 +2,7 @@
 """What grbl 1.1 says, line by line, as values; pure text in, nothing remembered.
 
     ok · error:n                    the answer to one line, the only ones that free the buffer
-    ALARM:n · [TAG:text] · $n=v     said without being counted
+    ALARM:n · [TAG:text] · $n=v     said without being counted; so are named settings, $N0=text
     >line:ok · Grbl 1.1h [...]      a start-up line and its result; the greeting after a reset
     <State:sub|Field:values|...>    the answer to `?`, its fields in any order
 
@@ -43,7 +43,7 @@ class Greeting:
 
 @dataclass(frozen=True)
 class Feedback:
-    """`[TAG:text]`: MSG, GC, G54 to G59, G28, G30, G92, TLO, PRB, VER, OPT, HLP, echo."""
+    """`[TAG:text]`: MSG, GC, G54 to G59, G28, G30, G92, TLO, PRB, VER, OPT, HLP, echo, and FIRMWARE, NEWOPT, AXS ..."""
 
     tag: str
     text: str
@@ -58,6 +58,14 @@ class Setting:
 
 
 @dataclass(frozen=True)
+class NamedSetting:
+    """`$name=text`: a stored start-up line (`$N0=`), or a setting of FluidNC (`$/report_inches=false`)."""
+
+    name: str
+    text: str
+
+
+@dataclass(frozen=True)
 class StartupLine:
     """`>line:ok` or `>line:error:n`: what a stored start-up line gave; no answer to anything sent."""
 
@@ -68,7 +76,7 @@ class StartupLine:
 class Status:
     """The answer to `?`, in the controller's own units ($13); None where a field was not in it.
 
-    state: "Idle", "Run", "Hold", "Jog", "Alarm", "Door", "Check", "Home", "Sleep". substate: the
+    state: "Idle", "Run", "Hold", "Jog", "Alarm", "Door", "Check", "Home", "Sleep", "Tool". substate: the
     number after the colon. buffer: free planner blocks and free bytes. feed and spindle as reported.
     """
 
@@ -96,13 +104,14 @@ class Unknown:
     text: str
 
 
-Report = Answer | Alarm | Greeting | Feedback | Setting | StartupLine | Status | Unknown
+Report = Answer | Alarm | Greeting | Feedback | Setting | NamedSetting | StartupLine | Status | Unknown
 
 OK = Answer()
 _GREETING = re.compile(r"Grbl(?:HAL)?\s+(\S+)", re.IGNORECASE)
-_FEEDBACK = re.compile(r"\[([A-Za-z0-9.]+):?(.*)\]")
+_FEEDBACK = re.compile(r"\[([A-Za-z0-9.]+(?: [A-Z]+)*):?(.*)\]")
 _SETTING = re.compile(r"\$(\d+)=\s*([-+.\d]+)")
-_STATE = re.compile(r"([A-Z][a-z]+)(?::(\d+))?")
+_NAMED_SETTING = re.compile(r"\$(N\d+|[A-Za-z]*/[\w/]+)=(.*)")
+_STATE = re.compile(r"([A-Z][A-Za-z]+)(?::(\d+))?")
 
 
 def parse(line: str) -> Report:
@@ -135,6 +144,8 @@ def _other(line: str) -> Report:
         return Feedback(feedback[1], feedback[2])
     if setting := _SETTING.match(line):
         return _setting(line, int(setting[1]), setting[2])
+    if named := _NAMED_SETTING.fullmatch(line):
+        return NamedSetting(named[1], named[2])
     return Unknown(line)
 
 

@@ -9,12 +9,11 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from CNCStepper.control.codes import alarm_code
 from CNCStepper.control.grbl import HOLD, Grbl, Received
 from CNCStepper.control.grbl_report import Alarm, Greeting
 from CNCStepper.control.timing import Timing
 
-AT_REST = {("Hold", 0), ("Door", 0), ("Door", 1), ("Idle", None)}
+AT_REST = {("Hold", 0), ("Door", 0), ("Door", 1), ("Idle", None), ("Tool", None)}
 
 
 def hold_and_reset(driver: Grbl, timing: Timing) -> bool:
@@ -43,7 +42,8 @@ def reset(driver: Grbl, timing: Timing, heard: list[Received] | None = None) -> 
         return False
     alarms = [report.code for report in heard if isinstance(report, Alarm)]
     locked = driver.status is not None and driver.status.state in ("Alarm", "Sleep")
-    return before == 0 and bool(alarms or not locked) and all(alarm_code(code).position_kept for code in alarms)
+    kept = all(driver.firmware.alarm(code).position_kept for code in alarms)
+    return before == 0 and bool(alarms or not locked) and kept
 
 
 def _at_rest(driver: Grbl, since_s: float) -> bool:

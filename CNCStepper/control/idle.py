@@ -7,8 +7,9 @@ from collections.abc import Callable
 from dataclasses import replace
 
 from CNCStepper.control import acts, connect, halt
-from CNCStepper.control.codes import alarm_code, error_code
 from CNCStepper.control.command import Command
+from CNCStepper.control.console import Console
+from CNCStepper.control.firmware import TOOL_CHANGED
 from CNCStepper.control.grbl import HOLD, RESUME, Answered, Grbl, Received
 from CNCStepper.control.grbl_report import Alarm, Feedback, Greeting, Status
 from CNCStepper.control.jogger import LAPSE_S, Jogger, Way
@@ -18,16 +19,19 @@ from CNCStepper.control.overrides import override_byte
 from CNCStepper.control.readiness import check_state
 from CNCStepper.control.run import Refuse, Tell
 from CNCStepper.control.timing import Timing
+from CNCStepper.control.typed_line import HOME as HOME_LINE
+from CNCStepper.control.typed_line import MOVING_KINDS, UNLOCK, kind_of
 from CNCStepper.control.watch import Watch
 from CNCStepper.errors import CNCStepperError, LinkError, MachineRefusal
 
-PHASES = {"Idle": "idle", "Jog": "jogging", "Home": "homing", "Hold": "held", "Door": "door"}
+PHASES = {"Idle": "idle", "Jog": "jogging", "Home": "homing", "Hold": "held", "Tool": "held", "Door": "door"}
 MOVING = ("Run", "Jog", "Home")
 LOCKED = {
     "Alarm": "the controller is locked: home the machine, or unlock it if its position is surely right",
     "Sleep": "the controller sleeps and its motors are off: unlock it, then home it or set its zero again",
 }
 HOME = "$H"
+HOMED = "the machine is homed"
 CRITICAL = "Reset to continue"
 
 
@@ -46,6 +50,7 @@ class Idle:
         self._tell = tell
         self._refuse = refuse
         self._jogger = Jogger(driver, lambda error: refuse(Command("jog"), error), tell)
+        self._console = Console(driver, tell)
         self._watch = Watch(timing)
         self._homing_since_s: float | None = None
         self._alarm = ""
@@ -61,6 +66,7 @@ class Idle:
             "set_zero": self._set_zero,
             "home": self._home,
             "unlock": self._unlock,
+            "line": self._type,
             "override": lambda **values: driver.realtime(override_byte(**values)),
         }
 
@@ -68,7 +74,8 @@ class Idle:
     def busy(self) -> bool:
         """Whether the machine moves, or something is under way to it."""
         state = self._driver.status.state if self._driver.status else ""
-        return self._jogger.active or self._homing_since_s is not None or state in MOVING
+        under_way = self._jogger.active or self._console.active or self._homing_since_s is not None
+        return under_way or state in MOVING
 
     @property
     def phase(self) -> str:
@@ -81,7 +88,8 @@ class Idle:
     @property
     def may_be_asked(self) -> bool:
         """Whether the controller answers to `$` commands now."""
-        return not self._wants_reset and not self._jogger.active and self.phase in ("idle", "alarm")
+        under_way = self._jogger.active or self._console.active
+        return not self._wants_reset and not under_way and self.phase in ("idle", "alarm")
 
     def status(self) -> SenderStatus:
         """Return this moment."""
@@ -93,7 +101,7 @@ class Idle:
     def turn(self) -> None:
         """Send what is due, ask, and listen once."""
         if self._homing_since_s is None:
-            self._watch.check(self._driver, self.phase == "idle")
+            self._watch.check(self._driver, self.phase == "idle", self._console.dwell_s)
         elif self._driver.clock() - self._homing_since_s > self._timing.homing_s:
             raise LinkError("answer-missing", "the machine does not end its homing", advice="look at its switches")
         if not self._driver.unanswered:
@@ -115,6 +123,7 @@ class Idle:
     def hear(self, received: list[Received]) -> None:
         """Note what ends jogs and homing, or costs the position; called for all that is received."""
         for report in received:
+            self._console.hear(report)
             if isinstance(report, Alarm):
                 self._take_alarm(report)
             elif isinstance(report, Greeting):
@@ -123,7 +132,7 @@ class Idle:
                 self.lose_position()
             elif isinstance(report, Status) and report.state == "Idle":
                 self._alarm = ""
-            elif isinstance(report, Feedback) and report.text == CRITICAL:
+            elif isinstance(report, Feedback) and report.text.endswith(CRITICAL):
                 self._wants_reset = True
 
     def lose_position(self) -> None:
@@ -140,13 +149,19 @@ class Idle:
         elif self._jogger.active or self.phase == "jogging":
             self._jogger.cancel()
         elif self.phase in ("busy", "held", "door"):
-            if not halt.hold_and_reset(self._driver, self._timing):
+            known, homed = self.position_known, self.homed
+            if halt.hold_and_reset(self._driver, self._timing):
+                self.position_known, self.homed = known, homed  # a reset at rest does not cost it
+            else:
                 self.lose_position()
         else:
             raise MachineRefusal("nothing-to-stop", "nothing moves", advice="there is nothing to stop")
 
     def check_no_jog(self) -> None:
-        """Raise MachineRefusal while a jog is still to be sent, answered or cancelled."""
+        """Raise MachineRefusal while a jog or a typed line is still to be sent, answered, cancelled or done."""
+        if self._console.active:
+            advice = "wait until the typed line is done, or stop it"
+            raise MachineRefusal("machine-busy", "the machine is not at rest", value="console", advice=advice)
         if self._jogger.active:
             advice = "wait until the jog has ended"
             raise MachineRefusal("machine-busy", "the machine is not at rest", value="jogging", advice=advice)
@@ -171,6 +186,14 @@ class Idle:
     def _resume(self) -> None:
         if self.phase not in ("held", "door"):
             raise MachineRefusal("nothing-to-resume", "the machine is not held", advice="there is nothing to resume")
+        status = self._driver.status
+        if status and status.name == "Hold:1":  # in which grbl forgets a cycle start
+            advice = "resume once it stands"
+            raise MachineRefusal(
+                "machine-slowing", "the machine is still slowing down", value=status.name, advice=advice
+            )
+        if status and status.state == "Tool":
+            self._driver.realtime(TOOL_CHANGED)
         self._driver.realtime(RESUME)
 
     def _cancel_jog(self) -> None:
@@ -192,6 +215,20 @@ class Idle:
         acts.unlock(self._driver, self._timing, self._wants_reset or asleep)
         self.position_known, self.homed = known, homed  # a reset at rest does not cost it
 
+    def _type(self, text: str) -> None:
+        """Do what a typed line asks: home and unlock as the desk does them, the others as they stand."""
+        kind = kind_of(text)
+        self.check_at_rest()
+        if kind == HOME_LINE:
+            self._home()
+        elif kind == UNLOCK:
+            self._unlock()
+            self._tell("answer", "ok")
+        else:
+            if kind in MOVING_KINDS:
+                check_state(self._driver.status)
+            self._console.send(text, kind, self.position_known)
+
     def _home(self) -> None:
         self.check_at_rest()
         if self._wants_reset:
@@ -203,26 +240,33 @@ class Idle:
         self._homing_since_s = self._driver.clock()
 
     def _take_answer(self, answer: Answered) -> None:
+        if self._console.changes_steps(answer):
+            self.lose_position()
+        if self._console.takes(answer):
+            return
         if answer.sent.text != HOME:
             self._jogger.answered(answer)
             return
         self._homing_since_s = None
         if answer.error:
-            code = error_code(answer.error)
+            firmware = self._driver.firmware
+            code = firmware.error(answer.error)
             words = f"the machine does not home: {code.meaning} (error:{answer.error})"
-            self._refuse(Command("home"), MachineRefusal(f"grbl-error-{answer.error}", words, advice=code.advice))
+            refusal = MachineRefusal(f"{firmware.key}-error-{answer.error}", words, advice=code.advice)
+            self._refuse(Command("home"), refusal)
         else:
             self.position_known = self.homed = True
-            self._tell("message", "the machine is homed")
+            self._tell("message", HOMED)
 
     def _take_alarm(self, alarm: Alarm) -> None:
-        self._alarm = str(connect.alarm_refusal(alarm))
+        self._alarm = str(connect.alarm_refusal(alarm, self._driver.firmware))
         self._give_up()
-        if not alarm_code(alarm.code).position_kept:
+        if not self._driver.firmware.alarm(alarm.code).position_kept:
             self.lose_position()
 
     def _give_up(self) -> None:
         self._jogger.forget()
+        self._console.forget()
         self._homing_since_s = None
 
 

@@ -16,7 +16,6 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from math import hypot, inf
 
-from CNCStepper.control.codes import error_code
 from CNCStepper.control.grbl import JOG_CANCEL, Answered, Grbl
 from CNCStepper.control.readiness import ACCELERATION, MAX_RATE
 from CNCStepper.errors import MachineRefusal
@@ -145,9 +144,10 @@ class Jogger:
         self._under_way = False
         if answer.error:
             self._give_up()
-            code = error_code(answer.error)
+            firmware = self._driver.firmware
+            code = firmware.error(answer.error)
             words = f"{code.meaning} (error:{answer.error})"
-            self._refuse(MachineRefusal(f"grbl-error-{answer.error}", words, advice=code.advice))
+            self._refuse(MachineRefusal(f"{firmware.key}-error-{answer.error}", words, advice=code.advice))
 
     def forget(self) -> None:
         """The controller was reset or raised an alarm: nothing is under way any more."""

@@ -5,20 +5,19 @@ from __future__ import annotations
 
 import re
 
+from CNCStepper.control.firmware import Firmware
 from CNCStepper.errors import Place, ProgramError
 
-LINE_LIMIT = 79  # grbl keeps 80 characters with the end mark; spaces are not kept
-BYTE_LIMIT = 126  # with its line end a line must fit into the receive buffer
 # Bytes that act at once wherever they stand: ! ? ~, controls, all above 0x7e.
 _ACTING = re.compile(r"[^ \"->@-}]")
 _STORING = re.compile(r"G0*(?:10(?:\.0*)?|28\.10*|30\.10*)(?![\d.])")
-_PAUSE = re.compile(r"M0+(?![\d.])")
+_PAUSE = re.compile(r"M0*[06](?![\d.])")
 _DWELL = re.compile(r"G0*4(?![\d.])")
 _SECONDS = re.compile(r"P(\d*\.?\d*)")
 
 
 def check_line(text: str, place: Place | None = None) -> None:
-    """Refuse a line that is not plain ASCII, holds a byte that acts at once, or is too long for grbl.
+    """Refuse a line that is not plain ASCII or holds a byte that acts at once.
 
     Raises ProgramError naming `place` and the column.
     """
@@ -30,13 +29,20 @@ def check_line(text: str, place: Place | None = None) -> None:
             advice="remove it; only plain ASCII without ? ! ~ may be sent",
             place=where,
         )
-    length = len(text) - text.count(" ")
-    if length > LINE_LIMIT or len(text) > BYTE_LIMIT:
+
+
+def check_length(text: str, firmware: Firmware, window_bytes: int, place: Place | None = None) -> None:
+    """Refuse a line that is longer than the firmware can read, or than its receive buffer with the line end.
+
+    Raises ProgramError naming `place`.
+    """
+    length = len(text) if firmware.blanks_count else len(text) - text.count(" ")
+    if length > firmware.line_characters or len(text) >= window_bytes:
         raise ProgramError(
             "line-too-long",
-            "the line is longer than grbl can read",
+            f"the line is longer than {firmware.name} can read",
             value=f"{length} characters, {len(text)} with spaces",
-            limit=f"{LINE_LIMIT} characters, {BYTE_LIMIT} with spaces",
+            limit=f"{firmware.line_characters} characters, {window_bytes - 1} with spaces",
             advice="shorten or split that line",
             place=place,
         )
@@ -56,7 +62,7 @@ def needs_idle(text: str) -> bool:
 
 
 def pauses(text: str) -> bool:
-    """Return whether a line holds M0."""
+    """Return whether a line holds M0, or M6, at which grblHAL waits for a new tool."""
     return bool(_PAUSE.search(_plain(text)))
 
 

@@ -3,6 +3,7 @@
 
     running --hold--> holding --Hold:0--> held --resume--> running
     running --Hold at an M0--> paused --resume--> running
+    running --Tool--> paused (M6 of grblHAL) --0xA3, resume--> running
     running --Door--> door --closed (Door:0), resume--> running
 
 A wish is only a wish until the controller's state shows it: grbl forgets `~` while it slows down, so
@@ -15,10 +16,12 @@ from collections.abc import Callable
 
 from CNCStepper.control.connect import alarm_refusal
 from CNCStepper.control.feeder import Feeder
+from CNCStepper.control.firmware import TOOL_CHANGED
 from CNCStepper.control.grbl import HOLD, RESUME, Grbl
 from CNCStepper.control.grbl_report import Alarm, Status
 from CNCStepper.control.readiness import check_state
 
+CHANGE_TOOL = "change the tool, then resume"
 STANDING = ("held", "paused", "door")
 FEEDING = ("running", "finishing")
 
@@ -66,7 +69,7 @@ class Phases:
         status = driver.status
         assert status
         if status.state == "Alarm":
-            raise alarm_refusal(Alarm(-1))
+            raise alarm_refusal(Alarm(-1), driver.firmware)
         if status.state == "Sleep":
             check_state(status)
         if driver.status_asked_s <= self.changed_s:
@@ -75,6 +78,8 @@ class Phases:
             self._in_hold(status, driver, feeder)
         elif status.state == "Door":
             self._at_door(status, driver)
+        elif status.state == "Tool":
+            self._at_tool_change(driver, feeder)
         else:
             self._moving(driver)
 
@@ -96,6 +101,14 @@ class Phases:
             self._resume_asked = False
             self._tell("warning", f"the safety door is open or the machine is parking ({status.name}): resume later")
         self.set("door", "close the safety door, then resume")
+
+    def _at_tool_change(self, driver: Grbl, feeder: Feeder) -> None:
+        """Wait until somebody has changed the tool: grblHAL wants to hear of it before the cycle start."""
+        if self._resume_asked:
+            driver.realtime(TOOL_CHANGED)
+            self._go_on(driver)
+        else:
+            self.set("paused", feeder.pause_message(driver) or CHANGE_TOOL)
 
     def _moving(self, driver: Grbl) -> None:
         """The machine runs or is idle: somebody resumed it there, or it has not seen the hold yet."""

@@ -14,7 +14,11 @@ if TYPE_CHECKING:
     from CNCStepper.machine.profile import Machine
 
 STEPS_PER_MM, MAX_RATE, ACCELERATION = 100, 110, 120  # of the first axis; the next axes follow
-LASER_MODE = 32
+MAX_RPM, LASER_MODE = 30, 32
+IN_WORDS = {
+    MAX_RPM: "the highest spindle speed, which every S is scaled by",
+    LASER_MODE: "laser mode: 1 is on, 0 off",
+}
 TOLERANCE = 0.0005  # grbl prints three decimals
 OFFSET_TOLERANCE_MM = 0.002  # and in inches four
 
@@ -27,6 +31,8 @@ WHAT_TO_DO = {
     "Home": "wait until it is homed",
     "Check": "leave the check mode with $C",
     "Sleep": "wake it up with a reset, then home it",
+    "Tool": "end the tool change and resume, or reset it",
+    "Starting": "wait until it has started",
 }
 
 
@@ -39,7 +45,8 @@ class Difference:
     wanted: float
 
     def __str__(self) -> str:
-        return f"${self.number} is {self.value:g}, wanted {self.wanted:g}"
+        words = IN_WORDS.get(self.number)
+        return f"${self.number} is {self.value:g}, wanted {self.wanted:g}" + (f" ({words})" if words else "")
 
 
 def check_state(status: Status | None) -> None:
@@ -65,8 +72,8 @@ def check_zero(confirmed: bool) -> None:
 
 
 def expected_settings(machine: Machine) -> dict[int, float]:
-    """Return the grbl settings that a machine's profile fixes: steps/mm, mm/min, mm/s2, laser mode."""
-    wanted: dict[int, float] = {LASER_MODE: float(machine.spindle.laser)}
+    """Return the settings that a machine's profile fixes: steps/mm, mm/min, mm/s2, top spindle speed, laser mode."""
+    wanted: dict[int, float] = {MAX_RPM: machine.spindle.max_rpm, LASER_MODE: float(machine.spindle.laser)}
     for number, axis in enumerate(machine.axes):
         wanted[STEPS_PER_MM + number] = axis.steps_per_mm
         wanted[MAX_RATE + number] = axis.max_rate_mm_min

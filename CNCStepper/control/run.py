@@ -124,15 +124,17 @@ class JobRun:
         return None
 
     def _compare(self, found: connect.Found) -> None:
+        assert self.driver
+        self.job.check_lengths(found.firmware, self.driver.window)
         for number in sorted(set(self.job.expected) - set(found.settings)):
             self._tell("warning", f"the controller does not report ${number}: it was not compared")
         moved, modes = self._moved_offsets(found), self._left_modes(found)
+        for difference in [*differences(found.settings, self.job.expected), *moved, *modes]:
+            self._tell("warning", str(difference))
         if not self.job.allow_differences:
             check_settings(found.settings, self.job.expected)
             check_offsets(moved)
             check_modes(modes)
-        for difference in [*differences(found.settings, self.job.expected), *moved, *modes]:
-            self._tell("warning", str(difference))
 
     def _moved_offsets(self, found: connect.Found) -> list[str]:
         return offset_differences(self._offsets_mm(found), found.modes, self.job.work_offsets_mm, self.job.work_system)
@@ -178,10 +180,12 @@ class JobRun:
         if isinstance(report, Answered):
             self._watch.heard_s = self._clock()
             if report.error:
-                raise self._feeder.refusal(report)
+                raise self._feeder.refusal(report, driver.firmware)
         elif isinstance(report, (Alarm, Greeting)):
             self._trouble.append(report)
-            raise connect.alarm_refusal(report) if isinstance(report, Alarm) else connect.restart_refusal(report)
+            if isinstance(report, Alarm):
+                raise connect.alarm_refusal(report, driver.firmware)
+            raise connect.restart_refusal(report)
         elif isinstance(report, Status):
             self._phases.take(driver, self._feeder)
             self._count_idle(driver)

@@ -8,7 +8,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, fields
 from typing import Any
 
-from CNCStepper.control.lines import check_line
+from CNCStepper.control.firmware import Firmware
+from CNCStepper.control.lines import check_length, check_line
 from CNCStepper.errors import JobError, Place, ProgramError
 
 
@@ -57,6 +58,11 @@ class SendJob:
             )
         for index, text in enumerate(self.lines):
             check_line(text, self.place(index))
+
+    def check_lengths(self, firmware: Firmware, window_bytes: int) -> None:
+        """Check that the controller can read every line; raises ProgramError as `check` does."""
+        for index, text in enumerate(self.lines):
+            check_length(text, firmware, window_bytes, self.place(index))
 
     def to_content(self) -> dict[str, Any]:
         """Return the job as plain data."""

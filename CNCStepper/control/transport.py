@@ -15,6 +15,7 @@ import sys
 import time
 from typing import Any
 
+from CNCStepper.control.telnet_port import TelnetPort, socket_url
 from CNCStepper.errors import CNCStepperError, LinkError, MissingPackage
 
 READ_BYTES = 4096
@@ -22,7 +23,7 @@ WRITE_LIMIT_S = 1.0
 SLICE_S = 0.001  # how long a port that cannot be waited on sleeps between two looks
 BUSY = (errno.EBUSY, errno.EAGAIN)
 FORBIDDEN = (errno.EACCES, errno.EPERM)
-SILENT = (errno.ECONNREFUSED, errno.ETIMEDOUT, errno.EHOSTUNREACH, errno.ENETUNREACH)
+NETWORK = ("socket://", "telnet://", "rfc2217://")
 
 
 class Link:
@@ -100,21 +101,27 @@ class Link:
 
 
 def open_link(name: str, baud: int = 115_200) -> Link:
-    """Open a port by device name or URL (`socket://host:port`, `rfc2217://host:port`, `loop://`).
+    """Open a port by device name or URL (`socket://host:port`, `telnet://host`, `rfc2217://host:port`, `loop://`).
 
     Raises LinkError that says what to do when the port is missing, busy, forbidden or silent, and
     MissingPackage without pyserial.
     """
     serial = _pyserial()
+    is_telnet = name.startswith("telnet://")
     try:
         port = serial.serial_for_url(
-            name, baudrate=baud, timeout=0, write_timeout=WRITE_LIMIT_S, exclusive=True, do_not_open=True
+            socket_url(name) if is_telnet else name,
+            baudrate=baud,
+            timeout=0,
+            write_timeout=None if name.startswith("rfc2217://") else WRITE_LIMIT_S,  # which that one does not know
+            exclusive=True,
+            do_not_open=True,
         )
         port.open()
     except (OSError, ValueError, TypeError, AttributeError) as error:  # a bad URL ends in any of these
         raise _refusal(name, error) from error
     _send_at_once(port)
-    return Link(port, name)
+    return Link(TelnetPort(port) if is_telnet else port, name)
 
 
 def port_names() -> list[tuple[str, str]]:
@@ -155,7 +162,7 @@ def _refusal(name: str, error: Exception) -> CNCStepperError:
     number, text = _error_number(error), str(error)
     if name.startswith(("socket://", "rfc2217://")) and not re.match(r"\w+://[^/:]+:\d+", name):
         return LinkError("port-name", f"'{name}' names no port number", advice="write socket://host:port")
-    if name.startswith(("socket://", "rfc2217://")):
+    if name.startswith(NETWORK):
         return LinkError("port-silent", f"nothing answers at {name}: {text}", advice="start it, or correct the URL")
     if "://" in name:
         return LinkError("port-name", f"{name} is no port: {text}", advice="give a device name or socket://host:port")

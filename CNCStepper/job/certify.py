@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import hashlib
 import math
+import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import asdict, dataclass
 from typing import TYPE_CHECKING, Any, TypeVar
@@ -17,6 +18,7 @@ from CNCStepper.control.readiness import expected_settings
 from CNCStepper.control.send_job import SendJob
 from CNCStepper.cycles.form import Removal
 from CNCStepper.errors import JobError
+from CNCStepper.gcode.offsets import HOMES
 from CNCStepper.gcode.prepare import prepare
 from CNCStepper.gcode.take_up import play_of
 from CNCStepper.gcode.wire_text import WireText
@@ -143,7 +145,7 @@ def send_job(wire: WireText, machine: Machine | None, file: str, start: Start | 
         file_lines=wire.file_lines.tolist(),
         messages=wire.messages,
         expected=expected_settings(machine) if machine else {},
-        work_offsets_mm=_offsets(known) if known else {},
+        work_offsets_mm=(_offsets(known) if known else {}) | (_places(start, wire.lines) if start else {}),
         work_system=known.work_system if known else "",
     )
 
@@ -151,6 +153,16 @@ def send_job(wire: WireText, machine: Machine | None, file: str, start: Start | 
 def _offsets(start: Start) -> dict[str, tuple[float, ...]]:
     """Return the offsets that act from the start on, those that are zero too."""
     return {start.work_system: ZERO3, **start.work_offsets_mm, "G92": start.g92_mm}
+
+
+def _places(start: Start, lines: Sequence[str]) -> dict[str, tuple[float, ...]]:
+    """Return the places of G28 and G30 that the proof has gone to, machine coordinates in mm."""
+    return {
+        name: tuple(start.parameters[first + axis] * start.machine_unit_mm for axis in range(len(ZERO3)))
+        for name, first in HOMES.items()
+        if all(first + axis in start.parameters for axis in range(len(ZERO3)))
+        and any(re.search(rf"{name}(?![.\d])", line) for line in lines)
+    }
 
 
 def machine_digest(machine: Machine) -> str:

@@ -71,6 +71,7 @@ class Block:
     jog: bool = False
     action: int = 0  # DWELL, SET_DATA ...; 0 is none
     axis_command: AxisCommand = AxisCommand.NONE
+    changes_tool: bool = False  # M6
     flow: int | None = None  # 0, 2 or 30 from M0, M2, M30
     groups: set[str] = field(default_factory=set)
     words: dict[str, float] = field(default_factory=dict)

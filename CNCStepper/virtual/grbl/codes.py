@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What grbl 1.1 answers when it refuses: the error codes that the virtual machine can raise."""
+"""What a board answers when it refuses: the error codes of grbl 1.1 that it can raise, 162 is FluidNC's."""
 
 from __future__ import annotations
 
@@ -37,6 +37,7 @@ ERRORS = {
     36: "a word of the block is used by no command",
     37: "G43.1 takes a Z word and no other axis",
     38: "the tool number is too large",
+    162: "this setting can only be read: it stands in the configuration file",
 }
 
 ALARM_HARD_LIMIT, ALARM_SOFT_LIMIT, ALARM_RESET_IN_MOTION = 1, 2, 3

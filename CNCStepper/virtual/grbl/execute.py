@@ -41,8 +41,10 @@ DWELL_STEP_S = 0.05
 
 def run(machine: Grbl, line: str) -> Waiting:
     """Read, check and carry out one line of g-code; raises MachineRefusal, then nothing has changed."""
-    block = parser.read_block(line, machine.parser.modal)
+    block = parser.read_block(line, machine.parser.modal, machine.firmware)
     checks.complete(block, machine.parser, machine.memory.places)
+    if block.changes_tool and machine.state is not State.CHECK:
+        yield from _change_tool(machine)
     yield from _set_spindle(machine, block)
     yield from _set_flood(machine, block)
     if block.action == DWELL and machine.state is not State.CHECK:
@@ -74,6 +76,18 @@ def jog(machine: Grbl, line: str) -> Waiting:
         machine.state = State.JOG
         machine.override_motion()
     machine.parser.position = block.target
+
+
+def _change_tool(machine: Grbl) -> Waiting:
+    """Wait in the state Tool, outputs off, until the sender has acknowledged and started again."""
+    yield from machine.wait_for_stop()
+    machine.tool_acknowledged = False
+    machine.suspension.switch_off(machine)
+    machine.state = State.TOOL
+    while machine.state is State.TOOL:
+        yield
+    machine.spindle.switch(machine.parser.modal.spindle, machine.parser.rpm)
+    machine.flood = machine.parser.modal.flood
 
 
 def _set_spindle(machine: Grbl, block: Block) -> Waiting:

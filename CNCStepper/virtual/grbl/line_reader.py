@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The serial side of the firmware: a ring of 128 bytes, and lines read out of it.
+"""The serial side of the firmware: a ring of bytes, 128 of grbl, and lines read out of it.
 
-      wire ──► RxRing (128, a full ring loses bytes) ──► LineReader (79 characters, no blanks, no comments)
+      wire ──► RxRing (a full ring loses bytes) ──► LineReader (grbl: 79 characters; no blanks, no comments)
 
 Real-time bytes never reach the ring: the machine picks them out wherever they stand.
 """
@@ -10,8 +10,8 @@ from __future__ import annotations
 
 from collections import deque
 
-RX_BYTES = 128
-LINE_CHARACTERS = 79  # a buffer of 80 with its closing zero
+from CNCStepper.virtual.grbl.firmware import GRBL, Firmware
+
 LINE_ENDS = b"\r\n"
 PARENTHESES, SEMICOLON, OVERFLOW = ord("("), ord(";"), -1
 
@@ -19,14 +19,20 @@ PARENTHESES, SEMICOLON, OVERFLOW = ord("("), ord(";"), -1
 class RxRing:
     """The receive buffer; `lost` counts the bytes that arrived when it was full."""
 
-    def __init__(self) -> None:
+    def __init__(self, size: int = GRBL.receive_bytes) -> None:
+        self._size = size
         self._bytes: deque[int] = deque()
         self.lost = 0
 
     @property
     def free(self) -> int:
         """How many bytes still fit, as the status report says it."""
-        return RX_BYTES - len(self._bytes)
+        return self._size - len(self._bytes)
+
+    @property
+    def empty(self) -> bool:
+        """Whether nothing waits in it."""
+        return not self._bytes
 
     def put(self, byte: int) -> None:
         """Take a byte from the wire, or lose it."""
@@ -47,12 +53,14 @@ class RxRing:
 class LineReader:
     """Makes lines of bytes: capitals, no blanks, no comments, no `/`; unfinished lines wait for more."""
 
-    def __init__(self) -> None:
+    def __init__(self, firmware: Firmware = GRBL) -> None:
+        self._firmware = firmware
         self.clear()
 
     def clear(self) -> None:
         """Forget the line begun."""
         self._line = bytearray()
+        self._blanks = 0  # of those that count
         self._skipping = 0  # PARENTHESES or SEMICOLON in a comment, OVERFLOW in a line too long
 
     def next_line(self, ring: RxRing) -> str | None:
@@ -70,10 +78,12 @@ class LineReader:
             if byte == ord(")") and self._skipping == PARENTHESES:
                 self._skipping = 0
         elif byte <= ord(" ") or byte == ord("/"):
-            return
+            self._blanks += self._firmware.blanks_count
+            if len(self._line) + self._blanks > self._firmware.line_characters:
+                self._skipping = OVERFLOW
         elif byte in (PARENTHESES, SEMICOLON):
             self._skipping = byte
-        elif len(self._line) >= LINE_CHARACTERS:
+        elif len(self._line) + self._blanks >= self._firmware.line_characters:
             self._skipping = OVERFLOW
         else:
             self._line.append(byte - 32 if ord("a") <= byte <= ord("z") else byte)

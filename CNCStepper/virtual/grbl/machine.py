@@ -27,7 +27,8 @@ from CNCStepper.virtual.grbl.codes import (
     ALARM_SOFT_LIMIT,
     refused,
 )
-from CNCStepper.virtual.grbl.line_reader import RX_BYTES, TOO_LONG, LineReader, RxRing
+from CNCStepper.virtual.grbl.firmware import GRBL, Firmware
+from CNCStepper.virtual.grbl.line_reader import TOO_LONG, LineReader, RxRing
 from CNCStepper.virtual.grbl.memory import Memory
 from CNCStepper.virtual.grbl.overrides import Overrides
 from CNCStepper.virtual.grbl.probe import Probe
@@ -47,22 +48,32 @@ LIMIT_ALARMS = (ALARM_HARD_LIMIT, ALARM_SOFT_LIMIT)
 
 
 class Grbl:
-    """A grbl 1.1h board on a machine; `homing` sets $22 and so locks the machine at power-up.
+    """A board on a machine, with grbl 1.1h where no other firmware is given.
 
+    `homing` sets $22 and so locks the machine at power-up.
     `probe_height_mm`: machine height of a plate that closes the probe's circuit at and below it.
     After ALARM:1 and ALARM:2 a status report is still answered, as the firmware's documents say.
     """
 
-    def __init__(self, machine: Machine, *, homing: bool = False, probe_height_mm: float | None = None):
-        self.memory: Memory = Memory(Settings(machine, homing))
-        self.ring = RxRing()
-        self.reader = LineReader()
+    def __init__(
+        self,
+        machine: Machine,
+        *,
+        homing: bool = False,
+        probe_height_mm: float | None = None,
+        firmware: Firmware = GRBL,
+    ):
+        self.firmware: Firmware = firmware
+        self.memory: Memory = Memory(Settings(machine, homing, firmware))
+        self.ring = RxRing(firmware.receive_bytes)
+        self.reader = LineReader(firmware)
         self.axes = Axes(self.memory.settings)
         self.probe = Probe(probe_height_mm)
         self.time_s = 0.0
         self.program_s = 0.0  # stands still while the machine is held
         self.state = State.ALARM if homing else State.IDLE
         self.flood = False
+        self.tool_acknowledged = False  # by 0xA3, in the state Tool
         self.on_step: Callable[[Grbl], None] | None = None  # told after each stretch of one pace
         self._output = bytearray()
         self._afterwards: Callable[[], None] | None = None
@@ -95,12 +106,14 @@ class Grbl:
     def quiet(self) -> bool:
         """Whether the board only waits for bytes: nothing moves, no line is in hand."""
         at_rest = self.state in AT_REST or (self.suspension.stopped and self.suspension.restoring_s is None)
-        return at_rest and not self._obeying and not self._afterwards and self.ring.free == RX_BYTES
+        return at_rest and not self._obeying and not self._afterwards and self.ring.empty
 
     # -- what the modules of the board use -----------------------------------------------------------
 
     def send(self, line: str) -> None:
-        """Print a line."""
+        """Print a line; messages as the firmware marks them."""
+        if line.startswith("[MSG:"):
+            line = f"[MSG:{self.firmware.message}{line.removeprefix('[MSG:')}"
         self._output += line.encode("ascii") + b"\r\n"
 
     def state_text(self) -> str:
@@ -224,7 +237,7 @@ class Grbl:
         next(self._running)
 
     def _program(self) -> Waiting:
-        self.send(report.BANNER)
+        self.send(f"\r\n{self.firmware.banner}")
         if self.state in (State.ALARM, State.SLEEP):
             self.state = State.ALARM
             self.send(LOCKED)

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from CNCStepper.virtual.grbl.block import AxisCommand, Block, Modal
 from CNCStepper.virtual.grbl.codes import refused
+from CNCStepper.virtual.grbl.firmware import GRBL, Firmware
 from CNCStepper.virtual.grbl.words import read_words
 
 GROUP_OF_G = {
@@ -28,10 +29,10 @@ ONLY_FORMS = {28: (0, 10), 30: (0, 10), 92: (0, 10), 38: (20, 30, 40, 50), 43: (
 GROUP_OF_M = {**dict.fromkeys((0, 1, 2, 30), "flow"), **dict.fromkeys((3, 4, 5), "spindle"), 8: "flood", 9: "flood"}
 NOT_NEGATIVE = "FNPTS"
 VALUE_LETTERS = "FIJKLNPRSTXYZ"
-LARGEST_TOOL = 255
+CHANGE_TOOL = 6
 
 
-def read_block(line: str, modal: Modal) -> Block:
+def read_block(line: str, modal: Modal, firmware: Firmware = GRBL) -> Block:
     """Return the block of a line without blanks and comments, in capitals; `$J=` makes it a jog.
 
     Raises MachineRefusal with the firmware's code for the first word that is wrong.
@@ -42,9 +43,9 @@ def read_block(line: str, modal: Modal) -> Block:
         if letter == "G":
             _take_g(block, *_split(value))
         elif letter == "M":
-            _take_m(block, *_split(value))
+            _take_m(block, *_split(value), firmware)
         else:
-            _take_value(block, letter, value)
+            _take_value(block, letter, value, firmware)
     block.unused = set(block.words)
     return block
 
@@ -93,15 +94,17 @@ def _set_g(block: Block, group: str, number: int, hundredths: int) -> None:
         setattr(block.modal, group, number)
 
 
-def _take_m(block: Block, number: int, hundredths: int) -> None:
+def _take_m(block: Block, number: int, hundredths: int, firmware: Firmware) -> None:
     if hundredths:
         raise refused(23)
-    group = GROUP_OF_M.get(number)
+    group = "tool" if number == CHANGE_TOOL and firmware.tool_state else GROUP_OF_M.get(number)
     if group is None:
         raise refused(20)
     _enter_group(block, "M " + group)
     if group == "spindle":
         block.modal.spindle = number
+    elif group == "tool":
+        block.changes_tool = True
     elif group == "flood":
         block.modal.flood = number == 8
     elif number != 1:  # the optional stop is read and ignored
@@ -114,10 +117,10 @@ def _enter_group(block: Block, group: str) -> None:
     block.groups.add(group)
 
 
-def _take_value(block: Block, letter: str, value: float) -> None:
+def _take_value(block: Block, letter: str, value: float, firmware: Firmware) -> None:
     if letter not in VALUE_LETTERS:
         raise refused(20)
-    if letter == "T" and value > LARGEST_TOOL:
+    if letter == "T" and value > firmware.largest_tool:
         raise refused(38)
     if letter in block.words:
         raise refused(25)

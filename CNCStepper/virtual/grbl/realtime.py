@@ -21,6 +21,7 @@ if TYPE_CHECKING:
 
 FIRST_EXTENDED = 0x80  # from here on a byte that is no command is thrown away
 RESET, STATUS, START, HOLD, DOOR, JOG_CANCEL, SPINDLE_STOP, FLOOD = 0x18, 0x3F, 0x7E, 0x21, 0x84, 0x85, 0x9E, 0xA0
+TOOL_CHANGED = 0xA3  # of grblHAL
 
 
 def _reset(machine: Grbl, byte: int) -> None:
@@ -32,7 +33,9 @@ def _status(machine: Grbl, byte: int) -> None:
 
 
 def _start(machine: Grbl, byte: int) -> None:
-    if machine.suspension.active:
+    if machine.state is State.TOOL:
+        machine.state = State.IDLE if machine.tool_acknowledged else State.TOOL
+    elif machine.suspension.active:
         machine.suspension.resume(machine)
     else:
         machine.start_cycle()
@@ -85,6 +88,10 @@ def _flood(machine: Grbl, byte: int) -> None:
         machine.status.overrides_changed()
 
 
+def _tool_changed(machine: Grbl, byte: int) -> None:
+    machine.tool_acknowledged = machine.state is State.TOOL
+
+
 Command = Callable[["Grbl", int], None]
 OVERRIDES = (FEED_NORMAL, *FEED_CHANGES, *RAPID_VALUES, SPINDLE_NORMAL, *SPINDLE_CHANGES)
 COMMANDS: dict[int, Command] = {
@@ -96,5 +103,6 @@ COMMANDS: dict[int, Command] = {
     JOG_CANCEL: _jog_cancel,
     SPINDLE_STOP: _spindle_stop,
     FLOOD: _flood,
+    TOOL_CHANGED: _tool_changed,
     **dict.fromkeys(OVERRIDES, _override),
 }

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from CNCStepper.units import inch_from_mm
 from CNCStepper.virtual.grbl.block import PROBE_TOWARD, Modal, Parser, Z
+from CNCStepper.virtual.grbl.firmware import GRBL, Firmware
 from CNCStepper.virtual.grbl.memory import Memory
 from CNCStepper.virtual.grbl.settings import INCHES, REPORTS_BUFFER, REPORTS_MPOS, Settings
 from CNCStepper.virtual.grbl.states import BUSY
@@ -16,9 +17,6 @@ from CNCStepper.virtual.grbl.words import f32
 if TYPE_CHECKING:
     from CNCStepper.virtual.grbl.machine import Grbl
 
-BANNER = "\r\nGrbl 1.1h ['$' for help]"
-HELP = "[HLP:$$ $# $G $I $N $x=val $Nx=line $J=line $SLP $C $X $H ~ ! ? ctrl-x]"
-BUILD = ("[VER:1.1h.20190830:{}]", "[OPT:V,15,128]")
 OFFSET_EVERY_BUSY, OFFSET_EVERY_IDLE = 30, 10  # reports between two WCO fields
 OVERRIDES_EVERY_BUSY, OVERRIDES_EVERY_IDLE = 20, 10
 
@@ -54,13 +52,14 @@ def work_offset(parser: Parser) -> list[float]:
     return offset
 
 
-def parser_state(parser: Parser, settings: Settings) -> str:
+def parser_state(parser: Parser, settings: Settings, firmware: Firmware = GRBL) -> str:
     """Return the answer to `$G`."""
     modal = parser.modal
     words = (
         _motion_word(modal),
-        f"G{modal.system} G{modal.plane} G{modal.units} G{modal.distance} G{modal.feed_mode} M{modal.spindle}",
-        f"{'M8' if modal.flood else 'M9'} T{parser.tool} F{rate(parser.feed, settings)} S{fixed(parser.rpm, 0)}",
+        f"G{modal.system} G{modal.plane} G{modal.units} G{modal.distance} G{modal.feed_mode}{firmware.modes}",
+        f"M{modal.spindle} {'M8' if modal.flood else 'M9'} T{parser.tool}",
+        f"F{rate(parser.feed, settings)} S{fixed(parser.rpm, 0)}{firmware.speed_dot}",
     )
     return f"[GC:{' '.join(words)}]"
 
@@ -79,14 +78,15 @@ def parameters(machine: Grbl) -> list[str]:
     settings, parser = machine.memory.settings, machine.parser
     lines = [f"[G{place}:{coordinates(values, settings)}]" for place, values in machine.memory.places.items()]
     lines.append(f"[G92:{coordinates(parser.g92, settings)}]")
-    lines.append(f"[TLO:{coordinates([parser.tool_length], settings)}]")
+    lengths = [*[0.0] * (machine.firmware.tool_length_axes - 1), parser.tool_length]
+    lines.append(f"[TLO:{coordinates(lengths, settings)}]")
     lines.append(probe_result(machine.axes.mm_of(machine.probe.contact_steps), machine.probe.found, settings))
     return lines
 
 
-def build_info(memory: Memory) -> list[str]:
+def build_info(memory: Memory, firmware: Firmware = GRBL) -> list[str]:
     """Return the answer to `$I`."""
-    return [line.format(memory.build_text) for line in BUILD]
+    return [line.format(memory.build_text) for line in firmware.build]
 
 
 class StatusReport:

@@ -22,6 +22,7 @@ from pathlib import Path
 
 from CNCStepper.errors import LinkError
 from CNCStepper.machine.profile import Machine
+from CNCStepper.virtual.grbl.firmware import GRBL, Firmware
 from CNCStepper.virtual.grbl.link import Link
 from CNCStepper.virtual.grbl.machine import Grbl
 from CNCStepper.virtual.grbl.ports import Port, PtyPort, TcpPort
@@ -110,22 +111,24 @@ def serve(
     homing: bool = False,
     probe_height_mm: float | None = None,
     until_left: bool = False,
+    firmware: Firmware = GRBL,
     ready: Callable[[str], None] | None = None,
 ) -> None:
-    """Be a grbl 1.1h on `machine` until SIGTERM or SIGINT comes.
+    """Be a board on `machine` until SIGTERM or SIGINT comes.
 
     With `until_left` it also ends when its client has left, or none has come within 30 s.
 
     pty: path that becomes a link to a pseudo-terminal. tcp: "HOST:PORT", port 0 for any that is free.
     speed: simulated seconds in a real one. baud: of the serial line, in simulated time. trace: CSV file
     for the path of the axes. homing: $22=1, locked at power-up. probe_height_mm: machine height of a
-    probe plate. ready: called with the address (path, or socket://HOST:PORT) once clients may come.
+    probe plate. firmware: what it greets, answers and refuses as. ready: called with the address (path,
+    or socket://HOST:PORT) once clients may come.
     Raises LinkError when the port cannot be opened or a value makes no sense; nothing is left behind.
     """
     _check(speed, baud, pty, tcp)
     with contextlib.ExitStack() as stack:
         _compile(machine)
-        board = Grbl(machine, homing=homing, probe_height_mm=probe_height_mm)
+        board = Grbl(machine, homing=homing, probe_height_mm=probe_height_mm, firmware=firmware)
         record = stack.enter_context(contextlib.closing(Trace(trace, board))) if trace else None
         port: Port = PtyPort(str(pty)) if pty else _tcp_port(str(tcp))
         stack.callback(port.close)

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 
 from CNCStepper.machine.profile import AXIS_NAMES, Axis, Machine
 from CNCStepper.virtual.grbl.codes import refused
+from CNCStepper.virtual.grbl.firmware import GRBL, Firmware
 from CNCStepper.virtual.grbl.words import f32
 
 STEPS, RATE, ACCELERATION, TRAVEL = 100, 110, 120, 130
@@ -18,7 +19,6 @@ MAX_RPM, MIN_RPM, LASER = 30, 31, 32
 BYTES = (PULSE, IDLE_DELAY_MS, 2, 3, REPORT, HOMING_SIDES, DEBOUNCE_MS)
 SWITCHES = (4, 5, 6, INCHES, SOFT_LIMITS, HARD_LIMITS, HOMING, LASER)
 WHOLE = (*BYTES, *SWITCHES, MAX_RPM, MIN_RPM)  # printed without decimals
-SHORTEST_PULSE_US = 3
 ALWAYS_ON_MS = 255
 REPORTS_MPOS, REPORTS_BUFFER = 1, 2  # bits of $10
 
@@ -51,6 +51,7 @@ class Settings:
 
     machine: Machine
     homing: bool = False
+    firmware: Firmware = GRBL
     values: dict[int, float] = field(init=False)
 
     def __post_init__(self) -> None:
@@ -81,7 +82,7 @@ class Settings:
         if number not in self.values:
             raise refused(3)
         whole = int(value) & 0xFF
-        if number == PULSE and whole < SHORTEST_PULSE_US:
+        if number == PULSE and whole < self.firmware.shortest_pulse_us:
             raise refused(6)
         if number == SOFT_LIMITS and whole and not self.on(HOMING):
             raise refused(10)
@@ -91,11 +92,12 @@ class Settings:
         if number == HOMING and not whole:
             self.values[SOFT_LIMITS] = 0.0
 
-    def lines(self) -> list[str]:
-        """Return what `$$` prints, a line a setting."""
+    def lines(self, shown: frozenset[int] = frozenset()) -> list[str]:
+        """Return what `$$` prints, a line a setting; `shown`: only these numbers."""
         return [
             f"${number}={value:.0f}" if number in WHOLE else f"${number}={value:.3f}"
             for number, value in self.values.items()
+            if not shown or number in shown
         ]
 
     def outside_travel(self, target_mm: list[float]) -> bool:

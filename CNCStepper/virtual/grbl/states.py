@@ -18,6 +18,7 @@ class State(Enum):
     CHECK = "Check"
     DOOR = "Door"
     SLEEP = "Sleep"
+    TOOL = "Tool"
 
 
 MOVING = (State.RUN, State.JOG, State.HOME)

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from CNCStepper.virtual.grbl import execute, homing, report
 from CNCStepper.virtual.grbl.codes import refused
+from CNCStepper.virtual.grbl.firmware import HELP
 from CNCStepper.virtual.grbl.settings import HOMING
 from CNCStepper.virtual.grbl.states import State
 from CNCStepper.virtual.grbl.words import read_number
@@ -32,8 +33,10 @@ def run(machine: Grbl, line: str) -> Waiting:
         if len(line) > 2:
             raise refused(3)
         AT_ANY_TIME[line[:2]](machine)
+    elif line in machine.firmware.named:
+        machine.send(machine.firmware.named[line])
     elif line == "$":
-        machine.send(report.HELP)
+        machine.send(HELP)
     elif state not in (State.IDLE, State.ALARM):
         raise refused(8)
     elif line.startswith("$H"):
@@ -47,12 +50,12 @@ def run(machine: Grbl, line: str) -> Waiting:
 def _list_settings(machine: Grbl) -> None:
     if machine.state in (State.RUN, State.HOLD):
         raise refused(8)
-    for line in machine.memory.settings.lines():
+    for line in machine.memory.settings.lines(machine.firmware.shown_settings):
         machine.send(line)
 
 
 def _show_parser(machine: Grbl) -> None:
-    machine.send(report.parser_state(machine.parser, machine.memory.settings))
+    machine.send(report.parser_state(machine.parser, machine.memory.settings, machine.firmware))
 
 
 def _toggle_check(machine: Grbl) -> None:
@@ -108,7 +111,7 @@ def _run_at_rest(machine: Grbl, line: str) -> None:
 
 LISTS: dict[str, Callable[[Grbl], list[str]]] = {
     "$#": report.parameters,
-    "$I": lambda machine: report.build_info(machine.memory),
+    "$I": lambda machine: report.build_info(machine.memory, machine.firmware),
     "$N": lambda machine: [f"$N{number}={line}" for number, line in enumerate(machine.memory.startup_lines)],
 }
 
@@ -138,6 +141,8 @@ def _store_startup_line(machine: Grbl, line: str) -> Waiting:
 
 def _store_setting(machine: Grbl, line: str) -> None:
     number, value_at = _number_before_equals(line, 1)
+    if machine.firmware.read_only:
+        raise refused(162)
     value, end = read_number(line, value_at)
     if end < len(line) or number > LARGEST_SETTING:
         raise refused(3)

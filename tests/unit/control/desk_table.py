@@ -16,6 +16,7 @@ from CNCStepper.control.send_job import SendJob
 from CNCStepper.control.timing import Timing
 from CNCStepper.errors import CNCStepperError, LinkError
 from CNCStepper.machine.profile import load_machine
+from CNCStepper.virtual.grbl.firmware import GRBL, Firmware
 from CNCStepper.virtual.grbl.link import Link
 from CNCStepper.virtual.grbl.machine import Grbl
 
@@ -33,9 +34,9 @@ class Table:
 
     name = "table"
 
-    def __init__(self, homing: bool = False, settings: dict[int, float] | None = None):
+    def __init__(self, homing: bool = False, settings: dict[int, float] | None = None, firmware: Firmware = GRBL):
         self.clock = FakeClock()
-        self.board = Grbl(load_machine("table-a"), homing=homing)
+        self.board = Grbl(load_machine("table-a"), homing=homing, firmware=firmware)
         self.board.memory.settings.values.update(settings or {})
         self.written: list[tuple[float, bytes]] = []
         self.cut = False

@@ -16,6 +16,7 @@ SETTINGS = {
     130: 400, 131: 400, 132: 80,
 }  # fmt: skip
 GREETING = "Grbl 1.1h ['$' for help]"
+INFO = ("[VER:1.1h.20190830:]", "[OPT:V,15,{rx_bytes}]")
 
 
 class FakeController:
@@ -36,6 +37,8 @@ class FakeController:
         self.modes, self.length = "G0 G54 G17 G21 G90 G94", "0.000"  # of `$G`, and the tool's of `$#`
         self.state = "Idle"
         self.settings = dict(SETTINGS)
+        self.info, self.greeting = INFO, GREETING  # of `$I`, and after a reset
+        self.named: dict[str, str] = {}  # settings by name, as FluidNC has them
         self.on_line: dict[int, str] = {}
         self.actions: dict[int, Callable[[], None]] = {}
         self.lines: list[str] = []  # read, of the program only
@@ -101,7 +104,7 @@ class FakeController:
             self.say("ALARM:3")
         self.state = "Alarm" if moving or self.state == "Alarm" else "Idle"
         self.say("")
-        self.say(GREETING)
+        self.say(self.greeting)
         if self.state == "Alarm":
             self.say("[MSG:'$H'|'$X' to unlock]")
 
@@ -163,8 +166,10 @@ class FakeController:
         if "=" in line and self.rx:
             self.alone_broken += 1
         if line == "$I":
-            self.say("[VER:1.1h.20190830:]")
-            self.say(f"[OPT:V,15,{self.rx_bytes}]")
+            for text in self.info:
+                self.say(text.format(rx_bytes=self.rx_bytes))
+        elif line in self.named:
+            self.say(f"{line}={self.named[line]}")
         elif line == "$$":
             for number, value in self.settings.items():
                 self.say(f"${number}={value}")

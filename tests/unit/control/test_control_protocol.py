@@ -14,7 +14,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from CNCStepper.control.codes import GRBL_ALARMS, GRBL_ERRORS, alarm_code, error_code
+from CNCStepper.control.firmware import GRBL
 from CNCStepper.control.grbl_report import (
     Alarm,
     Answer,
@@ -26,7 +26,7 @@ from CNCStepper.control.grbl_report import (
     Unknown,
     parse,
 )
-from CNCStepper.control.lines import check_line, dwell_s, needs_idle, pauses, stores
+from CNCStepper.control.lines import check_length, check_line, dwell_s, needs_idle, pauses, stores
 from CNCStepper.control.outcome import error_from_json, error_to_json
 from CNCStepper.control.readiness import check_offsets, differences, offset_differences
 from CNCStepper.control.transport import Link, open_link, port_names
@@ -124,19 +124,11 @@ def test_only_bytes_that_do_not_act_pass(text):
 def test_line_check_names_place_and_column_and_the_limit():
     with pytest.raises(ProgramError, match=r"a\.nc:7:5"):
         check_line("G1X1!", Place("a.nc", 7))
-    check_line("X" * 79)
+    check_length("X" * 79, GRBL, 127)
     with pytest.raises(ProgramError, match="79"):
-        check_line("X" * 80)
+        check_length("X" * 80, GRBL, 127, Place("a.nc", 7))
     with pytest.raises(ProgramError, match="126"):
-        check_line("G1" + " " * 125)
-
-
-def test_every_code_says_what_it_is_and_what_to_do():
-    assert set(range(1, 18)) | set(range(20, 39)) == set(GRBL_ERRORS)
-    assert set(range(1, 11)) == set(GRBL_ALARMS)
-    for code in [*GRBL_ERRORS.values(), *GRBL_ALARMS.values(), error_code(99), alarm_code(99), error_code(-1)]:
-        assert code.meaning and code.advice
-    assert not alarm_code(99).position_kept
+        check_length("G1" + " " * 125, GRBL, 127)
 
 
 def test_settings_are_compared_to_the_printed_digits():

@@ -416,7 +416,7 @@ def test_positions_in_inches_are_converted():
     assert bench.run().status.mpos_mm == pytest.approx((-2286.0, -1016.0, -254.0))
 
 
-@pytest.mark.parametrize("text", ["G1X1!", "(why?)", "G1~", "G1X1\x18", "G1Xф", "G1X1\n", "G1" + "X1" * 40, "\x85"])
+@pytest.mark.parametrize("text", ["G1X1!", "(why?)", "G1~", "G1X1\x18", "G1Xф", "G1X1\n", "\x85"])
 def test_line_that_may_not_be_sent_is_refused_before_the_port_is_opened(text):
     bench = Bench([*LINES, text])
     bench.sender._opener = None

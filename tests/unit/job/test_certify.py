@@ -98,6 +98,12 @@ def test_the_sender_finds_all_it_needs() -> None:
     assert job.work_system == "G54"
 
 
+def test_places_that_the_program_goes_to_are_compared_on_the_machine() -> None:
+    places = {5161 + axis: float(axis - 9) for axis in range(3)} | {5181 + axis: 1.0 for axis in range(3)}
+    job = send_job(prepare("G91\nG28 Z0\nG30.1\nM2\n"), MACHINE, "p.nc", Start(parameters=places))
+    assert dict(job.work_offsets_mm) == {"G28": (-9.0, -8.0, -7.0)}
+
+
 def test_a_bare_job_stays_sendable() -> None:
     job = send_job(prepare(TEXT), MACHINE, "p.nc")
     assert sendable(job.to_json()) == replace(job, lines=list(job.lines))

@@ -1,0 +1,192 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""`cncstepper console`: lines typed to a controller, each waited for, with history."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager, suppress
+from pathlib import Path
+
+import click
+
+from CNCStepper.cli.jog import FEED_MM_MIN, jog_line
+from CNCStepper.cli.talk import Talk, place, port_options
+from CNCStepper.errors import CNCStepperError, LinkError
+
+PROMPT = "> "
+STANDING = ("Hold:0", "Idle", "Alarm", "Tool", "Door:0", "Door:1")
+HISTORY_LINES = 1000
+MOST_MM_MIN = 100_000.0
+HELP = """\
+?                      where the machine stands
+!  ~                   hold; go on
+stop                   bring it to rest: hold, standstill, reset; spindle and outputs off
+home  unlock           $H and $X
+zero [XYZ]             make this place the work zero
+jog X10 Y-2.5 [F1000]  move by that way in mm
+$$ $# $G $I $N         settings, offsets, modes, what it is, start-up lines
+$110=500               change a setting
+G0 X10, M3 S1000 ...   any line that the controller knows, while its position is not unknown
+history  help  quit    (Ctrl-D quits; Ctrl-C holds a move)"""
+
+
+@click.command("console")
+@port_options
+def command(port: str, baud: int) -> None:
+    """Type lines to the controller at --port; each is done, with the machine at rest, before the next is asked for.
+
+    Beside the controller's own lines it knows: ? ! ~ stop home unlock zero jog history help quit. Lines with bytes that
+    act at once (! ? ~ and what is not ASCII) are refused. While the position is unknown, after a restart or an alarm
+    that lost it, only homing, jog, unlock, questions and settings are accepted; zero makes it known too.
+
+    Lines also come from a pipe or a file; then the first refusal ends it with exit status 1.
+    """
+    with Talk(port, baud) as talk:
+        click.echo(place(talk.status))
+        if sys.stdin.isatty():
+            with _history():
+                converse(talk)
+        else:
+            _follow(talk)
+
+
+class Session:
+    """What the words of a console do."""
+
+    def __init__(self, talk: Talk):
+        self._talk = talk
+        self._words: dict[str, Callable[[list[str]], None]] = {
+            "?": lambda _: self._show(),
+            "!": lambda _: self._realtime(talk.client.hold, "held"),
+            "~": lambda _: self._realtime(talk.client.resume, "busy", "idle", "door"),
+            "stop": lambda _: self._realtime(talk.client.stop, "idle", "alarm"),
+            "home": lambda _: talk.home(),
+            "$h": lambda _: talk.home(),
+            "unlock": lambda _: self._type("$X"),
+            "zero": lambda words: talk.set_zero(words[0] if words else "XYZ"),
+            "jog": self._jog,
+            "help": lambda _: click.echo(HELP),
+        }
+
+    def do(self, line: str) -> None:
+        """Do what a line says and wait until it is done; raises what is refused."""
+        first, *words = line.split() or [""]
+        if first.lower() in self._words:
+            self._words[first.lower()](words)
+        elif line:
+            self._type(line)
+
+    def _show(self) -> None:
+        self._talk.until(lambda event: event["event"] == "status")
+        click.echo(place(self._talk.status))
+
+    def _realtime(self, ask: Callable[[], None], *phases: str) -> None:
+        ask()
+        while self._talk.status.phase not in phases:
+            self._talk.look()
+        click.echo(place(self._talk.status))
+
+    def _jog(self, words: list[str]) -> None:
+        feeds = [word for word in words if word[:1] in "Ff"]
+        self._type(jog_line(tuple(word for word in words if word not in feeds), _feed_mm_min(feeds)))
+
+    def _type(self, line: str) -> None:
+        """Type a line; while it is not done Ctrl-C holds, so that `~` or `stop` can follow."""
+        answer = self._talk.type(line)
+        if answer != "ok":
+            raise click.ClickException(answer)
+        click.echo(answer)
+
+
+def _follow(talk: Talk) -> None:
+    """Do the lines of a pipe or a file; Ctrl-C holds what moves and ends it."""
+    try:
+        for line in sys.stdin:
+            Session(talk).do(line.strip())
+    except KeyboardInterrupt:
+        talk.client.hold()
+        raise
+
+
+def _feed_mm_min(words: list[str]) -> float:
+    """Return the speed of a word as F500, or the usual one where there is none; raises a usage error."""
+    try:
+        feed_mm_min = float(words[0][1:]) if words else FEED_MM_MIN
+    except ValueError:
+        feed_mm_min = 0.0
+    if not 0 < feed_mm_min < MOST_MM_MIN:
+        raise click.UsageError(f"'{words[0]}' is no speed: write for example F500 (mm/min)")
+    return feed_mm_min
+
+
+def converse(talk: Talk) -> None:
+    """Ask for line after line until quit; a refusal is said, a lost link ends it."""
+    session, typed = Session(talk), list[str]()
+    for line in _lines():
+        if line == "quit":
+            return
+        if line == "history":
+            click.echo("\n".join(typed))
+            continue
+        typed.append(line)
+        try:
+            _try(session, line)
+        except KeyboardInterrupt:
+            _hold(talk)
+
+
+def _try(session: Session, line: str) -> None:
+    """Do what a line says; what is refused is said."""
+    try:
+        session.do(line)
+    except click.ClickException as error:
+        click.echo(error.format_message())
+    except CNCStepperError as error:
+        if isinstance(error, LinkError):
+            raise
+        click.echo(str(error))
+
+
+def _lines() -> Iterator[str]:
+    while True:
+        try:
+            yield input(PROMPT).strip()
+        except KeyboardInterrupt:
+            click.echo()
+        except EOFError:
+            click.echo()
+            return
+
+
+def _hold(talk: Talk) -> None:
+    """Hold what moves, and wait until it stands; what had been done already is no error."""
+    talk.client.hold()
+    with suppress(CNCStepperError):
+        talk.until(lambda event: event["event"] == "status" and talk.status.machine_state in STANDING)
+    click.echo(f"{place(talk.status)}   ~ goes on, stop ends it")
+
+
+@contextmanager
+def _history() -> Iterator[None]:
+    """Let the arrow keys bring back lines of this and earlier consoles, where this Python has readline."""
+    try:
+        import readline
+    except ImportError:  # Windows' own console keeps the lines of one run
+        yield
+        return
+    path = _history_file()
+    with suppress(OSError):
+        readline.read_history_file(path)
+    readline.set_history_length(HISTORY_LINES)
+    try:
+        yield
+    finally:
+        with suppress(OSError):
+            readline.write_history_file(path)
+
+
+def _history_file() -> Path:
+    from CNCStepper.control.session_file import session_folder
+
+    return session_folder().parent / "console_history"

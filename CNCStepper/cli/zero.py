@@ -1,0 +1,22 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""`cncstepper zero`: the place of the tool becomes the work zero."""
+
+from __future__ import annotations
+
+import click
+
+from CNCStepper.cli.talk import Talk, place, port_options
+
+
+@click.command("zero")
+@click.argument("axes", default="XYZ")
+@port_options
+def command(axes: str, port: str, baud: int) -> None:
+    """Make the place where the tool stands the work zero of AXES: XYZ where none are given, or Z, or XY.
+
+    It is stored in the work system in force (G54 as a rule) of the controller at --port, and read back. The machine
+    must be idle; nothing moves.
+    """
+    with Talk(port, baud) as talk:
+        talk.set_zero(axes)
+        click.echo(place(talk.status))

@@ -1,0 +1,79 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What the board says and takes as grbl 1.1h, grblHAL or FluidNC, from each one's own sources.
+
+Only what a sender meets differs: greeting, `$I`, `$$`, `$G`, receive buffer, line length, M6, and a few refusals. All
+three plan and move as grbl does, with its work systems and its g-code.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+HELP = "[HLP:$$ $# $G $I $N $x=val $Nx=line $J=line $SLP $C $X $H ~ ! ? ctrl-x]"
+
+
+@dataclass(frozen=True)
+class Firmware:
+    """One firmware; `build` is its answer to `$I`, {} the text that `$I=` stored.
+
+    line_characters: without the line end, and without blanks unless blanks_count. modes: further words of `$G`, before
+    the spindle's. shown_settings: numbers that `$$` lists, all where it is empty. read_only: settings stand in a file
+    and cannot be written. named: settings by name, as the line reader leaves it: capitals, no `/`. message: what stands
+    before its messages. tool_state: M6 waits in the state Tool until 0xA3 and a cycle start have come.
+    """
+
+    name: str
+    banner: str
+    build: tuple[str, ...]
+    receive_bytes: int = 128
+    line_characters: int = 79
+    blanks_count: bool = False
+    largest_tool: int = 255
+    shortest_pulse_us: int = 3
+    modes: str = ""
+    speed_dot: str = ""
+    tool_length_axes: int = 1
+    shown_settings: frozenset[int] = frozenset()
+    read_only: bool = False
+    named: Mapping[str, str] = field(default_factory=dict)
+    message: str = ""
+    tool_state: bool = False
+
+
+GRBL = Firmware("grbl", "Grbl 1.1h ['$' for help]", ("[VER:1.1h.20190830:{}]", "[OPT:V,15,128]"))
+GRBLHAL = Firmware(
+    "grblhal",
+    "GrblHAL 1.1f ['$' or '$HELP' for help]",
+    (
+        "[VER:1.1f.20250225:{}]",
+        "[OPT:VNMSL,15,1024,3,0]",
+        "[AXS:3:XYZ]",
+        "[NEWOPT:ENUMS,RT+,TC,SED]",
+        "[FIRMWARE:grblHAL]",
+        "[NVS STORAGE:*FLASH]",
+        "[DRIVER:virtual]",
+        "[DRIVER VERSION:250129]",
+    ),
+    receive_bytes=1023,
+    line_characters=255,
+    largest_tool=2**32 - 2,
+    shortest_pulse_us=2,
+    modes=" G49 G98 G50",
+    speed_dot=".",
+    tool_length_axes=3,
+    tool_state=True,
+)
+FLUIDNC = Firmware(
+    "fluidnc",
+    "Grbl 3.7 [FluidNC v3.7.8 (wifi) '$' for help]",
+    ("[VER:3.7 FluidNC v3.7.8:{}]", "[OPT:PHS]", "[MSG:Machine: virtual]"),
+    line_characters=254,
+    blanks_count=True,
+    largest_tool=99_999_999,
+    shown_settings=frozenset({20, 21, 22, 23, 30, 32, *(n + axis for n in (100, 110, 120, 130) for axis in range(3))}),
+    read_only=True,
+    named={"$REPORT_INCHES": "$/report_inches=false"},
+    message="INFO: ",
+)
+FIRMWARES = {firmware.name: firmware for firmware in (GRBL, GRBLHAL, FLUIDNC)}

@@ -1,0 +1,91 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What the board says and takes as each firmware, where they differ."""
+
+from __future__ import annotations
+
+import pytest
+
+from CNCStepper.virtual.grbl.firmware import FIRMWARES, FLUIDNC, GRBL, GRBLHAL
+
+
+@pytest.mark.parametrize(
+    ("firmware", "greeting", "told"),
+    [
+        (GRBL, "Grbl 1.1h ['$' for help]", "[OPT:V,15,128]"),
+        (GRBLHAL, "GrblHAL 1.1f ['$' or '$HELP' for help]", "[FIRMWARE:grblHAL]"),
+        (FLUIDNC, "Grbl 3.7 [FluidNC v3.7.8 (wifi) '$' for help]", "[VER:3.7 FluidNC v3.7.8:]"),
+    ],
+)
+def test_each_greets_and_says_what_it_is(talk, firmware, greeting, told):
+    board = talk(firmware=firmware)
+    assert greeting in board.greeting
+    assert told in board.say(b"$I\n")
+
+
+def slowly(board, line: bytes) -> list[str]:
+    """Send a line in pieces that the smallest receive buffer takes."""
+    return [answer for at in range(0, len(line), 100) for answer in board.say(line[at : at + 100])]
+
+
+@pytest.mark.parametrize("firmware", FIRMWARES.values(), ids=lambda firmware: firmware.name)
+def test_each_has_its_own_longest_line(talk, firmware):
+    board = talk(firmware=firmware)
+    longest = b"G4P0." + b"0" * (firmware.line_characters - 5)
+    assert slowly(board, longest + b"\n") == ["ok"]
+    assert slowly(board, longest + b"0\n") == ["error:11"]
+
+
+def test_blanks_count_on_fluidnc_alone(talk):
+    line = b"G4P0." + b"0" * 60 + b" " * 200 + b"\n"
+    assert slowly(talk(firmware=FLUIDNC), line) == ["error:11"]
+    assert slowly(talk(firmware=GRBLHAL), line) == ["ok"]
+
+
+@pytest.mark.parametrize("firmware", FIRMWARES.values(), ids=lambda firmware: firmware.name)
+def test_each_has_its_own_receive_buffer(talk, firmware):
+    board = talk(firmware=firmware)
+    assert board.status()["Bf"].endswith(f",{firmware.receive_bytes}")
+    board.board.receive(b"!" + b"(" * (firmware.receive_bytes + 7))
+    assert board.board.ring.lost == 7
+
+
+def test_settings_of_fluidnc_are_few_and_can_only_be_read(talk):
+    board = talk(firmware=FLUIDNC)
+    listed = [line.partition("=")[0] for line in board.say(b"$$\n")]
+    assert "$100" in listed and "$32" in listed and "$13" not in listed
+    assert board.say(b"$100=81\n") == ["error:162"]
+    assert board.say(b"$/report_inches\n") == ["$/report_inches=false", "ok"]
+    assert talk().say(b"$/report_inches\n") != ["$/report_inches=false", "ok"]
+
+
+def test_messages_of_fluidnc_are_marked(talk):
+    assert "[MSG:INFO: '$H'|'$X' to unlock]" in talk(firmware=FLUIDNC, homing=True).greeting
+
+
+def test_grblhal_takes_shorter_pulses_and_larger_tools(talk):
+    for firmware, answer in ((GRBL, "error:6"), (GRBLHAL, "ok")):
+        assert talk(firmware=firmware).say(b"$0=2\n") == [answer]
+    for firmware, answer in ((GRBL, "error:38"), (GRBLHAL, "ok")):
+        assert talk(firmware=firmware).say(b"T300\n") == [answer]
+
+
+def test_modes_and_tool_length_of_grblhal_are_written_its_way(talk):
+    board = talk(firmware=GRBLHAL)
+    assert "[GC:G0 G54 G17 G21 G90 G94 G49 G98 G50 M5 M9 T0 F0 S0.]" in board.say(b"$G\n")
+    assert "[TLO:0.000,0.000,0.000]" in board.say(b"$#\n")
+
+
+def test_tool_change_waits_for_acknowledgement_and_cycle_start(talk):
+    board = talk(firmware=GRBLHAL)
+    assert board.say(b"T2M6\n", 0.1) == []
+    assert board.status()[""] == "Tool"
+    assert board.say(b"~", 0.1) == [] and board.status()[""] == "Tool"
+    assert board.say(b"\xa3~", 0.1) == ["ok"] and board.status()[""] == "Idle"
+
+
+def test_tool_change_can_be_reset_and_is_no_command_of_grbl(talk):
+    board = talk(firmware=GRBLHAL)
+    board.say(b"M6\n", 0.1)
+    board.say(b"\x18", 0.1)
+    assert board.status()[""] == "Idle"
+    assert talk().say(b"M6\n") == ["error:20"]
