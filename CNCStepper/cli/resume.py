@@ -18,7 +18,7 @@ from CNCStepper.errors import MachineRefusal, Place
 if TYPE_CHECKING:
     from CNCStepper.control.journal.story import Story
 
-UNTIL_HOMED = "do not move it but by homing, jogging and setting its zero"
+UNTIL_HOMED = "until then nothing but homing, jogging and setting the zero is safe"
 
 
 @click.command("resume")
@@ -116,10 +116,10 @@ def _lines(story: Story) -> Iterator[tuple[str, str]]:
 def _position(story: Story) -> str:
     home = "home it" if story.header["homing"] else "set its zero again"
     if story.position_known is False:
-        return f"unknown: {home} before the restart; {UNTIL_HOMED} before"
+        return f"unknown: {home} before the restart; {UNTIL_HOMED}"
     return (
         f"kept only if the controller has had power ever since and was not reset in motion; a greeting, an alarm or a "
-        f"place that is not right says that it was: then {home}; {UNTIL_HOMED} before"
+        f"place that is not right says that it was: then {home}; {UNTIL_HOMED}"
     )
 
 
