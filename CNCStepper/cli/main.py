@@ -35,6 +35,7 @@ VERBS = {
     "console": "Type lines to a controller, with history.",
     "send": "Send a program to a controller and wait until it is cut.",
     "restart": "Go on with a program from a place in its middle: checked, written or sent.",
+    "resume": "Say how far a job came that was killed, and how to restart it safely.",
     "drive": "Send a program's pulses to a parallel port, or to a file that records them.",
     "virtual": "Be a controller without hardware.",
 }

@@ -86,6 +86,7 @@ def command(
     Ctrl-C holds the machine and asks what to do. A stop here is not an emergency stop.
     """
     from CNCStepper.cli.watch import watch
+    from CNCStepper.control.certificate import digest_of_text
     from CNCStepper.job.model import load_job
 
     if not certificate or job_path:
@@ -101,8 +102,9 @@ def command(
         job = _certified(certificate, wanted, dialect, despite_certificate)
     else:
         job = _checked(wanted, dialect_name(dialect, wanted.machine), unchecked)
-    job = replace(job, port=port, baud=baud, allow_differences=allow_differences)
-    conclude(watch(confirmed(job, zero_confirmed), resume_pauses))
+    sha256 = digest_of_text(wanted.text)
+    job = replace(job, port=port, baud=baud, allow_differences=allow_differences, program_sha256=sha256)
+    conclude(watch(confirmed(job, zeroconfirmed), resume_pauses))
 
 
 @dataclass(frozen=True)

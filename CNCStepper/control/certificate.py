@@ -12,6 +12,7 @@ import hashlib
 import json
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
+from functools import cached_property
 from pathlib import Path
 from typing import Any
 
@@ -80,16 +81,21 @@ class Certificate:
         if content.get("version") != VERSION:
             raise _refusal("certificate", "the certificate is of another version", str(content.get("version")))
         content = dict(content)
-        if content.pop("sha256", None) != digest_of(content):
+        told, certificate = content.pop("sha256", None), cls(content)
+        if told != certificate.sha256:
             raise _refusal("certificate-changed", "the certificate was changed after it was made")
-        certificate = cls(content)
         certificate.compare("wire", digest_of_lines(certificate.send_job().lines))
         return certificate
 
     def to_json(self) -> str:
         """Return the certificate as strict JSON, with the fingerprint of all of it."""
-        content = dict(self.content) | {"sha256": digest_of(self.content)}
+        content = dict(self.content) | {"sha256": self.sha256}
         return json.dumps(content, indent=1, allow_nan=False) + "\n"
+
+    @cached_property
+    def sha256(self) -> str:
+        """The fingerprint of all of it."""
+        return digest_of(self.content)
 
     @property
     def dialect(self) -> str:
@@ -120,9 +126,17 @@ class Certificate:
     def send_job(self, **instead: Any) -> SendJob:
         """Return the job of sending the proven lines, with other values for some fields of it."""
         try:
-            return SendJob.from_content({"port": "", **self.content["send"], **instead})
-        except (KeyError, TypeError) as error:
+            return SendJob.from_content({"port": "", **self.content["send"], **self._identity(), **instead})
+        except (AttributeError, KeyError, TypeError) as error:
             raise _refusal("certificate", "the certificate lacks what a sender needs", str(error)) from error
+
+    def _identity(self) -> dict[str, str]:
+        """Return by what a journal knows the program, the machine and this proof."""
+        return {
+            "machine": str(self.content.get("machine", {}).get("name", "")),
+            "program_sha256": str(self.content.get("program", {}).get("sha256", "")),
+            "certificate_sha256": self.sha256,
+        }
 
 
 def is_certificate(content: Any) -> bool:

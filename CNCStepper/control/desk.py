@@ -23,6 +23,7 @@ from CNCStepper.control.command import VALUES, Command, Inbox
 from CNCStepper.control.grbl import Grbl, Received
 from CNCStepper.control.grbl_report import Vector
 from CNCStepper.control.idle import Idle, is_fatal
+from CNCStepper.control.journal.journal import Journal
 from CNCStepper.control.moment import tell_words
 from CNCStepper.control.outcome import REFUSED, Outcome, SenderStatus
 from CNCStepper.control.readiness import check_state
@@ -38,7 +39,8 @@ class Desk:
     """One connection; `run` blocks until it ends, `ask`, `stop` and `status` may be called from any thread.
 
     tell, refuse, ended: hear what happens, as of a `JobRun`, and how a job ended. alone_s: how long nobody has
-    been there; a desk that is alone and has nothing to do ends.
+    been there; a desk that is alone and has nothing to do ends. journals: the folder for those of its jobs; None
+    keeps none.
     """
 
     commands: tuple[str, ...] = tuple(VALUES)
@@ -55,6 +57,7 @@ class Desk:
         refuse: Refuse = lambda command, error: None,
         ended: Callable[[Outcome], None] = lambda outcome: None,
         alone_s: Callable[[], float] = lambda: 0.0,
+        journals: Path | None = None,
     ):
         self.port = port
         self._baud = baud
@@ -64,6 +67,7 @@ class Desk:
         self._refuse = refuse
         self._ended = ended
         self._alone_s = alone_s
+        self._journals = journals
         self._clock = clock
         self._inbox = Inbox(clock)
         self._driver: Grbl | None = None
@@ -193,7 +197,13 @@ class Desk:
             self._ended(Outcome(REFUSED, str(error), known is not False, replace(self.status(), phase=REFUSED), error))
             return
         self._run = JobRun(
-            job, self._inbox, timing=self._timing, clock=self._clock, tell=self._tell, refuse=self._refuse
+            job,
+            self._inbox,
+            timing=self._timing,
+            clock=self._clock,
+            tell=self._tell,
+            refuse=self._refuse,
+            journal=Journal(self._journals) if self._journals else None,
         )
         try:
             outcome = self._run.run(self._ready)

@@ -26,7 +26,15 @@ def main(arguments: list[str]) -> int:
     path, port, baud = Path(arguments[0]), arguments[1], int(arguments[2])
     desk_file = DeskFile(path)
     server = SessionServer(each_turn=desk_file.keep_fresh)
-    desk = Desk(port, baud, tell=server.tell, refuse=server.refuse, ended=server.tell_outcome, alone_s=server.alone_s)
+    desk = Desk(
+        port,
+        baud,
+        tell=server.tell,
+        refuse=server.refuse,
+        ended=server.tell_outcome,
+        alone_s=server.alone_s,
+        journals=path.parent,
+    )
     stop_on_signals(desk.stop)
     desk_file.write(server.address(port))
     server.start(desk)

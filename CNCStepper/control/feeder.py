@@ -5,20 +5,22 @@ from __future__ import annotations
 
 from CNCStepper.control.firmware import Firmware
 from CNCStepper.control.grbl import Answered, Grbl
+from CNCStepper.control.journal.kept import Journals, NoJournal
 from CNCStepper.control.lines import dwell_s, needs_idle, pauses, stores
 from CNCStepper.control.send_job import SendJob
 from CNCStepper.errors import MachineRefusal, Place, ProgramError
 
 
 class Feeder:
-    """Hands a job's lines to the driver as the window allows.
+    """Hands a job's lines to the driver as the window and the journal allow.
 
     Lines that write permanent memory, `$` commands and pauses go alone: they wait for every answer
     before them, and the lines after them wait for theirs. So nothing follows an M0 until it is over.
     """
 
-    def __init__(self, job: SendJob):
+    def __init__(self, job: SendJob, journal: Journals | None = None):
         self.job = job
+        self._journal = journal or NoJournal()
         self.sent = 0
         self.acknowledged = 0
         self.total = len(job.lines)
@@ -33,7 +35,8 @@ class Feeder:
     def feed(self, driver: Grbl, idle: bool) -> int:
         """Send what fits and return how many lines; `idle` says that the machine was just seen idle."""
         before = self.sent
-        while self.sent < self.total and self._may_go(self.job.lines[self.sent], driver, idle):
+        permitted = min(self.total, self._journal.permitted)
+        while self.sent < permitted and self._may_go(self.job.lines[self.sent], driver, idle):
             driver.send(self.job.lines[self.sent], self.sent)
             self.sent += 1
         driver.flush()

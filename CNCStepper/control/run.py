@@ -24,6 +24,7 @@ from CNCStepper.control.feeder import Feeder
 from CNCStepper.control.first_modes import check_modes, mode_differences
 from CNCStepper.control.grbl import Answered, Grbl, Received
 from CNCStepper.control.grbl_report import Alarm, Greeting, Status, Vector
+from CNCStepper.control.journal.kept import Journals, NoJournal
 from CNCStepper.control.moment import moment
 from CNCStepper.control.outcome import DONE, FAILED, REFUSED, STOPPED, Outcome, SenderStatus
 from CNCStepper.control.overrides import override_byte
@@ -50,7 +51,8 @@ class JobRun:
     """Runs one job; `run` blocks, `status` may be called from any thread.
 
     tell(kind, text): hears what happens and must not block; kinds are "phase", "message" (the
-    program's words) and "warning". refuse(command, error): hears what cannot be obeyed now.
+    program's words) and "warning". refuse(command, error): hears what cannot be obeyed now. journal: permits each
+    line before it is sent.
     """
 
     def __init__(
@@ -62,6 +64,7 @@ class JobRun:
         clock: Callable[[], float] = time.monotonic,
         tell: Tell = lambda kind, text: None,
         refuse: Refuse = lambda command, error: None,
+        journal: Journals | None = None,
     ):
         self.job = job
         self.driver: Grbl | None = None  # before it is connected
@@ -70,7 +73,8 @@ class JobRun:
         self._clock = clock
         self._tell = tell
         self._refuse = refuse
-        self._feeder = Feeder(job)
+        self._journal = journal or NoJournal()
+        self._feeder = Feeder(job, self._journal)
         self._phases = Phases(tell)
         self._watch = Watch(timing)
         self._begin_s = clock()
@@ -92,6 +96,7 @@ class JobRun:
 
     def count(self, received: list[Received]) -> None:
         """Hear what came, also while the machine is brought to rest: count the answers to the job's lines."""
+        self._journal.hear(received)
         for report in received:
             if isinstance(report, Answered):
                 self._feeder.take(report)
@@ -105,6 +110,7 @@ class JobRun:
         itself is found good. It may raise `Stopped` or any error of ours.
         """
         outcome = self._begun(connected) or self._streamed()
+        self._warn(self._journal.end(outcome))
         self._phases.set(outcome.kind)
         return outcome
 
@@ -114,7 +120,9 @@ class JobRun:
         try:
             check_zero(self.job.zero_confirmed)
             self.job.check()
-            self._compare(connected())
+            self._compare(found := connected())
+            assert self.driver
+            self._journal.begin(self.job, self.driver, found)
         except Stopped:
             return self._outcome(STOPPED, "stopped before the first line was sent", True)
         except CNCStepperError as error:
@@ -169,12 +177,23 @@ class JobRun:
         self._watch.check(
             driver, idle and self._phases.feeding, self._feeder.dwell_s(driver), self._feeder.place_at_work()
         )
+        self._keep_journal(driver, idle)
         if self._phases.feeding and self._feeder.feed(driver, idle):
             self._watch.heard_s = self._clock()
         every_s = self._timing.poll_s if self._phases.name == "running" else self._timing.quick_poll_s
         for report in driver.receive(self._watch.poll(driver, every_s)):
             self._take(driver, report)
         self._obey(driver)
+
+    def _keep_journal(self, driver: Grbl, idle: bool) -> None:
+        """Write what is due; a job of which no further line can be put on the disk is held."""
+        self._warn(self._journal.keep(self._feeder.sent, self._feeder.acknowledged, idle and not driver.unanswered))
+        if self._journal.holds(self._feeder.sent) and self._phases.feeding:
+            self._phases.obey("hold", driver)
+
+    def _warn(self, texts: list[str]) -> None:
+        for text in texts:
+            self._tell("warning", text)
 
     def _take(self, driver: Grbl, report: Received) -> None:
         if isinstance(report, Answered):

@@ -22,6 +22,7 @@ class SendJob:
     expected: grbl settings that must hold, by number; differences are only told when
     `allow_differences`. zero_confirmed: somebody said that the work zero is right. work_offsets_mm, work_system:
     where the program was proven to begin (G54..G59.3 and G92 by name); empty: nobody knows, so nothing is compared.
+    machine, program_sha256, certificate_sha256: for the journal, empty where there is none.
     """
 
     port: str
@@ -35,6 +36,9 @@ class SendJob:
     baud: int = 115_200
     work_offsets_mm: Mapping[str, Sequence[float]] = field(default_factory=dict)
     work_system: str = ""
+    machine: str = ""
+    program_sha256: str = ""
+    certificate_sha256: str = ""
 
     def __post_init__(self) -> None:
         if len(self.file_lines) not in (0, len(self.lines)):

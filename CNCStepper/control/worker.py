@@ -10,6 +10,7 @@ from __future__ import annotations
 import sys
 from pathlib import Path
 
+from CNCStepper.control.journal.journal import Journal
 from CNCStepper.control.outcome import FAILED, Outcome
 from CNCStepper.control.own_process import stop_on_signals
 from CNCStepper.control.run import LOST
@@ -28,7 +29,7 @@ def main(arguments: list[str]) -> int:
     session = Path(arguments[0])
     job = SendJob.from_json(sys.stdin.buffer.read().decode("utf-8"))
     server = SessionServer()
-    sender = Sender(job, tell=server.tell)
+    sender = Sender(job, tell=server.tell, journal=Journal(session.parent))
     stop_on_signals(sender.stop)
     server.start(sender)
     write_private(session, server.address(job.port, job.file))

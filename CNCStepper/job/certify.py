@@ -147,6 +147,7 @@ def send_job(wire: WireText, machine: Machine | None, file: str, start: Start | 
         expected=expected_settings(machine) if machine else {},
         work_offsets_mm=(_offsets(known) if known else {}) | (_places(start, wire.lines) if start else {}),
         work_system=known.work_system if known else "",
+        machine=machine.name if machine else "",
     )
 
 

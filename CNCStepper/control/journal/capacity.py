@@ -1,0 +1,37 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""How many moves a controller holds that it has acknowledged and not made, from what it says of itself."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from CNCStepper.control.grbl import Received
+from CNCStepper.control.grbl_report import Feedback, Status
+from CNCStepper.control.journal.finished import SEGMENTS
+
+PLANNER_BLOCKS = 32  # of one that does not say it
+
+
+class Capacity:
+    """`moves` is the most that was heard of."""
+
+    def __init__(self) -> None:
+        self._blocks = 0
+
+    @property
+    def moves(self) -> int:
+        """Moves in the planner and behind it."""
+        return (self._blocks or PLANNER_BLOCKS) + SEGMENTS
+
+    def hear(self, received: Iterable[Received]) -> None:
+        """Take `[OPT:letters,blocks,bytes]`, and the free blocks of a status."""
+        for report in received:
+            if isinstance(report, Status) and report.buffer:
+                self._blocks = max(self._blocks, report.buffer[0])
+            elif isinstance(report, Feedback) and report.tag == "OPT":
+                self._take_options(report.text)
+
+    def _take_options(self, text: str) -> None:
+        blocks = text.split(",")[1:2]
+        if blocks and blocks[0].isdecimal():
+            self._blocks = max(self._blocks, int(blocks[0]))

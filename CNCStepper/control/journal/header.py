@@ -1,0 +1,50 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a journal says before the first line: the program, what it was proven by, the machine and its zero."""
+
+from __future__ import annotations
+
+import operator
+import time
+from itertools import islice
+from pathlib import Path
+from typing import Any
+
+from CNCStepper import __version__
+from CNCStepper.control.connect import Found
+from CNCStepper.control.grbl import Grbl
+from CNCStepper.control.journal.story import FORMAT, VERSION
+from CNCStepper.control.moment import HOMING
+from CNCStepper.control.send_job import SendJob
+
+
+def header_of(job: SendJob, driver: Grbl, found: Found) -> dict[str, Any]:
+    """Return the first record of a job's journal, as plain data; positions and offsets in mm.
+
+    goes_back: some line of the file is sent again after later ones, so that its number alone names no place.
+    """
+    return {
+        "format": FORMAT,
+        "version": VERSION,
+        "made_by": f"CNCStepper {__version__}",
+        "begin": time.strftime("%Y-%m-%d %H:%M:%S"),
+        "file": _where(job.file),
+        "program_sha256": job.program_sha256,
+        "certificate_sha256": job.certificate_sha256,
+        "machine": job.machine,
+        "lines": len(job.lines),
+        "last_line": job.place(len(job.lines) - 1).line,
+        "goes_back": any(map(operator.gt, job.file_lines, islice(job.file_lines, 1, None))),
+        "port": job.port,
+        "baud": job.baud,
+        "firmware": found.version,
+        "greeted": found.greeted,
+        "homing": bool(found.settings.get(HOMING)),
+        "modes": found.modes,
+        "offsets_mm": {name: driver.mm(offset) for name, offset in found.offsets.items()},
+        "mpos_mm": driver.mpos_mm,
+    }
+
+
+def _where(file: str) -> str:
+    """Return the whole path of a program's file, or its name where it is no file (a program within a document)."""
+    return str(Path(file).resolve()) if file and Path(file).is_file() else file

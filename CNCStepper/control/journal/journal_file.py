@@ -1,0 +1,78 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The file of one journal while it is written: locked, its owner's only, every record on the disk before it counts."""
+
+from __future__ import annotations
+
+import os
+import time
+from collections.abc import Mapping
+from contextlib import suppress
+from pathlib import Path
+from typing import Any
+
+from CNCStepper.control.journal.lock import take_lock
+from CNCStepper.control.journal.records import to_line
+
+LOCK_TRIES, LOCK_PAUSE_S = 100, 0.01  # a reader may be looking whether it is locked
+
+
+class JournalFile:
+    """A new journal at `path`; raises OSError when it cannot be made."""
+
+    def __init__(self, path: Path):
+        self.path = path
+        descriptor = os.open(path, os.O_RDWR | os.O_CREAT | os.O_EXCL | getattr(os, "O_BINARY", 0), 0o600)
+        self._file = open(descriptor, "r+b", buffering=0)  # noqa: SIM115 - closed by `close`
+        self._count = 0
+        self._end = 0  # of what is on the disk
+        try:
+            self._lock()
+            _sync_folder(path.parent)
+        except OSError:
+            self.close()
+            path.unlink()
+            raise
+
+    def append(self, content: Mapping[str, Any]) -> None:
+        """Write one record; when this returns it is on the disk. After an OSError the file is as it was before."""
+        line = to_line(self._count, content)
+        try:
+            self._write(line)
+        except OSError:
+            with suppress(OSError):  # if not now, the next record is written over what is there
+                self._file.truncate(self._end)
+            raise
+        self._end += len(line)
+        self._count += 1
+
+    def close(self) -> None:
+        """Close the file, and let its lock go."""
+        self._file.close()
+
+    def _write(self, line: bytes) -> None:
+        self._file.seek(self._end)
+        left = memoryview(line)
+        while left:
+            left = left[self._file.write(left) or 0 :]
+        os.fsync(self._file.fileno())
+
+    def _lock(self) -> None:
+        for _ in range(LOCK_TRIES - 1):
+            try:
+                take_lock(self._file)
+            except BlockingIOError:
+                time.sleep(LOCK_PAUSE_S)
+            else:
+                return
+        take_lock(self._file)
+
+
+def _sync_folder(folder: Path) -> None:
+    """Put the name of a new file on the disk too, where the system lets a folder be opened."""
+    if os.name != "posix":
+        return
+    descriptor = os.open(folder, os.O_RDONLY)
+    try:
+        os.fsync(descriptor)
+    finally:
+        os.close(descriptor)

@@ -1,0 +1,59 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a job's run asks of a journal, and the one that keeps none."""
+
+from __future__ import annotations
+
+import sys
+from typing import Protocol
+
+from CNCStepper.control.connect import Found
+from CNCStepper.control.grbl import Grbl, Received
+from CNCStepper.control.outcome import Outcome
+from CNCStepper.control.send_job import SendJob
+
+
+class Journals(Protocol):
+    """A journal in the hands of the run; nothing here waits for the disk but `begin` and `end`."""
+
+    @property
+    def permitted(self) -> int:
+        """How many lines of the job, from its first, may be sent by now."""
+
+    def begin(self, job: SendJob, driver: Grbl, found: Found) -> None:
+        """Put the job on the disk; raises JobError when that cannot be done."""
+
+    def hear(self, received: list[Received]) -> None:
+        """Learn from what the controller says how much it holds."""
+
+    def keep(self, sent: int, acknowledged: int, is_idle: bool) -> list[str]:
+        """Write what is due, and return what people must know now. is_idle: what was acknowledged is cut."""
+
+    def holds(self, sent: int) -> bool:
+        """Return whether the job must be held: no further line can be put on the disk."""
+
+    def end(self, outcome: Outcome) -> list[str]:
+        """Write how the job ended, and return what people must know of that."""
+
+
+class NoJournal:
+    """Permits every line and keeps nothing."""
+
+    permitted = sys.maxsize
+
+    def begin(self, job: SendJob, driver: Grbl, found: Found) -> None:
+        """Do nothing."""
+
+    def hear(self, received: list[Received]) -> None:
+        """Do nothing."""
+
+    def keep(self, sent: int, acknowledged: int, is_idle: bool) -> list[str]:
+        """Do nothing."""
+        return []
+
+    def holds(self, sent: int) -> bool:
+        """Return False."""
+        return False
+
+    def end(self, outcome: Outcome) -> list[str]:
+        """Do nothing."""
+        return []

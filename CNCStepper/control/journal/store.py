@@ -1,0 +1,55 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The journals of a user: NAME.journal beside the files of the sessions, and which of them are kept."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Iterator
+from contextlib import suppress
+from pathlib import Path
+
+from CNCStepper.control.journal.story import Story, read_story
+from CNCStepper.control.session_file import session_folder
+from CNCStepper.errors import CNCStepperError
+
+JOURNAL = ".journal"
+KEPT_JOBS = 50
+KEPT_BYTES = 50_000_000
+RECENT_S = 30 * 86_400.0  # an unfinished job is kept so long in any case
+
+
+def journals(folder: Path | None = None) -> list[Path]:
+    """Return the journals, the latest first."""
+    return sorted((folder or session_folder()).glob(f"*{JOURNAL}"), reverse=True)
+
+
+def latest_unfinished(folder: Path | None = None) -> Story | None:
+    """Return the latest job that runs, was killed or ended before its time; None when all were cut to their end."""
+    return next((story for story in stories(folder) if not story.is_done), None)
+
+
+def stories(folder: Path | None = None) -> Iterator[Story]:
+    """Yield what each journal tells, the latest first; those that tell nothing are left out."""
+    for path in journals(folder):
+        with suppress(CNCStepperError):  # `resume JOURNAL` says what is wrong with it
+            yield read_story(path)
+
+
+def prune(folder: Path, now_s: float | None = None) -> None:
+    """Remove the oldest journals beyond KEPT_JOBS and KEPT_BYTES, but none that is unfinished and recent."""
+    now_s = time.time() if now_s is None else now_s
+    kept_bytes = 0
+    for count, path in enumerate(journals(folder), 1):
+        with suppress(OSError):  # another program prunes too
+            kept_bytes += path.stat().st_size
+            if (count > KEPT_JOBS or kept_bytes > KEPT_BYTES) and not _is_needed(path, now_s):
+                path.unlink()
+
+
+def _is_needed(path: Path, now_s: float) -> bool:
+    if abs(now_s - path.stat().st_mtime) > RECENT_S:
+        return False
+    try:
+        return not read_story(path).is_done
+    except CNCStepperError:
+        return False  # nobody can read it

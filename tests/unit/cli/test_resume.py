@@ -1,0 +1,123 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What `resume` says of jobs that were killed, stopped, done, and of one that runs."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+import pytest
+from click.testing import CliRunner
+
+from CNCStepper.cli.main import group
+from CNCStepper.control.certificate import digest_of_text
+from CNCStepper.control.journal import store
+from CNCStepper.control.journal.group import Group
+from CNCStepper.control.journal.journal_file import JournalFile
+from CNCStepper.control.journal.story import FORMAT, VERSION
+from CNCStepper.errors import JobError, MachineRefusal
+
+TEXT = "G21\nG1X1F600\nG1X2\n"
+HEADER = {
+    "format": FORMAT, "version": VERSION, "begin": "2026-11-22 08:00:00", "machine": "table-a", "port": "COM3",
+    "firmware": "1.1h", "lines": 300, "last_line": 301, "homing": True, "goes_back": False, "file": "",
+    "program_sha256": digest_of_text(TEXT),
+}  # fmt: skip
+GROUP = Group(1.8e9, 97, 60, 41, 43, 98, "Run", (-90.0, -40.0, -10.0), (10.0, 10.0, 10.0))
+
+
+@pytest.fixture
+def program(tmp_path: Path) -> Path:
+    path = tmp_path / "peça 1.nc"
+    path.write_text(TEXT, "utf-8")
+    return path
+
+
+def journal(folder: Path, name: str = "1", group: Group = GROUP, end: dict | None = None, **header) -> JournalFile:
+    file = JournalFile(folder / f"{name}.journal")
+    file.append(HEADER | header)
+    file.append(group.to_content() | (end or {}))
+    return file
+
+
+def said(*arguments: object) -> str:
+    result = CliRunner().invoke(group, ["resume", *map(str, arguments)])
+    if result.exception and not isinstance(result.exception, SystemExit):
+        raise result.exception
+    return result.output
+
+
+def told(folder: Path, **header) -> str:
+    file = journal(folder, **header)
+    file.close()
+    return said(file.path)
+
+
+def test_a_killed_job_states_its_interval_and_the_restart(tmp_path, program):
+    text = told(tmp_path, file=str(program))
+    assert "all before line 43 is cut" in text
+    assert "line 43 may not have been begun, line 98 may have been sent" in text
+    assert "Run at work X10.000 Y10.000 Z10.000, machine X-90.000 Y-40.000 Z-10.000 mm" in text
+    assert "kept only if the controller has had power" in text and "home it" in text
+    quote = '"' if os.name == "nt" else "'"
+    assert text.endswith(f"cncstepper restart {quote}{program}{quote} --line 43\n")
+
+
+def test_a_job_that_lost_its_position_must_be_homed_or_set(tmp_path, program):
+    end = {"end": "failed", "why": "the cable broke", "position_known": False}
+    assert "unknown: home it" in told(tmp_path, file=str(program), end=end)
+    text = told(tmp_path, name="2", file=str(program), end=end, homing=False)
+    assert "unknown: set its zero again" in text and "failed: the cable broke" in text
+
+
+@pytest.mark.parametrize(
+    ("header", "words"),
+    [
+        ({"goes_back": True}, "choose the pass yourself"),
+        ({"program_sha256": "00"}, "was changed since"),
+        ({"file": "gone.nc"}, "not a file here any more: gone.nc"),
+        ({"group": Group(1.0, 300, 300, 300, 0, 301)}, "every line is cut"),
+        ({"group": Group(1.0, 64, 0, 0, 2, 65)}, "nothing is certainly cut"),
+    ],
+)
+def test_no_command_is_offered_where_it_could_be_wrong(tmp_path, program, header, words):
+    text = told(tmp_path, **{"file": str(program)} | header)
+    assert words in text
+    assert ("cncstepper restart" in text) == ("nothing" in words)
+
+
+def test_damage_is_told(tmp_path, program):
+    file = journal(tmp_path, file=str(program))
+    file.append(GROUP.to_content())
+    file.close()
+    file.path.write_bytes(file.path.read_bytes()[:-9] + b"x" * 8 + b"\n")
+    text = said(file.path)
+    assert "line 3 of the journal is damaged" in text and "line 301 may have been sent" in text
+
+
+def test_a_running_job_is_refused(tmp_path):
+    file = journal(tmp_path)
+    try:
+        with pytest.raises(MachineRefusal, match=r"still runs, on COM3.*job-runs"):
+            said(file.path)
+    finally:
+        file.close()
+
+
+def test_what_is_no_journal_is_refused(tmp_path, program):
+    with pytest.raises(JobError, match="journal-damaged"):
+        said(program)
+
+
+def test_the_latest_unfinished_is_taken_and_all_are_listed(tmp_path, monkeypatch):
+    monkeypatch.setattr(store, "session_folder", lambda: tmp_path)
+    assert "no job is unfinished" in said()
+    journal(tmp_path, "1", file="a.nc").close()
+    journal(tmp_path, "2", file="b.nc").close()
+    journal(tmp_path, "3", file="c.nc", end={"end": "done", "why": "", "position_known": True}).close()
+    assert "b.nc" in said() and "c.nc" not in said()
+    assert [line.split()[2:4] for line in said("--all").splitlines()] == [
+        ["done", "c.nc"],
+        ["killed", "b.nc"],
+        ["killed", "a.nc"],
+    ]
