@@ -72,8 +72,10 @@ class Found(NamedTuple):
 
 def find(way: Way, reports: Sequence[Seen], controller: Controller) -> Found:
     """Return where the machine stands by the last of its reports; raises ProgramError where that is not on its way."""
-    search = _Search(way, controller)
-    last = reports[-1]
+    if not len(way):
+        what = "nothing has been cut yet, so there is no way back"
+        raise ProgramError("retreat-begin", what, advice="resume, and hold once the machine moves")
+    search, last = _Search(way, controller), reports[-1]
     places = search.places(last)
     if not places:
         raise ProgramError(

@@ -61,6 +61,11 @@ def test_only_rows_that_may_be_cut_are_looked_at() -> None:
     assert found.early.row >= 38 - 16 and found.late.row <= 38
 
 
+def test_before_the_first_move_there_is_no_way_back() -> None:
+    with pytest.raises(ProgramError, match="retreat-begin"):
+        find(way_of("G21G90\n"), [Seen(0.0, 0.01, 1, 1, (0.0, 0.0, 0.0))], GRBL)
+
+
 def test_a_machine_beside_its_way_is_refused() -> None:
     with pytest.raises(ProgramError, match="retreat-off-path"):
         find(way_of(SPUR), [Seen(0.0, 0.01, 3, 3, (9.0, 0.1, 0.0))], GRBL)
