@@ -61,6 +61,8 @@ class Idle:
             "set_zero": self._set_zero,
             "home": self._home,
             "unlock": self._unlock,
+            "tell_place": self._refuse_way_back,
+            "retrace": self._refuse_way_back,
             "override": lambda **values: driver.realtime(override_byte(**values)),
         }
 
@@ -167,6 +169,9 @@ class Idle:
             self._driver.realtime(HOLD)
         else:
             raise MachineRefusal("nothing-to-hold", "nothing moves that could be held", advice="homing can be stopped")
+
+    def _refuse_way_back(self, file: str) -> None:
+        raise MachineRefusal("not-held", "no job is held", advice="go back along the cut while a job is held")
 
     def _resume(self) -> None:
         if self.phase not in ("held", "door"):

@@ -4,6 +4,7 @@
     running --hold--> holding --Hold:0--> held --resume--> running
     running --Hold at an M0--> paused --resume--> running
     running --Door--> door --closed (Door:0), resume--> running
+    held --reset, a way along the cut--> running --> retreated --another--> running
 
 A wish is only a wish until the controller's state shows it: grbl forgets `~` while it slows down, so
 resume waits for Hold:0; a status asked before the last `!` or `~` shows the time before it.
@@ -18,9 +19,11 @@ from CNCStepper.control.feeder import Feeder
 from CNCStepper.control.grbl import HOLD, RESUME, Grbl
 from CNCStepper.control.grbl_report import Alarm, Status
 from CNCStepper.control.readiness import check_state
+from CNCStepper.errors import MachineRefusal
 
 STANDING = ("held", "paused", "door")
 FEEDING = ("running", "finishing")
+RETREATED = "retreated"  # between two ways along the cut: idle, after a reset
 
 
 class Phases:
@@ -48,8 +51,13 @@ class Phases:
             self.name, self.message = name, message
             self._tell("phase", f"{name}: {message}" if message else name)
 
+    def run_anew(self) -> None:
+        """Begin with other lines at a machine that was reset: no wish of before counts."""
+        self._hold_asked = self._resume_asked = False
+        self.set("running")
+
     def obey(self, command: str, driver: Grbl) -> None:
-        """Carry out "hold" or "resume"."""
+        """Carry out "hold" or "resume"; raises MachineRefusal where nothing that was held can go on."""
         if command == "hold":
             self._resume_asked = False
             if self.feeding or self.name == "holding":
@@ -58,6 +66,9 @@ class Phases:
                 self.set("holding")
         elif self.feeding:
             self._tell("warning", "there is nothing to resume: the machine is not held")
+        elif self.name == RETREATED:
+            what = "the tool was taken back along the cut, so the program's lines are no longer at the controller"
+            raise MachineRefusal("retreated", what, advice="go on with `cncstepper back --resume`")
         else:
             self._resume_asked = True
 

@@ -21,6 +21,7 @@ class SendJob:
     expected: grbl settings that must hold, by number; differences are only told when
     `allow_differences`. zero_confirmed: somebody said that the work zero is right. work_offsets_mm, work_system:
     where the program was proven to begin (G54..G59.3 and G92 by name); empty: nobody knows, so nothing is compared.
+    retrace: what a way back along the cut is proven with (dialect, start, machine: `job.certify`); empty: not known.
     """
 
     port: str
@@ -34,6 +35,7 @@ class SendJob:
     baud: int = 115_200
     work_offsets_mm: Mapping[str, Sequence[float]] = field(default_factory=dict)
     work_system: str = ""
+    retrace: Mapping[str, Any] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         if len(self.file_lines) not in (0, len(self.lines)):

@@ -11,7 +11,7 @@ from CNCStepper.control.command import JOB_COMMANDS, Command, Inbox
 from CNCStepper.control.grbl import Grbl, Received
 from CNCStepper.control.moment import tell_words
 from CNCStepper.control.outcome import Outcome, SenderStatus
-from CNCStepper.control.run import JobRun, Stopped, Tell
+from CNCStepper.control.run import JobRun, Refuse, Stopped, Tell
 from CNCStepper.control.send_job import SendJob
 from CNCStepper.control.timing import Timing
 from CNCStepper.control.transport import Link, open_link
@@ -21,7 +21,8 @@ class Sender:
     """Sends one job over a link of its own; `run` blocks, all else may be called from any thread.
 
     tell(kind, text): hears what happens, on the sender's thread, and must not block; kinds are
-    "phase", "message" (the controller's or the program's words) and "warning".
+    "phase", "message" (the controller's or the program's words) and "warning". refuse(command, error): hears, as
+    quietly, what cannot be obeyed now.
     """
 
     commands: tuple[str, ...] = JOB_COMMANDS
@@ -34,6 +35,7 @@ class Sender:
         timing: Timing | None = None,
         clock: Callable[[], float] = time.monotonic,
         tell: Tell = lambda kind, text: None,
+        refuse: Refuse = lambda command, error: None,
     ):
         self.job = job
         self._opener = opener
@@ -43,7 +45,7 @@ class Sender:
         self._inbox = Inbox(clock)
         self._early: list[Command] = []  # asked while connecting
         self._connecting = True
-        self._run = JobRun(job, self._inbox, timing=self._timing, clock=clock, tell=tell)
+        self._run = JobRun(job, self._inbox, timing=self._timing, clock=clock, tell=tell, refuse=refuse)
 
     def hold(self) -> None:
         """Ask for a feed hold: the machine slows down and stands, nothing is lost."""
