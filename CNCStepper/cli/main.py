@@ -29,6 +29,7 @@ VERBS = {
     "feeds": "Print feed and speed of a tool in a material.",
     "axis": "Print steps per mm, pulse rate, motor speed and resolution of an axis.",
     "send": "Send a program to a controller and wait until it is cut.",
+    "back": "Go back along the cut of a held job, forward again, and go on.",
     "drive": "Send a program's pulses to a parallel port, or to a file that records them.",
     "virtual": "Be a controller without hardware.",
 }
