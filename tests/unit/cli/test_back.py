@@ -15,7 +15,7 @@ from test_send import called, command
 from CNCStepper.control.session import SessionClient
 from CNCStepper.control.session_file import sessions
 
-PROGRAM = "G21 G90\nG0 Z-2\nG0 X-5 Y-5\nM3 S8000\nG4 P3\nG1 Z-5 F300\nG1 X-200 F500\nG0 Z-2\nM5\nM2\n"
+PROGRAM = "G21 G90\nG0 Z-2\nG0 X-5 Y-5\nM3 S8000\nG4 P3\nG1 Z-5 F300\nG1 X-390 F500\nG0 Z-2\nM5\nM2\n"
 
 
 @pytest.fixture
@@ -24,7 +24,7 @@ def sent(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[subprocess
     monkeypatch.setenv("XDG_STATE_HOME", str(tmp_path / "state"))
     program = tmp_path / "a part ç.nc"
     program.write_text(PROGRAM, "utf-8")
-    virtual = ("virtual", "grbl", "--tcp", "127.0.0.1:0", "--speed", "10")
+    virtual = ("virtual", "grbl", "--tcp", "127.0.0.1:0", "--speed", "5")
     with subprocess.Popen(command(*virtual), stdout=subprocess.PIPE, encoding="utf-8") as table:
         assert table.stdout
         port = table.stdout.readline().rpartition(" ")[2].strip()
@@ -36,8 +36,8 @@ def sent(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[subprocess
         table.terminate()
 
 
-def wait_for_cut(sent: subprocess.Popen[str]) -> None:
-    """Wait until the tool is well under way on the long cut."""
+def hold_in_cut(sent: subprocess.Popen[str]) -> None:
+    """Hold the machine once the tool is well under way on the long cut."""
     while not sessions():
         assert sent.poll() is None
         time.sleep(0.05)
@@ -45,11 +45,15 @@ def wait_for_cut(sent: subprocess.Popen[str]) -> None:
         while (client.status().mpos_mm or (0.0,))[0] > -10.0:
             assert client.outcome is None
             time.sleep(0.02)
+        client.hold()
+        while client.status().phase != "held":
+            assert client.outcome is None
+            time.sleep(0.02)
 
 
 @pytest.mark.slow
 def test_back_forward_and_resume_end_the_job(sent: subprocess.Popen[str]) -> None:
-    wait_for_cut(sent)
+    hold_in_cut(sent)
     back = called("back", "--distance", "1")
     assert back.returncode == 0, back.stderr
     assert back.stdout.splitlines()[-1].startswith("retreated: line ")
