@@ -36,6 +36,7 @@ VERBS = {
     "send": "Send a program to a controller and wait until it is cut.",
     "restart": "Go on with a program from a place in its middle: checked, written or sent.",
     "resume": "Say how far a job came that was killed, and how to restart it safely.",
+    "back": "Go back along the cut of a held job, forward again, and go on.",
     "drive": "Send a program's pulses to a parallel port, or to a file that records them.",
     "virtual": "Be a controller without hardware.",
 }

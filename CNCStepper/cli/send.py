@@ -192,7 +192,7 @@ def _checked(wanted: _Wanted, dialect: str, unchecked: bool) -> SendJob:
         show_findings(finding for finding in findings if finding.severity == "error")
         if refused(findings):
             sys.exit(1)
-    return send_job(wire, wanted.machine, wanted.file, toolpath.start)
+    return send_job(wire, wanted.machine, wanted.file, toolpath.start, dialect)
 
 
 def _findings(wanted: _Wanted, machine: Machine, toolpath: Toolpath, motors: Toolpath) -> list[Finding]:
@@ -217,7 +217,7 @@ def _uncertified(wanted: _Wanted, dialect: str) -> SendJob:
     from CNCStepper.job.certify import send_job
 
     wire = prepare(wanted.text, dialect, wanted.file, wanted.start, play_of(wanted.machine, dialect))
-    return send_job(wire, wanted.machine, wanted.file, wanted.start)
+    return send_job(wire, wanted.machine, wanted.file, wanted.start, dialect)
 
 
 def confirmed(job: SendJob, confirmed: bool) -> SendJob:

@@ -51,7 +51,7 @@ class _Watch:
                 status = SenderStatus.from_json(event["status"])
                 self._show(status)
                 self._stand(status)
-            elif event["event"] in ("message", "warning"):
+            elif event["event"] in ("message", "warning", "refused"):
                 self._progress.console.print(event["text"], markup=False)
 
     def _show(self, status: SenderStatus) -> None:
@@ -76,7 +76,7 @@ class _Watch:
 
     def _ask(self, status: SenderStatus) -> None:
         """Ask until the answer is one of the two; nobody to ask means stop: no tool stands in the work unwatched."""
-        question = f"{status.message or 'The machine holds'}. Enter goes on, s stops"
+        question = f"{status.message or 'The machine holds'}. Enter goes on, s stops; `cncstepper back` goes back"
         self._progress.stop()
         try:
             answer = click.prompt(question, default="", show_default=False, err=True, type=_GO_ON_OR_STOP)

@@ -67,6 +67,8 @@ class Idle:
             "home": self._home,
             "unlock": self._unlock,
             "line": self._type,
+            "tell_place": self._refuse_way_back,
+            "retrace": self._refuse_way_back,
             "override": lambda **values: driver.realtime(override_byte(**values)),
         }
 
@@ -182,6 +184,9 @@ class Idle:
             self._driver.realtime(HOLD)
         else:
             raise MachineRefusal("nothing-to-hold", "nothing moves that could be held", advice="homing can be stopped")
+
+    def _refuse_way_back(self, file: str) -> None:
+        raise MachineRefusal("not-held", "no job is held", advice="go back along the cut while a job is held")
 
     def _resume(self) -> None:
         if self.phase not in ("held", "door"):

@@ -17,9 +17,9 @@ DONE, STOPPED, REFUSED, FAILED = "done", "stopped", "refused", "failed"
 class SenderStatus:
     """One moment of a session.
 
-    phase: "connecting", "running", "holding", "held", "paused" (M0; `message` is the program's),
-    "door", "finishing", "stopping", then the kind of the outcome; of a desk without a job "idle", "alarm"
-    (`message` says which), "jogging", "homing", "held", "door" or "busy". machine_state: as grbl writes it.
+    phase: "connecting", "running", "holding", "held", "paused" (M0; `message` is the program's), "door", "finishing",
+    "retreated" (led back along its cut), "stopping", then the kind of the outcome; of a desk without a job "idle",
+    "alarm" (`message` says which), "jogging", "homing", "held", "door" or "busy". machine_state: as grbl writes it.
     file_line: the last line of the file that was acknowledged. Positions are None until reported.
     overrides: feed, rapid, spindle in percent. pins: the inputs that are on, as "XYZ" for limit switches, P for the
     probe, D for the door. homing: whether the machine can home itself. position_known: whether machine positions

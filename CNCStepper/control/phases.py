@@ -5,6 +5,7 @@
     running --Hold at an M0--> paused --resume--> running
     running --Tool--> paused (M6 of grblHAL) --0xA3, resume--> running
     running --Door--> door --closed (Door:0), resume--> running
+    held --reset, a way along the cut--> running --> retreated --another--> running
 
 A wish is only a wish until the controller's state shows it: grbl forgets `~` while it slows down, so
 resume waits for Hold:0; a status asked before the last `!` or `~` shows the time before it.
@@ -20,10 +21,12 @@ from CNCStepper.control.firmware import TOOL_CHANGED
 from CNCStepper.control.grbl import HOLD, RESUME, Grbl
 from CNCStepper.control.grbl_report import Alarm, Status
 from CNCStepper.control.readiness import check_state
+from CNCStepper.errors import MachineRefusal
 
 CHANGE_TOOL = "change the tool, then resume"
 STANDING = ("held", "paused", "door")
 FEEDING = ("running", "finishing")
+RETREATED = "retreated"  # between two ways along the cut: idle, after a reset
 
 
 class Phases:
@@ -51,8 +54,13 @@ class Phases:
             self.name, self.message = name, message
             self._tell("phase", f"{name}: {message}" if message else name)
 
+    def run_anew(self) -> None:
+        """Begin with other lines at a machine that was reset: no wish of before counts."""
+        self._hold_asked = self._resume_asked = False
+        self.set("running")
+
     def obey(self, command: str, driver: Grbl) -> None:
-        """Carry out "hold" or "resume"."""
+        """Carry out "hold" or "resume"; raises MachineRefusal where nothing that was held can go on."""
         if command == "hold":
             self._resume_asked = False
             if self.feeding or self.name == "holding":
@@ -61,6 +69,9 @@ class Phases:
                 self.set("holding")
         elif self.feeding:
             self._tell("warning", "there is nothing to resume: the machine is not held")
+        elif self.name == RETREATED:
+            what = "the tool was taken back along the cut, so the program's lines are no longer at the controller"
+            raise MachineRefusal("retreated", what, advice="go on with `cncstepper back --resume`")
         else:
             self._resume_asked = True
 

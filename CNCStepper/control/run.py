@@ -2,6 +2,7 @@
 """One job's run over an open connection; it ends only when the machine stands still and why is known.
 
     connecting --> running <--> holding --> held          `!` and `~`, asked for here or at the machine
+        |             |  `--------- leg ----> retreated   back along the cut and forward again (`retrace.py`)
         |             |  `--> paused (M0), door
         |             v
         |          finishing (all acknowledged) --> done (Idle, reported twice)
@@ -17,6 +18,7 @@ import time
 from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import replace
+from pathlib import Path
 
 from CNCStepper.control import connect, halt
 from CNCStepper.control.command import Command, Inbox
@@ -28,8 +30,9 @@ from CNCStepper.control.journal.kept import Journals, NoJournal
 from CNCStepper.control.moment import moment
 from CNCStepper.control.outcome import DONE, FAILED, REFUSED, STOPPED, Outcome, SenderStatus
 from CNCStepper.control.overrides import override_byte
-from CNCStepper.control.phases import Phases
+from CNCStepper.control.phases import RETREATED, Phases
 from CNCStepper.control.readiness import check_offsets, check_settings, check_zero, differences, offset_differences
+from CNCStepper.control.retrace import LAST, Retrace, check_place, stand_reset
 from CNCStepper.control.send_job import SendJob
 from CNCStepper.control.timing import Timing
 from CNCStepper.control.watch import Watch
@@ -77,18 +80,19 @@ class JobRun:
         self._feeder = Feeder(job, self._journal)
         self._phases = Phases(tell)
         self._watch = Watch(timing)
+        self._retrace = Retrace(job)
         self._begin_s = clock()
         self._idle_reports = 0
         self._trouble: list[Received] = []  # the alarm or greeting that ended the job
 
     def status(self) -> SenderStatus:
         """Return this moment."""
-        last = self._feeder.acknowledged - 1
+        last, before = self._feeder.acknowledged - 1, self._retrace.lines_before
         return replace(
             moment(self.driver, self._phases.name, self._phases.message),
-            sent=self._feeder.sent,
-            acknowledged=self._feeder.acknowledged,
-            total=self._feeder.total,
+            sent=max(0, before + self._feeder.sent),
+            acknowledged=max(0, before + self._feeder.acknowledged),
+            total=before + self._feeder.total,
             file=self.job.file,
             file_line=self.job.place(last).line if last >= 0 else 0,
             elapsed_s=self._clock() - self._begin_s,
@@ -120,9 +124,11 @@ class JobRun:
         try:
             check_zero(self.job.zero_confirmed)
             self.job.check()
-            self._compare(found := connected())
+            found = connected()
+            self._compare(found)
             assert self.driver
             self._journal.begin(self.job, self.driver, found)
+            self._retrace.begin(self._met, found)
         except Stopped:
             return self._outcome(STOPPED, "stopped before the first line was sent", True)
         except CNCStepperError as error:
@@ -151,8 +157,12 @@ class JobRun:
         return mode_differences(found.modes, self._offsets_mm(found), self.job.lines)
 
     def _offsets_mm(self, found: connect.Found) -> dict[str, Vector | None]:
+        return {name: self._met.mm(offset) for name, offset in found.offsets.items()}
+
+    @property
+    def _met(self) -> Grbl:
         assert self.driver
-        return {name: self.driver.mm(offset) for name, offset in found.offsets.items()}
+        return self.driver
 
     # --- streaming -----------------------------------------------------------------------------
 
@@ -169,7 +179,7 @@ class JobRun:
         except BaseException:  # whatever went wrong here, the machine must not go on alone
             self._rest(self.driver)
             raise
-        return self._outcome(DONE, f"all {self._feeder.total} lines are cut, the machine is idle", True)
+        return self._outcome(DONE, f"all {self.status().total} lines are cut, the machine is idle", True)
 
     def _turn(self, driver: Grbl) -> None:
         """Feed, ask, listen and obey once; at most until the next `?` is due."""
@@ -206,6 +216,7 @@ class JobRun:
                 raise connect.alarm_refusal(report, driver.firmware)
             raise connect.restart_refusal(report)
         elif isinstance(report, Status):
+            self._retrace.note(driver, self._feeder, self._phases.name)
             self._phases.take(driver, self._feeder)
             self._count_idle(driver)
 
@@ -214,6 +225,9 @@ class JobRun:
             self._phases.set("finishing")
         finished = self._phases.name == "finishing" and self._watch.idle(driver, self._phases.changed_s)
         self._idle_reports = self._idle_reports + 1 if finished else 0
+        if self._idle_reports == IDLE_REPORTS and self._retrace.ends_leg():
+            self._idle_reports = 0
+            self._phases.set(RETREATED, LAST)
 
     def _obey(self, driver: Grbl) -> None:
         for command in self._inbox.take():
@@ -227,12 +241,34 @@ class JobRun:
                 self._refuse(command, error)
 
     def _do(self, command: Command, driver: Grbl) -> None:
-        if command.name in ("hold", "resume"):
+        if command.name == "tell_place":
+            self._retrace.tell(driver, self._phases.name, Path(command.values["file"]))
+            self._tell("place", command.values["file"])
+        elif command.name == "retrace":
+            self._go_along(driver, Path(command.values["file"]))
+        elif command.name in ("hold", "resume"):
             self._phases.obey(command.name, driver)
         elif command.name == "override":
             driver.realtime(override_byte(**command.values))
         elif command.name != "jog_cancel":  # a button let go has nothing to say here
             raise MachineRefusal("job-runs", "a job runs", advice="wait until it has ended, or stop it")
+
+    def _go_along(self, driver: Grbl, file: Path) -> None:
+        """Let a machine that stands go along a leg; what is refused after its reset leaves it there, spindle off."""
+        leg = self._retrace.read(file, self._phases.name)
+        leg.job.check()
+        found = stand_reset(driver, self._timing)
+        self._phases.set(RETREATED, LAST)
+        self.job, before = leg.job, self.job
+        try:
+            self._compare(found)
+            check_place(driver, leg)
+        except CNCStepperError:
+            self.job = before
+            raise
+        self._feeder, self._idle_reports = Feeder(leg.job), 0
+        self._retrace.start(leg)
+        self._phases.run_anew()
 
     # --- the end -------------------------------------------------------------------------------
 
@@ -240,7 +276,7 @@ class JobRun:
         """Bring the machine to rest and say why and how it stands."""
         known, broken = self._rest(driver)
         error = error or broken
-        why = str(error) if error else f"stopped as asked after {self._feeder.acknowledged} lines"
+        why = str(error) if error else f"stopped as asked after {self.status().acknowledged} lines"
         return self._outcome(FAILED if error else STOPPED, f"{why}. Now {KEPT if known else LOST}", known, error)
 
     def _rest(self, driver: Grbl) -> tuple[bool, LinkError | None]:

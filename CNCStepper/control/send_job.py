@@ -23,6 +23,7 @@ class SendJob:
     `allow_differences`. zero_confirmed: somebody said that the work zero is right. work_offsets_mm, work_system:
     where the program was proven to begin (G54..G59.3 and G92 by name); empty: nobody knows, so nothing is compared.
     machine, program_sha256, certificate_sha256: for the journal, empty where there is none.
+    retrace: what a way back along the cut is proven with (dialect, start, machine: `job.certify`); empty: not known.
     """
 
     port: str
@@ -39,6 +40,7 @@ class SendJob:
     machine: str = ""
     program_sha256: str = ""
     certificate_sha256: str = ""
+    retrace: Mapping[str, Any] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         if len(self.file_lines) not in (0, len(self.lines)):

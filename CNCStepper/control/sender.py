@@ -12,7 +12,7 @@ from CNCStepper.control.grbl import Grbl, Received
 from CNCStepper.control.journal.kept import Journals
 from CNCStepper.control.moment import tell_words
 from CNCStepper.control.outcome import Outcome, SenderStatus
-from CNCStepper.control.run import JobRun, Stopped, Tell
+from CNCStepper.control.run import JobRun, Refuse, Stopped, Tell
 from CNCStepper.control.send_job import SendJob
 from CNCStepper.control.timing import Timing
 from CNCStepper.control.transport import Link, open_link
@@ -22,7 +22,8 @@ class Sender:
     """Sends one job over a link of its own; `run` blocks, all else may be called from any thread.
 
     tell(kind, text): hears what happens, on the sender's thread, and must not block; kinds are
-    "phase", "message" (the controller's or the program's words) and "warning". journal: None keeps none.
+    "phase", "message" (the controller's or the program's words) and "warning". refuse(command, error): hears, as
+    quietly, what cannot be obeyed now. journal: None keeps none.
     """
 
     commands: tuple[str, ...] = JOB_COMMANDS
@@ -35,6 +36,7 @@ class Sender:
         timing: Timing | None = None,
         clock: Callable[[], float] = time.monotonic,
         tell: Tell = lambda kind, text: None,
+        refuse: Refuse = lambda command, error: None,
         journal: Journals | None = None,
     ):
         self.job = job
@@ -45,7 +47,9 @@ class Sender:
         self._inbox = Inbox(clock)
         self._early: list[Command] = []  # asked while connecting
         self._connecting = True
-        self._run = JobRun(job, self._inbox, timing=self._timing, clock=clock, tell=tell, journal=journal)
+        self._run = JobRun(
+            job, self._inbox, timing=self._timing, clock=clock, tell=tell, refuse=refuse, journal=journal
+        )
 
     def hold(self) -> None:
         """Ask for a feed hold: the machine slows down and stands, nothing is lost."""

@@ -83,6 +83,10 @@ class SessionClient:
         """Ask to end the job safely."""
         self._send("stop")
 
+    def ask(self, command: str, **values: Any) -> None:
+        """Ask for any command of the session; what is refused comes as an event "refused" with its error."""
+        self._send(command, **values)
+
     def poll(self, wait_s: float = 0.0) -> list[dict[str, Any]]:
         """Return the events that came, waiting up to `wait_s` for the first; [] also after the end."""
         if self._connection is None or not select.select([self._connection], [], [], wait_s)[0]:
@@ -161,13 +165,13 @@ class SessionClient:
         self._connection.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
         self._send("attach")
 
-    def _send(self, command: str) -> None:
+    def _send(self, command: str, **values: Any) -> None:
         if self.outcome is not None:
             self._status = self.outcome.status
         elif self._connection is None:
             raise LinkError("session-detached", "this client is detached", advice="attach to the session again")
         else:
-            self._write(self._connection, json.dumps({"token": self._token, "command": command}))
+            self._write(self._connection, json.dumps({"token": self._token, "command": command, **values}))
 
     def _write(self, connection: socket.socket, text: str) -> None:
         try:
@@ -181,7 +185,7 @@ class SessionClient:
         elif event["event"] == "outcome":
             self.outcome = Outcome.from_json(event["outcome"])
             self._status = self.outcome.status
-        elif event["event"] == "refused":
+        elif event["event"] == "refused" and "command" not in event:
             raise LinkError("session-refused", f"the session refused {event['text']}", advice="attach to it again")
 
     def _ended(self) -> None:

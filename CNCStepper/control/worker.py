@@ -29,7 +29,7 @@ def main(arguments: list[str]) -> int:
     session = Path(arguments[0])
     job = SendJob.from_json(sys.stdin.buffer.read().decode("utf-8"))
     server = SessionServer()
-    sender = Sender(job, tell=server.tell, journal=Journal(session.parent))
+    sender = Sender(job, tell=server.tell, refuse=server.refuse, journal=Journal(session.parent))
     stop_on_signals(sender.stop)
     server.start(sender)
     write_private(session, server.address(job.port, job.file))

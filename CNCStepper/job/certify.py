@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import hashlib
+import json
 import math
 import re
 from collections.abc import Callable, Mapping, Sequence
@@ -36,7 +37,7 @@ if TYPE_CHECKING:
 
 FIGURES = ("blocks", "moves", "cut_length_mm", "air_length_mm", "rapid_length_mm", "pierces", "removed_volume_mm3")
 VERDICT = ("gouge_mm", "left_over_mm")
-SENT = ("lines", "file", "file_lines", "messages", "expected", "work_offsets_mm", "work_system")
+SENT = ("lines", "file", "file_lines", "messages", "expected", "work_offsets_mm", "work_system", "retrace")
 Read = TypeVar("Read")
 _PLAY = TypeAdapter(Play)
 ANY_TOOL = "any"  # the number of a tool that stands for every number
@@ -131,11 +132,13 @@ def _part_of(certificate: Certificate, read: Callable[[Mapping[str, Any]], Read]
         raise JobError("certificate-bad", what, value=str(error)[:60], advice=CHECK_AGAIN) from error
 
 
-def send_job(wire: WireText, machine: Machine | None, file: str, start: Start | None = None) -> SendJob:
+def send_job(
+    wire: WireText, machine: Machine | None, file: str, start: Start | None = None, dialect: str = ""
+) -> SendJob:
     """Return the job of sending `wire`, whose port is still to be chosen and whose zero is not confirmed.
 
     machine: its settings must hold on the controller. start: so must its work zero, where that is known. None
-    compares nothing.
+    compares nothing. dialect: in which it was read, the machine's own when left out.
     """
     known = start if start is not None and start.zero_known else None
     return SendJob(
@@ -148,7 +151,15 @@ def send_job(wire: WireText, machine: Machine | None, file: str, start: Start | 
         work_offsets_mm=(_offsets(known) if known else {}) | (_places(start, wire.lines) if start else {}),
         work_system=known.work_system if known else "",
         machine=machine.name if machine else "",
+        retrace=_retrace(machine, start or Start(), dialect) if machine else {},
     )
+
+
+def _retrace(machine: Machine, start: Start, dialect: str) -> dict[str, Any]:
+    """Return what a way back along the cut is proven with, as plain data."""
+    profile = machine.model_dump(mode="json")
+    plain_start = json.loads(json.dumps(_start(start)))
+    return {"machine": profile, "start": plain_start, "dialect": dialect or machine.controller}
 
 
 def _offsets(start: Start) -> dict[str, tuple[float, ...]]:
@@ -232,6 +243,6 @@ def _times(operations: list[dict[str, Any]]) -> list[dict[str, Any]]:
 
 
 def _send(proof: Proof) -> dict[str, Any]:
-    job = send_job(proof.wire, proof.given.machine, proof.report["program"], proof.toolpath.start)
+    job = send_job(proof.wire, proof.given.machine, proof.report["program"], proof.toolpath.start, proof.given.dialect)
     content = job.to_content()
     return {name: content[name] for name in SENT}

@@ -158,6 +158,16 @@ class Outputs(_Checked):
     coolant: list[Literal["mist", "flood"]] = []
 
 
+class Retreat(_Checked):
+    """What is on while the tool goes back along its cut and forward again.
+
+    outputs: "keep" (spindle and coolant as they were) or "off"; left out, a laser's are off and others are kept. A
+    torch or a jet that is switched as a spindle wants "off".
+    """
+
+    outputs: Literal["keep", "off"] | None = None
+
+
 class Machine(_Checked):
     """A whole machine profile; the unit of each value stands in its name.
 
@@ -174,6 +184,7 @@ class Machine(_Checked):
     axis: dict[Literal["x", "y", "z"], Axis]
     spindle: Spindle
     outputs: Outputs = Outputs()
+    retreat: Retreat = Retreat()
     signals: Signals = Signals()
 
     @model_validator(mode="after")
@@ -189,6 +200,11 @@ class Machine(_Checked):
         if self.planner.ramp == "s_curve" and without:
             raise ValueError(f'axis.{without[0]}.jerk_mm_s3 is missing: ramp = "s_curve" needs it')
         return self
+
+    @property
+    def keeps_outputs_back(self) -> bool:
+        """Whether spindle and coolant stay on while the tool goes back along its cut."""
+        return self.retreat.outputs == "keep" or (self.retreat.outputs is None and not self.spindle.laser)
 
     @property
     def axes(self) -> tuple[Axis, ...]:

@@ -1,0 +1,226 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Back along the cut: from what a held session tells to the wire text of a way, proven as any program that is sent.
+
+told (control/retrace.py) ──► Held: the program's way, the place, how far it was cut
+                                │ back_by · back_to_line · back_to_entry · forward_by · rest
+                                └──► text ──► prove ──► certificate + what the next client must know
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+from CNCStepper.control.retrace import REST
+from CNCStepper.errors import JobError, ProgramError
+from CNCStepper.gcode.codes import MOTION_NAMES
+from CNCStepper.gcode.dialects import dialect_named
+from CNCStepper.gcode.first_motion import bare_first_move
+from CNCStepper.gcode.model import Model
+from CNCStepper.gcode.parameters import offset_number
+from CNCStepper.gcode.retreat.find import Found, Seen, find
+from CNCStepper.gcode.retreat.text import Part, head_lines, modes_line, way_lines
+from CNCStepper.gcode.retreat.way import Place, Way
+from CNCStepper.gcode.stored import stored_point
+from CNCStepper.gcode.wire_lines import WireLines
+from CNCStepper.job.certify import certificate_of
+from CNCStepper.job.prove import prove
+from CNCStepper.job.retreat_ground import Ground, read_lines
+from CNCStepper.job.start_file import start_from
+from CNCStepper.machine.profile import Machine
+from CNCStepper.state import WORK_SYSTEMS, ZERO3, State
+
+BACK, FORWARD = "back", "forward"
+
+
+@dataclass(frozen=True)
+class Held:
+    """A held program: its way, where on it the tool is, and how far it was cut.
+
+    found.early: where to go on from. position_mm: where the axes stand, on whole steps. reached: how many of the
+    program's lines were acknowledged. model: what is in force after them.
+    """
+
+    ground: Ground
+    way: Way
+    found: Found
+    farthest: Place
+    position_mm: tuple[float, float, float]
+    reached: int
+    model: Model
+
+    @property
+    def place(self) -> Place:
+        """Where the tool is, the earliest place where that is not certain."""
+        return self.found.early
+
+    def file_line(self, place: Place) -> int:
+        """Return the line of the program's file that moves along a place."""
+        return self.ground.program.place(int(self.way.lines[place.row]) - 1).line
+
+    def back_by(self, length_mm: float) -> Place:
+        """Return the place that lies this far back."""
+        return self.way.back_by(self.place, length_mm)
+
+    def back_to_line(self, line: int) -> Place:
+        """Return where a line of the file begins, its last run before here; raises ProgramError where there is none."""
+        rows = range(self.place.row, self.way.begin_before(self.place) - 1, -1)
+        own = [row for row in rows if self.file_line(Place(row, 0.0)) == line]
+        if not own:
+            what = f"no move of line {line} lies on the way back"
+            first = self.file_line(Place(rows[-1], 0.0))
+            limit = f"line {first} to {self.file_line(self.place)}"
+            raise ProgramError("retreat-line", what, limit=limit, advice="name a line that was cut before this one")
+        first_run = next((number for number, row in enumerate(own[1:], 1) if row != own[number - 1] - 1), len(own))
+        return Place(own[first_run - 1], 0.0)
+
+    def back_to_entry(self) -> Place:
+        """Return where the tool last began to go down into the work."""
+        return self.way.last_entry(self.place)
+
+    def forward_by(self, length_mm: float = float("inf")) -> Place:
+        """Return the place that lies this far ahead, as far as the program was cut at most."""
+        return self.way.forward_by(self.place, length_mm, self.farthest)
+
+    def along(self, target: Place) -> dict[str, Any]:
+        """Return the leg to another place, proven; raises JobError where the checks refuse it."""
+        keeps = self.ground.machine.keeps_outputs_back
+        lines, parts = self._lines_to(target, keeps)
+        heads = len(lines) - len(parts)
+        content = {
+            "kind": BACK if target < self.place else FORWARD,
+            "heads": heads,
+            "parts": parts,
+            "then": None,
+            "file_lines": self._file_lines(heads, parts),
+            "messages": {},
+            "end": target,
+        }
+        return self._proven(lines, content)
+
+    def rest(self) -> dict[str, Any]:
+        """Return the leg that cuts from here to the end, proven; raises JobError where the checks refuse it."""
+        line = int(self.way.lines[self.place.row])
+        end = Place(self.way.rows_of(line)[-1], 1.0)
+        lines, parts = self._lines_to(end, outputs=True)
+        reader = self.ground.read(self.ground.program.lines[:line])
+        lines.append(modes_line(reader.model.state, reader.model.state.feed_mm_min))
+        heads = len(lines) - len(parts) - 1
+        file_lines = [*self._file_lines(heads, parts), self.file_line(end)]
+        own, program = len(lines), self.ground.program
+        lines += _with_motion(program.lines[line:], reader.model, self.ground.dialect)
+        content = {
+            "kind": REST,
+            "heads": heads,
+            "parts": parts,
+            "then": line,
+            "file_lines": file_lines + [program.place(index).line for index in range(line, len(program.lines))],
+            "messages": {own + at - line: text for at, text in program.messages.items() if at >= line},
+            "end": Place(len(self.way) - 1, 1.0),
+        }
+        return self._proven(lines, content)
+
+    def _lines_to(self, target: Place, outputs: bool) -> tuple[list[str], list[Part]]:
+        state = self._state(self.place)
+        head = head_lines(state, self.position_mm, outputs, self.ground.machine.spindle.spin_up_s)
+        lines, parts = way_lines(self.way, self.place, target, state)
+        return head + lines, parts
+
+    def _state(self, place: Place) -> State:
+        return self.way.toolpath.states[int(self.way.toolpath.table().state[place.row])]
+
+    def _file_lines(self, heads: int, parts: Sequence[Part]) -> list[int]:
+        return [self.file_line(self.place)] * heads + [self.file_line(Place(row, 0.0)) for row, *_ in parts]
+
+    def _proven(self, lines: Sequence[str], content: dict[str, Any]) -> dict[str, Any]:
+        """Return a leg with its certificate."""
+        text = "".join(f"{line}\n" for line in lines)
+        start = replace(
+            self.ground.start,
+            position_mm=self.position_mm,
+            work_system=WORK_SYSTEMS[0],
+            work_offsets_mm=_offsets(self.model),
+            g92_mm=ZERO3,
+            tool=self._state(self.place).tool,
+            zero_known=self.ground.zero_known,
+        )
+        proof = prove(text, self.ground.machine, file="", dialect=self.ground.dialect, start=start)
+        certificate = certificate_of(proof)
+        certificate.check_clean()
+        if len(proof.wire.lines) != len(lines):
+            raise JobError("retreat-lines", "the way along the cut cannot be sent as it was written")
+        return content | {
+            "certificate": json.loads(certificate.to_json()),
+            "farthest": self.farthest,
+            "reached": self.reached,
+        }
+
+
+def held(told: Mapping[str, Any], machine: Machine | None = None) -> Held:
+    """Return the held program of what a session told; raises ProgramError or JobError where no way leads back."""
+    ground = Ground.of(told, machine)
+    reports = [Seen(*report)._replace(position_mm=ground.controller.on_step(report[4])) for report in told["reports"]]
+    leg = told["leg"]
+    reached = _acknowledged(leg, reports)
+    reader = ground.read(ground.program.lines[: reached + 1])
+    way, model = Way(reader.toolpath()), ground.read(ground.program.lines[:reached]).model
+    found, farthest = _found(ground, way, told, reports), Place(0, 0.0)
+    if leg is not None:
+        farthest = Place(*leg["farthest"])
+    position_mm = ground.controller.on_step(told["position_mm"])
+    return Held(ground, way, found, max(farthest, found.late), position_mm, reached, model)
+
+
+def _acknowledged(leg: Mapping[str, Any] | None, reports: Sequence[Seen]) -> int:
+    """Return how many of the program's own lines the controller has acknowledged, in this leg or before."""
+    now = reports[-1].acknowledged if reports else 0
+    if leg is None:
+        return now
+    again = leg["then"] + now - _own(leg) if leg["kind"] == REST else 0
+    return max(int(leg["reached"]), again)
+
+
+def _own(leg: Mapping[str, Any]) -> int:
+    """Return how many lines of a leg are not the program's."""
+    return int(leg["heads"]) + len(leg["parts"]) + (leg["kind"] == REST)
+
+
+def _found(ground: Ground, way: Way, told: Mapping[str, Any], reports: Sequence[Seen]) -> Found:
+    """Return where on the program's way the tool is."""
+    leg = told["leg"]
+    if leg is None:
+        return find(way, reports, ground.controller)
+    if told["stands"]:
+        end = Place(*leg["end"])
+        return Found(end, end)
+    start = start_from(leg["certificate"]["start"]["state"])
+    leg_way = Way(read_lines(told["leg_lines"], start, ground.dialect).toolpath())
+    places = [_on_program(place, leg_way, way, leg) for place in find(leg_way, reports, ground.controller)]
+    return Found(min(places), max(places))
+
+
+def _on_program(place: Place, leg_way: Way, way: Way, leg: Mapping[str, Any]) -> Place:
+    """Return the place of the program that a place of a leg is."""
+    line = int(leg_way.lines[place.row])
+    part = line - 1 - int(leg["heads"])
+    if part < len(leg["parts"]):
+        row, begin, end = leg["parts"][part]
+        return Place(int(row), begin + (end - begin) * place.share)
+    rows = way.rows_of(int(leg["then"]) + line - _own(leg))
+    return Place(rows[place.row - leg_way.rows_of(line)[0]], place.share)
+
+
+def _with_motion(lines: Sequence[str], model: Model, dialect: str) -> list[str]:
+    """Return a program's further lines, the first move of which names the motion that was modal."""
+    own = list(lines)
+    index = bare_first_move(WireLines("".join(f"{line}\n" for line in own).encode("ascii")), dialect_named(dialect))
+    if index is not None:
+        own[index] = MOTION_NAMES[model.motion] + own[index]
+    return own
+
+
+def _offsets(model: Model) -> dict[str, tuple[float, ...]]:
+    """Return the work offsets in force, which are the controller's own."""
+    return {name: stored_point(model.parameters, offset_number(name), model.unit_mm)[:3] for name in WORK_SYSTEMS}

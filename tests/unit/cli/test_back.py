@@ -1,0 +1,78 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""`cncstepper back` as a newcomer types it, while `send` runs in a terminal of its own."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+import time
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from test_send import called, command
+
+from CNCStepper.control.session import SessionClient
+from CNCStepper.control.session_file import sessions
+
+PROGRAM = "G21 G90\nG0 Z-2\nG0 X-5 Y-5\nM3 S8000\nG4 P3\nG1 Z-5 F300\nG1 X-390 F500\nG0 Z-2\nM5\nM2\n"
+
+
+@pytest.fixture
+def sent(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[subprocess.Popen[str]]:
+    """A program that is being sent to a virtual grbl, by a terminal at which somebody sits."""
+    monkeypatch.setenv("XDG_STATE_HOME", str(tmp_path / "state"))
+    program = tmp_path / "a part ç.nc"
+    program.write_text(PROGRAM, "utf-8")
+    virtual = ("virtual", "grbl", "--tcp", "127.0.0.1:0", "--speed", "5")
+    with subprocess.Popen(command(*virtual), stdout=subprocess.PIPE, encoding="utf-8") as table:
+        assert table.stdout
+        port = table.stdout.readline().rpartition(" ")[2].strip()
+        arguments = ("send", program, "--port", port, "--machine", "table-a", "--zero-confirmed")
+        pipes = {"stdin": subprocess.PIPE, "stdout": subprocess.PIPE, "stderr": subprocess.DEVNULL}
+        with subprocess.Popen(command(*arguments), encoding="utf-8", **pipes) as sender:
+            yield sender
+            sender.kill()
+        table.terminate()
+
+
+def hold_in_cut(sent: subprocess.Popen[str]) -> None:
+    """Hold the machine once the tool is well under way on the long cut."""
+    while not sessions():
+        assert sent.poll() is None
+        time.sleep(0.05)
+    with SessionClient.attach(sessions()[0]) as client:
+        while (client.status().mpos_mm or (0.0,))[0] > -10.0:
+            assert client.outcome is None
+            time.sleep(0.02)
+        client.hold()
+        while client.status().phase != "held":
+            assert client.outcome is None
+            time.sleep(0.02)
+
+
+@pytest.mark.slow
+def test_back_forward_and_resume_end_the_job(sent: subprocess.Popen[str]) -> None:
+    hold_in_cut(sent)
+    back = called("back", "--distance", "1")
+    assert back.returncode == 0, back.stderr
+    assert back.stdout.splitlines()[-1].startswith("retreated: line ")
+    assert "give one of" in called("back", "--entry", "--resume").stderr
+    assert called("back", "--forward", "0.5").returncode == 0
+    assert "retreat-line" in called("back", "--line", "9").stderr
+    dialogue = called("back", answer="b\nf\nr\n")
+    assert "says no length or line" in dialogue.stderr
+    assert dialogue.stdout.splitlines()[-1] == "the job goes on from here"
+    assert sent.stdin and sent.stdout
+    sent.stdin.write("\n")
+    sent.stdin.close()
+    assert "all 10 lines are cut" in sent.stdout.read()
+    assert sent.wait(60) == 0
+
+
+@pytest.mark.slow
+def test_without_a_session_it_says_what_to_do(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("XDG_STATE_HOME", str(tmp_path))
+    refused = called("back", "--entry")
+    assert refused.returncode == 1 and "cncstepper send" in refused.stderr
+    assert sys.platform != "linux" or not list(tmp_path.rglob("*.session"))

@@ -1,0 +1,136 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A sender at a virtual grbl in simulated time, a person who goes back along the cut, and the machine's own trace."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from dataclasses import replace
+from itertools import count
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from desk_table import Person, Table
+
+from CNCStepper.control.command import Command
+from CNCStepper.control.outcome import Outcome
+from CNCStepper.control.sender import Sender
+from CNCStepper.errors import CNCStepperError
+from CNCStepper.gcode.interpret import interpret
+from CNCStepper.gcode.prepare import prepare
+from CNCStepper.job.certify import send_job
+from CNCStepper.job.retreat import Held, held
+from CNCStepper.machine.profile import Machine, load_machine
+from CNCStepper.motion.arcs import arc_points
+from CNCStepper.state import Start
+from CNCStepper.toolpath import ARC_CW, Toolpath
+
+STANDS = ("held", "paused", "retreated")
+STEP_MM = float(np.hypot.reduce([1 / 80, 1 / 80, 1 / 400]))  # of table-a
+ROUNDING_MM = 0.003  # the chords' tolerance, and the last digit
+FINE_MM, COARSE_MM = 0.0005, 0.05
+
+
+class Cut:
+    """One job from its first line to its end; `trace` is where the axes really were."""
+
+    def __init__(self, folder: Path, program: str, machine: Machine | None = None, **table: Any):
+        self.machine = machine or load_machine("table-a")
+        self.table = Table(**table)
+        self.refused: list[CNCStepperError] = []
+        self.told: list[tuple[str, str]] = []
+        self._folder = folder
+        self._numbers = count()
+        self._trace: list[tuple[float, ...]] = [(0.0, 0.0, 0.0)]
+        self.table.board.on_step = lambda board: self._trace.append(tuple(board.axes.position_mm))
+        job = send_job(prepare(program, "grbl", "part ç.nc"), self.machine, "part ç.nc", None, "grbl")
+        self.sender = Sender(
+            replace(job, port="table", zero_confirmed=True),
+            opener=lambda name, baud: self.table,
+            clock=self.table.clock,
+            tell=lambda kind, text: self.told.append((kind, text)),
+            refuse=lambda command, error: self.refused.append(error),
+        )
+
+    def run(self, person: Callable[[], Person]) -> Outcome:
+        """Let a person come once the job runs, and return how it ended."""
+
+        def visit() -> Person:
+            yield lambda: self.phase == "running"
+            yield from person()
+
+        self.table.person = visit()
+        return self.sender.run()
+
+    @property
+    def phase(self) -> str:
+        return self.sender.status().phase
+
+    @property
+    def trace(self) -> np.ndarray:
+        """The points at which the machine was, one after another, float64[n, 3]."""
+        points = np.array(self._trace)
+        return points[np.r_[True, (points[1:] != points[:-1]).any(axis=1)]]
+
+    @property
+    def length_mm(self) -> float:
+        """How far the axes have gone, on a scale at which their single steps do not count."""
+        length_mm, kept = 0.0, np.array(self._trace[0])
+        for point in self.trace:
+            if (far_mm := float(np.linalg.norm(point - kept))) > COARSE_MM:
+                length_mm, kept = length_mm + far_mm, point
+        return length_mm
+
+    def hold(self) -> Person:
+        if self.phase not in STANDS:
+            self.sender.hold()
+            yield lambda: self.phase in (*STANDS, "done")
+
+    def find(self, found: list[Held]) -> Person:
+        """Put into `found` what a client finds."""
+        file = self._folder / f"{next(self._numbers)}.json"
+        self.sender.ask(Command("tell_place", {"file": str(file)}))
+        yield file.exists
+        found.append(held(json.loads(file.read_text("utf-8"))))
+
+    def go(self, leg: dict[str, Any]) -> Person:
+        """Begin a leg."""
+        file, before = self._folder / f"{next(self._numbers)}.json", len(self.refused)
+        file.write_text(json.dumps(leg), "utf-8")
+        self.told.clear()
+        self.sender.ask(Command("retrace", {"file": str(file)}))
+        yield lambda: ("phase", "running") in self.told or len(self.refused) > before
+
+    def arrived(self) -> bool:
+        return self.phase in (*STANDS, "done")
+
+
+def path_of(program: str) -> Toolpath:
+    """Return the moves of a program on a machine at its zero."""
+    return interpret(program, Start.at_zero())
+
+
+def polyline(path: Toolpath) -> np.ndarray:
+    """Return the way of a table of moves as points, float64[n, 3]."""
+    table, begins = path.table(), path.begins()
+    points = [begins[:1]]
+    for row in range(len(table)):
+        if table.kind[row] < ARC_CW:
+            points.append(table.end[row : row + 1])
+        else:
+            arc = table.centre[row], int(table.kind[row]), int(table.plane[row]), 1, FINE_MM
+            points.append(arc_points(begins[row], table.end[row], *arc))
+    return np.vstack(points)
+
+
+def worst_distance_mm(points: np.ndarray, line: np.ndarray) -> float:
+    """Return the largest distance of points from a polyline."""
+    begin, way = line[:-1], np.diff(line, axis=0)
+    length = np.maximum((way**2).sum(axis=1), 1e-18)
+    worst = 0.0
+    for some in np.array_split(points, len(points) // 256 + 1):
+        share = np.clip(((some[:, None] - begin) * way).sum(axis=2) / length, 0.0, 1.0)
+        far = np.linalg.norm(some[:, None] - begin - share[..., None] * way, axis=2).min(axis=1)
+        worst = max(worst, float(far.max(initial=0.0)))
+    return worst
