@@ -12,6 +12,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable
+from contextlib import AbstractContextManager, nullcontext
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -38,7 +39,7 @@ class Desk:
     """One connection; `run` blocks until it ends, `ask`, `stop` and `status` may be called from any thread.
 
     tell, refuse, ended: hear what happens, as of a `JobRun`, and how a job ended. alone_s: how long nobody has
-    been there; a desk that is alone and has nothing to do ends.
+    been there; a desk that is alone and has nothing to do ends. during_job: entered for the time of each job.
     """
 
     commands: tuple[str, ...] = tuple(VALUES)
@@ -55,6 +56,7 @@ class Desk:
         refuse: Refuse = lambda command, error: None,
         ended: Callable[[Outcome], None] = lambda outcome: None,
         alone_s: Callable[[], float] = lambda: 0.0,
+        during_job: Callable[[], AbstractContextManager[None]] = nullcontext,
     ):
         self.port = port
         self._baud = baud
@@ -64,6 +66,7 @@ class Desk:
         self._refuse = refuse
         self._ended = ended
         self._alone_s = alone_s
+        self._during_job = during_job
         self._clock = clock
         self._inbox = Inbox(clock)
         self._driver: Grbl | None = None
@@ -196,7 +199,8 @@ class Desk:
             job, self._inbox, timing=self._timing, clock=self._clock, tell=self._tell, refuse=self._refuse
         )
         try:
-            outcome = self._run.run(self._ready)
+            with self._during_job():
+                outcome = self._run.run(self._ready)
         finally:
             self._run, self._phase = None, ""
             self._zero_is_old = True  # a program may set it

@@ -9,8 +9,10 @@ from __future__ import annotations
 
 import sys
 import traceback
+from functools import partial
 from pathlib import Path
 
+from CNCStepper.control.awake import awake
 from CNCStepper.control.desk import Desk
 from CNCStepper.control.outcome import error_to_json
 from CNCStepper.control.own_process import stop_on_signals
@@ -26,7 +28,15 @@ def main(arguments: list[str]) -> int:
     path, port, baud = Path(arguments[0]), arguments[1], int(arguments[2])
     desk_file = DeskFile(path)
     server = SessionServer(each_turn=desk_file.keep_fresh)
-    desk = Desk(port, baud, tell=server.tell, refuse=server.refuse, ended=server.tell_outcome, alone_s=server.alone_s)
+    desk = Desk(
+        port,
+        baud,
+        tell=server.tell,
+        refuse=server.refuse,
+        ended=server.tell_outcome,
+        alone_s=server.alone_s,
+        during_job=partial(awake, partial(server.tell, "warning")),
+    )
     stop_on_signals(desk.stop)
     desk_file.write(server.address(port))
     server.start(desk)

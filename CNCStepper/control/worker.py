@@ -8,8 +8,10 @@ standstill, reset). Its exit status is 0 when the machine is idle at the job's e
 from __future__ import annotations
 
 import sys
+from functools import partial
 from pathlib import Path
 
+from CNCStepper.control.awake import awake
 from CNCStepper.control.outcome import FAILED, Outcome
 from CNCStepper.control.own_process import stop_on_signals
 from CNCStepper.control.run import LOST
@@ -34,7 +36,8 @@ def main(arguments: list[str]) -> int:
     write_private(session, server.address(job.port, job.file))
     outcome = _fault(sender)
     try:
-        outcome = sender.run()
+        with awake(partial(server.tell, "warning")):
+            outcome = sender.run()
     finally:
         write_private(session.with_suffix(OUTCOME), outcome.to_json())
         session.unlink(missing_ok=True)
