@@ -58,7 +58,7 @@ class Grbl:
     listen: called after every `receive` with what came, on the same thread.
     status: the last answer to `?`. status_asked_s: when it was asked for, by `clock`; a status may
     have been on its way before whatever was written later. mpos_mm, wpos_mm: None until reported.
-    overrides: feed, rapid and spindle in percent, as last reported.
+    overrides: feed, rapid and spindle in percent, as last reported. outputs: what was on then, as `Status` has it.
     """
 
     def __init__(
@@ -75,6 +75,7 @@ class Grbl:
         self.status_asked_s = float("-inf")
         self.settings: dict[int, float] = {}
         self.overrides: tuple[int, ...] | None = None
+        self.outputs: str | None = None
         self._listen = listen
         self._bytes_under_way = 0
         self._to_write = bytearray()
@@ -233,6 +234,7 @@ class Grbl:
         self._mpos, self._wpos = status.mpos, status.wpos
         self._wco = status.wco or self._wco
         self.overrides = status.overrides or self.overrides
+        self.outputs = self.outputs if status.outputs is None else status.outputs
         if status.buffer and not self.unanswered:
             self._free_bytes = status.buffer[1]
             self.window = max(self.window, self._free_bytes - 1)

@@ -21,6 +21,7 @@ class SendJob:
     expected: grbl settings that must hold, by number; differences are only told when
     `allow_differences`. zero_confirmed: somebody said that the work zero is right. work_offsets_mm, work_system:
     where the program was proven to begin (G54..G59.3 and G92 by name); empty: nobody knows, so nothing is compared.
+    plan: lines of the file in rising order, each with the planned time by its end, s; empty: not known.
     """
 
     port: str
@@ -34,6 +35,7 @@ class SendJob:
     baud: int = 115_200
     work_offsets_mm: Mapping[str, Sequence[float]] = field(default_factory=dict)
     work_system: str = ""
+    plan: Sequence[Sequence[float]] = ()
 
     def __post_init__(self) -> None:
         if len(self.file_lines) not in (0, len(self.lines)):
@@ -92,6 +94,7 @@ class SendJob:
             known = dict(content)
             known["messages"] = {int(key): str(value) for key, value in content.get("messages", {}).items()}
             known["expected"] = {int(key): float(value) for key, value in content.get("expected", {}).items()}
+            known["plan"] = tuple((int(line), float(end_s)) for line, end_s in content.get("plan", ()))
             return cls(**known)
         except (ValueError, TypeError, AttributeError) as error:
             if isinstance(error, JobError):

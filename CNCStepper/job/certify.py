@@ -20,6 +20,7 @@ from CNCStepper.errors import JobError
 from CNCStepper.gcode.prepare import prepare
 from CNCStepper.gcode.take_up import play_of
 from CNCStepper.gcode.wire_text import WireText
+from CNCStepper.job.milestones import milestones
 from CNCStepper.job.start_file import start_from
 from CNCStepper.machine.play import Play
 from CNCStepper.machine.profile import Machine
@@ -34,7 +35,7 @@ if TYPE_CHECKING:
 
 FIGURES = ("blocks", "moves", "cut_length_mm", "air_length_mm", "rapid_length_mm", "pierces", "removed_volume_mm3")
 VERDICT = ("gouge_mm", "left_over_mm")
-SENT = ("lines", "file", "file_lines", "messages", "expected", "work_offsets_mm", "work_system")
+SENT = ("lines", "file", "file_lines", "messages", "expected", "work_offsets_mm", "work_system", "plan")
 Read = TypeVar("Read")
 _PLAY = TypeAdapter(Play)
 ANY_TOOL = "any"  # the number of a tool that stands for every number
@@ -129,11 +130,17 @@ def _part_of(certificate: Certificate, read: Callable[[Mapping[str, Any]], Read]
         raise JobError("certificate-bad", what, value=str(error)[:60], advice=CHECK_AGAIN) from error
 
 
-def send_job(wire: WireText, machine: Machine | None, file: str, start: Start | None = None) -> SendJob:
+def send_job(
+    wire: WireText,
+    machine: Machine | None,
+    file: str,
+    start: Start | None = None,
+    plan: Sequence[Sequence[float]] = (),
+) -> SendJob:
     """Return the job of sending `wire`, whose port is still to be chosen and whose zero is not confirmed.
 
     machine: its settings must hold on the controller. start: so must its work zero, where that is known. None
-    compares nothing.
+    compares nothing. plan: as `milestones` gives it.
     """
     known = start if start is not None and start.zero_known else None
     return SendJob(
@@ -145,6 +152,7 @@ def send_job(wire: WireText, machine: Machine | None, file: str, start: Start | 
         expected=expected_settings(machine) if machine else {},
         work_offsets_mm=_offsets(known) if known else {},
         work_system=known.work_system if known else "",
+        plan=plan,
     )
 
 
@@ -219,6 +227,7 @@ def _times(operations: list[dict[str, Any]]) -> list[dict[str, Any]]:
 
 
 def _send(proof: Proof) -> dict[str, Any]:
-    job = send_job(proof.wire, proof.given.machine, proof.report["program"], proof.toolpath.start)
+    plan = milestones(proof.toolpath.table().line, proof.times_s)
+    job = send_job(proof.wire, proof.given.machine, proof.report["program"], proof.toolpath.start, plan)
     content = job.to_content()
     return {name: content[name] for name in SENT}

@@ -10,7 +10,6 @@ from PySide import QtCore, QtGui
 
 from CNCStepper.workbench.dock import parts
 from CNCStepper.workbench.dock.figures import duration
-from CNCStepper.workbench.dock.remaining import Remaining
 from CNCStepper.workbench.dock.state import RULES, Moment, why_not
 from CNCStepper.workbench.words import tr
 
@@ -60,12 +59,12 @@ class JobView(QtGui.QWidget):
         layout.addLayout(times)
         self.hide()
 
-    def show_job(self, label: str, status: Any, remaining: Remaining, program_lines: Any) -> None:
+    def show_job(self, label: str, status: Any, program_lines: Any) -> None:
         """Show how far a job is; `program_lines` of its file, empty when they are not known here."""
         self.show()
         self.title.setText(tr("Job: {0}").format(label) if label else tr("Job"))
-        self.progress.setValue(round(PARTS * remaining.done))
-        self.progress.setFormat(tr("{0} %").format(int(100 * remaining.done)))
+        self.progress.setValue(round(PARTS * status.done))
+        self.progress.setFormat(tr("{0} %").format(int(100 * status.done)))
         self.lines.setText(
             tr("{0} of {1} lines, line {2} of the file").format(status.acknowledged, status.total, status.file_line)
         )
@@ -73,4 +72,4 @@ class JobView(QtGui.QWidget):
         self.text.setText(program_lines[status.file_line - 1].strip() if known else "")
         self.text.setVisible(known)
         self.elapsed.setText(duration(status.elapsed_s))
-        self.remaining.setText(duration(remaining.remaining_s))
+        self.remaining.setText(duration(status.remaining_s))
