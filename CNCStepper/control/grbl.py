@@ -182,7 +182,7 @@ class Grbl:
 
     def _rest_s(self) -> float:
         """Return how long a controller with half its buffer to read misses no line."""
-        return min(self.link.leaving_s(self.window // 4), LONGEST_REST_S)
+        return min(self.link.leaving_s(self.window // 3), LONGEST_REST_S)
 
     def _filled_s(self) -> float:
         """Fill the queue before the line; return when it must be filled again."""
