@@ -192,7 +192,15 @@ def _checked(wanted: _Wanted, dialect: str, unchecked: bool) -> SendJob:
         show_findings(finding for finding in findings if finding.severity == "error")
         if refused(findings):
             sys.exit(1)
-    return send_job(wire, wanted.machine, wanted.file, toolpath.start, dialect)
+    return send_job(wire, wanted.machine, wanted.file, toolpath.start, dialect, _plan(wanted.machine, motors))
+
+
+def _plan(machine: Machine | None, motors: Toolpath) -> list[list[float]]:
+    """Return the planned times by which the sender tells what remains; none for a machine that is not known."""
+    from CNCStepper.job.milestones import milestones
+    from CNCStepper.motion.plan import begun, times_s
+
+    return milestones(motors.table().line, times_s(begun(motors), machine)) if machine else []
 
 
 def _findings(wanted: _Wanted, machine: Machine, toolpath: Toolpath, motors: Toolpath) -> list[Finding]:

@@ -9,6 +9,7 @@ import click
 from rich.console import Console
 from rich.progress import BarColumn, Progress, TaskProgressColumn, TextColumn, TimeElapsedColumn
 
+from CNCStepper.cli.live import live
 from CNCStepper.control.outcome import Outcome, SenderStatus
 from CNCStepper.control.send_job import SendJob
 from CNCStepper.control.session import SessionClient
@@ -55,11 +56,12 @@ class _Watch:
                 self._progress.console.print(event["text"], markup=False)
 
     def _show(self, status: SenderStatus) -> None:
-        place = f"line {status.file_line}" if status.file_line else ""
-        if status.wpos_mm:
-            place += "  " + " ".join(f"{axis}{value:.3f}" for axis, value in zip("XYZ", status.wpos_mm, strict=False))
         self._progress.update(
-            self._bar, description=status.phase, completed=status.acknowledged, total=status.total or None, place=place
+            self._bar,
+            description=status.phase,
+            completed=status.done * status.total,
+            total=status.total or None,
+            place=live(status),
         )
 
     def _stand(self, status: SenderStatus) -> None:

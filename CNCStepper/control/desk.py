@@ -12,6 +12,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable
+from contextlib import AbstractContextManager, nullcontext
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -40,7 +41,7 @@ class Desk:
 
     tell, refuse, ended: hear what happens, as of a `JobRun`, and how a job ended. alone_s: how long nobody has
     been there; a desk that is alone and has nothing to do ends. journals: the folder for those of its jobs; None
-    keeps none.
+    keeps none. during_job: entered for the time of each job.
     """
 
     commands: tuple[str, ...] = tuple(VALUES)
@@ -58,6 +59,7 @@ class Desk:
         ended: Callable[[Outcome], None] = lambda outcome: None,
         alone_s: Callable[[], float] = lambda: 0.0,
         journals: Path | None = None,
+        during_job: Callable[[], AbstractContextManager[None]] = nullcontext,
     ):
         self.port = port
         self._baud = baud
@@ -68,6 +70,7 @@ class Desk:
         self._ended = ended
         self._alone_s = alone_s
         self._journals = journals
+        self._during_job = during_job
         self._clock = clock
         self._inbox = Inbox(clock)
         self._driver: Grbl | None = None
@@ -206,7 +209,8 @@ class Desk:
             journal=Journal(self._journals) if self._journals else None,
         )
         try:
-            outcome = self._run.run(self._ready)
+            with self._during_job():
+                outcome = self._run.run(self._ready)
         finally:
             self._run, self._phase = None, ""
             self._zero_is_old = True  # a program may set it

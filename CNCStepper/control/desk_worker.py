@@ -9,8 +9,10 @@ from __future__ import annotations
 
 import sys
 import traceback
+from functools import partial
 from pathlib import Path
 
+from CNCStepper.control.awake import awake
 from CNCStepper.control.desk import Desk
 from CNCStepper.control.outcome import error_to_json
 from CNCStepper.control.own_process import stop_on_signals
@@ -34,6 +36,7 @@ def main(arguments: list[str]) -> int:
         ended=server.tell_outcome,
         alone_s=server.alone_s,
         journals=path.parent,
+        during_job=partial(awake, partial(server.tell, "warning")),
     )
     stop_on_signals(desk.stop)
     desk_file.write(server.address(port))

@@ -7,6 +7,8 @@ sent is remembered with its length until its answer comes; answers come in the o
     unanswered   | G1X10 | G1X20Y5 | G1X30 |            sum of (length + 1) <= window
                    ^ the next answer is for this one
 
+Of these at most QUEUE_BYTES wait in this computer; the others are kept here until there is room.
+
 Real-time bytes are no lines: they are written at once, are never counted and may pass lines by.
 """
 
@@ -26,6 +28,8 @@ from CNCStepper.units import mm_from_inch
 
 HOLD, RESUME, RESET, STATUS, JOG_CANCEL = b"!", b"~", b"\x18", b"?", b"\x85"
 WINDOW_BYTES = 127  # of grbl's 128 one stays free; larger buffers say so themselves ($I, Bf)
+QUEUE_BYTES = 40  # that a real-time byte may find before it: 3.5 ms at 115 200 baud
+LONGEST_REST_S = 0.01
 NOISE_LIMIT_BYTES = 4096  # without a line end
 REPORT_INCHES = 13  # the setting that switches reports to inches
 
@@ -58,6 +62,7 @@ class Grbl:
     have been on its way before whatever was written later. mpos_mm, wpos_mm: None until reported, and
     until the controller has said whether it reports in mm or in inches.
     overrides: feed, rapid and spindle in percent, as last reported.
+    outputs: what was on then, as `Status` has it.
     """
 
     def __init__(
@@ -75,6 +80,7 @@ class Grbl:
         self.status_asked_s = float("-inf")
         self.settings: dict[int, float] = {}
         self.overrides: tuple[int, ...] | None = None
+        self.outputs: str | None = None
         self._listen = listen
         self._bytes_under_way = 0
         self._to_write = bytearray()
@@ -100,10 +106,10 @@ class Grbl:
         self._to_write += text.encode("ascii") + b"\n"
 
     def flush(self) -> None:
-        """Write the queued lines in one go."""
-        if self._to_write:
-            self.link.write(bytes(self._to_write))
-            self._to_write.clear()
+        """Write of the queued lines what may wait before the line; `receive` writes the rest in time."""
+        if self._to_write and (room := QUEUE_BYTES - self._waiting_bytes()) > 0:
+            self.link.write(bytes(self._to_write[:room]))
+            del self._to_write[:room]
 
     def realtime(self, byte: bytes) -> None:
         """Write a real-time byte now, before anything queued."""
@@ -132,7 +138,7 @@ class Grbl:
 
         Raises LinkError when the link broke or an answer comes to which there is no line.
         """
-        received = [self._taken(report) for report in map(grbl_report.parse, self._lines(wait_s))]
+        received = [self._taken(report) for report in map(grbl_report.parse, self._lines(self._read(wait_s)))]
         self._listen(received)
         return received
 
@@ -158,9 +164,41 @@ class Grbl:
             return None
         return tuple(map(self._length_mm, position))
 
-    def _lines(self, wait_s: float) -> list[str]:
-        data = self._tail + self.link.read(wait_s)
-        *lines, self._tail = data.replace(b"\r", b"\n").split(b"\n")
+    def _waiting_bytes(self) -> int:
+        """Return how many bytes wait before the line; what was answered does not."""
+        return min(self.link.waiting_bytes(), self._bytes_under_way - len(self._to_write))
+
+    def _read(self, wait_s: float) -> bytes:
+        """Return what came, and write what is queued as the line takes it."""
+        end_s = self.clock() + wait_s
+        if 2 * self._bytes_under_way > self.window and not self._rested(min(self._rest_s(), wait_s)):
+            return b""
+        while self._to_write and (left_s := end_s - self.clock()) > 0:
+            if (data := self.link.read(min(self._filled_s(), left_s))) or self.link.woken:
+                return data
+        return self.link.read(max(end_s - self.clock(), 0.0))
+
+    def _rested(self, wait_s: float) -> bool:
+        """Let answers gather, so that they are taken together; return False when `wake` was called."""
+        end_s = self.clock() + wait_s
+        while (left_s := end_s - self.clock()) > 0:
+            self.link.rest(min(self._filled_s(), left_s) if self._to_write else left_s)
+            if self.link.woken:
+                return False
+        return True
+
+    def _rest_s(self) -> float:
+        """Return how long a controller with half its buffer to read misses no line."""
+        return min(self.link.leaving_s(self.window // 3), LONGEST_REST_S)
+
+    def _filled_s(self) -> float:
+        """Fill the queue before the line; return when it must be filled again."""
+        self.flush()
+        unread = self._bytes_under_way - len(self._to_write) - QUEUE_BYTES
+        return self.link.leaving_s(QUEUE_BYTES if 2 * unread > self.window else QUEUE_BYTES * 3 // 4)
+
+    def _lines(self, data: bytes) -> list[str]:
+        *lines, self._tail = (self._tail + data).replace(b"\r", b"\n").split(b"\n")
         if len(self._tail) > NOISE_LIMIT_BYTES:
             self._tail = b""
             raise LinkError(
@@ -216,6 +254,7 @@ class Grbl:
         self._mpos, self._wpos = status.mpos, status.wpos
         self._wco = status.wco or self._wco
         self.overrides = status.overrides or self.overrides
+        self.outputs = self.outputs if status.outputs is None else status.outputs
         if status.buffer and not self.unanswered:
             self._free_bytes = status.buffer[1]
             widest = 0 if self.firmware.small_receive else self.window

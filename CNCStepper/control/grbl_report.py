@@ -78,6 +78,7 @@ class Status:
 
     state: "Idle", "Run", "Hold", "Jog", "Alarm", "Door", "Check", "Home", "Sleep", "Tool". substate: the
     number after the colon. buffer: free planner blocks and free bytes. feed and spindle as reported.
+    outputs: what is on, known with the overrides only: S or C for the spindle's sense, F flood, M mist.
     """
 
     state: str
@@ -90,6 +91,7 @@ class Status:
     spindle: float | None = None
     overrides: tuple[int, ...] | None = None
     pins: str = ""
+    outputs: str | None = None
 
     @property
     def name(self) -> str:
@@ -186,6 +188,9 @@ def _fields(fields: list[str]) -> dict:
             values.update(zip(("feed", "spindle"), vector(text), strict=False))
         elif name == "Ov":
             values["overrides"] = tuple(int(part) for part in text.split(","))
+            values.setdefault("outputs", "")
+        elif name == "A":
+            values["outputs"] = text
         elif name == "Pn":
             values["pins"] = text
     return values

@@ -26,6 +26,8 @@ def moment(driver: Grbl | None, phase: str, message: str = "") -> SenderStatus:
         feed_mm_min=driver.feed_mm_min,
         spindle_rpm=seen.spindle,
         overrides=driver.overrides,
+        outputs=driver.outputs,
+        buffer=seen.buffer,
         pins=seen.pins,
         homing=bool(driver.settings[HOMING]) if HOMING in driver.settings else None,
     )

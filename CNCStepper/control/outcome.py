@@ -10,6 +10,7 @@ from CNCStepper import errors
 from CNCStepper.control.grbl_report import Vector
 from CNCStepper.errors import CNCStepperError, LinkError, Place
 
+TUPLES = ("mpos_mm", "wpos_mm", "overrides", "buffer")
 DONE, STOPPED, REFUSED, FAILED = "done", "stopped", "refused", "failed"
 
 
@@ -20,8 +21,11 @@ class SenderStatus:
     phase: "connecting", "running", "holding", "held", "paused" (M0; `message` is the program's), "door", "finishing",
     "retreated" (led back along its cut), "stopping", then the kind of the outcome; of a desk without a job "idle",
     "alarm" (`message` says which), "jogging", "homing", "held", "door" or "busy". machine_state: as grbl writes it.
-    file_line: the last line of the file that was acknowledged. Positions are None until reported.
-    overrides: feed, rapid, spindle in percent. pins: the inputs that are on, as "XYZ" for limit switches, P for the
+    file_line, file_line_sent: the last line of the file that was acknowledged, and that was sent. Positions are None
+    until reported. buffer: free blocks of the planner and free bytes, where the controller tells them. remaining_s,
+    done: the time still to go, None while nothing can be said, and the part that lies behind, 0 to 1.
+    overrides: feed, rapid, spindle in percent. outputs: what is on: S or C for the spindle's sense, F flood, M mist.
+    pins: the inputs that are on, as "XYZ" for limit switches, P for the
     probe, D for the door. homing: whether the machine can home itself. position_known: whether machine positions
     can be trusted. homed: whether they count from the machine's own zero, which it has found since it was met.
     work_system, work_offsets_mm: the work system in force and what `$#` last said by name ("G54", "G92", "TLO").
@@ -39,8 +43,13 @@ class SenderStatus:
     spindle_rpm: float | None = None
     file: str = ""
     file_line: int = 0
+    file_line_sent: int = 0
     message: str = ""
     elapsed_s: float = 0.0
+    remaining_s: float | None = None
+    done: float = 0.0
+    buffer: tuple[int, int] | None = None
+    outputs: str | None = None
     overrides: tuple[int, ...] | None = None
     pins: str = ""
     homing: bool | None = None
@@ -56,7 +65,7 @@ class SenderStatus:
     @classmethod
     def from_json(cls, content: dict[str, Any]) -> SenderStatus:
         """Return the status of `to_json`, after its way through JSON."""
-        vectors = {key: tuple(content[key]) if content[key] else None for key in ("mpos_mm", "wpos_mm", "overrides")}
+        vectors = {key: tuple(content[key]) if content[key] else None for key in TUPLES}
         offsets = content["work_offsets_mm"]
         named = {name: tuple(offset) for name, offset in offsets.items()} if offsets else None
         return cls(**(content | vectors | {"work_offsets_mm": named}))

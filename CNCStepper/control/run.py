@@ -32,7 +32,11 @@ from CNCStepper.control.outcome import DONE, FAILED, REFUSED, STOPPED, Outcome, 
 from CNCStepper.control.overrides import override_byte
 from CNCStepper.control.phases import RETREATED, Phases
 from CNCStepper.control.readiness import check_offsets, check_settings, check_zero, differences, offset_differences
+<<<<<<< HEAD
 from CNCStepper.control.retrace import LAST, Retrace, check_place, stand_reset
+=======
+from CNCStepper.control.remaining import Remaining
+>>>>>>> b_link
 from CNCStepper.control.send_job import SendJob
 from CNCStepper.control.timing import Timing
 from CNCStepper.control.watch import Watch
@@ -76,8 +80,13 @@ class JobRun:
         self._clock = clock
         self._tell = tell
         self._refuse = refuse
+<<<<<<< HEAD
         self._journal = journal or NoJournal()
         self._feeder = Feeder(job, self._journal)
+=======
+        self._feeder = Feeder(job)
+        self._remaining = Remaining(job.plan)
+>>>>>>> b_link
         self._phases = Phases(tell)
         self._watch = Watch(timing)
         self._retrace = Retrace(job)
@@ -87,16 +96,26 @@ class JobRun:
 
     def status(self) -> SenderStatus:
         """Return this moment."""
+<<<<<<< HEAD
         last, before = self._feeder.acknowledged - 1, self._retrace.lines_before
+=======
+>>>>>>> b_link
         return replace(
             moment(self.driver, self._phases.name, self._phases.message),
             sent=max(0, before + self._feeder.sent),
             acknowledged=max(0, before + self._feeder.acknowledged),
             total=before + self._feeder.total,
             file=self.job.file,
-            file_line=self.job.place(last).line if last >= 0 else 0,
+            file_line=self._file_line(self._feeder.acknowledged),
+            file_line_sent=self._file_line(self._feeder.sent),
             elapsed_s=self._clock() - self._begin_s,
+            remaining_s=self._remaining.remaining_s,
+            done=self._remaining.done,
         )
+
+    def _file_line(self, count: int) -> int:
+        """Return the file's line of the last of so many lines, 0 for none."""
+        return self.job.place(count - 1).line if count else 0
 
     def count(self, received: list[Received]) -> None:
         """Hear what came, also while the machine is brought to rest: count the answers to the job's lines."""
@@ -219,6 +238,13 @@ class JobRun:
             self._retrace.note(driver, self._feeder, self._phases.name)
             self._phases.take(driver, self._feeder)
             self._count_idle(driver)
+            self._remaining.take(
+                self._phases.name,
+                self._clock() - self._begin_s,
+                self._file_line(self._feeder.acknowledged),
+                self._feeder.acknowledged,
+                self._feeder.total,
+            )
 
     def _count_idle(self, driver: Grbl) -> None:
         if self._feeder.complete and self._phases.feeding:

@@ -16,7 +16,8 @@ from CNCStepper.control.outcome import Outcome, SenderStatus
 from CNCStepper.control.own_process import start
 from CNCStepper.control.python_finder import find_python
 from CNCStepper.control.send_job import SendJob
-from CNCStepper.control.session_file import LOG, OUTCOME, new_session, read_private
+from CNCStepper.control.session_file import LOG, OUTCOME, WIRE, new_session, read_private
+from CNCStepper.control.spool import write_spool
 from CNCStepper.errors import LinkError
 
 WORKER = "CNCStepper.control.worker"
@@ -47,7 +48,7 @@ class SessionClient:
         Raises MissingPackage when no Python can run it, LinkError when it does not come up.
         """
         path = new_session(folder)
-        told = job.to_json().encode("utf-8")
+        told = write_spool(path.with_suffix(WIRE), job).to_json().encode("utf-8")
         client = cls(path, start(python or find_python(), WORKER, path, told=told))
         client._await_start()
         client._connect()

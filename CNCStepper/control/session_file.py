@@ -2,6 +2,7 @@
 """The files of a session, readable by their owner only: how to reach it, how it ended, what it logged.
 
 NAME.session   port, token and process, while it runs       NAME.outcome   afterwards       NAME.log
+NAME.wire      the lines to send, while it runs
 NAME.desk      the same of a desk, touched every second     (one that nobody touches is a killed desk's)
 """
 
@@ -19,7 +20,7 @@ from typing import Any
 from CNCStepper.errors import MissingPackage
 
 KEPT = 20  # sessions whose outcome and log are kept
-SESSION, DESK, OUTCOME, LOG = ".session", ".desk", ".outcome", ".log"
+SESSION, DESK, OUTCOME, LOG, WIRE = ".session", ".desk", ".outcome", ".log", ".wire"
 FRESH_S, TOUCH_S = 10.0, 1.0
 
 
@@ -116,7 +117,7 @@ def read_private(path: Path) -> dict[str, Any] | None:
 
 
 def _prune(folder: Path) -> None:
-    for kind in (OUTCOME, LOG):
+    for kind in (OUTCOME, LOG, WIRE):
         for old in sorted(folder.glob(f"*{kind}"))[:-KEPT]:
             with suppress(OSError):  # another program prunes too
                 old.unlink()

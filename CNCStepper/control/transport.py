@@ -13,14 +13,20 @@ import select
 import socket
 import sys
 import time
+from collections.abc import Callable
 from typing import Any
 
+<<<<<<< HEAD
 from CNCStepper.control.telnet_port import TelnetPort, socket_url
+=======
+from CNCStepper.control.wire_queue import WireQueue
+>>>>>>> b_link
 from CNCStepper.errors import CNCStepperError, LinkError, MissingPackage
 
 READ_BYTES = 4096
 WRITE_LIMIT_S = 1.0
 SLICE_S = 0.001  # how long a port that cannot be waited on sleeps between two looks
+BAUD = 115_200
 BUSY = (errno.EBUSY, errno.EAGAIN)
 FORBIDDEN = (errno.EACCES, errno.EPERM)
 NETWORK = ("socket://", "telnet://", "rfc2217://")
@@ -29,28 +35,50 @@ NETWORK = ("socket://", "telnet://", "rfc2217://")
 class Link:
     """An open port; reading waits at most as long as it is told and ends early when `wake` is called.
 
-    `port` is a pyserial port, or anything with its read, write and close, opened with timeout 0.
+    `port` is a pyserial port, or anything with its read, write and close, opened with timeout 0. baud: the rate of
+    the line that the bytes take. woken: whether `wake` ended the last `read`.
     Every failure of the port is a LinkError with code "link-lost".
     """
 
-    def __init__(self, port: Any, name: str):
+    def __init__(self, port: Any, name: str, baud: int = BAUD, clock: Callable[[], float] = time.monotonic):
         self.name = name
+        self.woken = False
         self._port = port
+        self._queue = WireQueue(port, baud, clock)
         self._descriptor = _descriptor(port)
         self._alarm_clock, self._bell = socket.socketpair()
         for end in (self._alarm_clock, self._bell):
             end.setblocking(False)
 
+    def waiting_bytes(self) -> int:
+        """Return how many bytes written wait in this computer, so that a real-time byte would go out after them."""
+        try:
+            return self._queue.waiting_bytes()
+        except (OSError, ValueError) as error:
+            raise self._lost(error) from error
+
+    def leaving_s(self, count: int) -> float:
+        """Return how long the line takes for so many bytes, in s."""
+        return self._queue.leaving_s(count)
+
     def read(self, wait_s: float) -> bytes:
         """Return what has arrived, waiting up to `wait_s` for the first byte; b"" when nothing came."""
+        self.woken = False
         try:
             self._wait(wait_s)
             return self._port.read(READ_BYTES)
         except (OSError, ValueError) as error:
             raise self._lost(error) from error
 
+    def rest(self, wait_s: float) -> None:
+        """Wait so long whatever arrives; `wake` ends it."""
+        self.woken = False
+        if select.select([self._alarm_clock], [], [], wait_s)[0]:
+            self._hear_bell()
+
     def write(self, data: bytes) -> None:
         """Write all of `data`; the caller keeps within the controller's buffer, so this never waits long."""
+        self._queue.take(len(data))
         try:
             written = self._port.write(data)
         except (OSError, ValueError) as error:
@@ -82,15 +110,20 @@ class Link:
         waited: list[Any] = [self._descriptor, self._alarm_clock]
         ready, _, _ = select.select(waited, [], [], wait_s)
         if self._alarm_clock in ready:
-            self._alarm_clock.recv(READ_BYTES)
+            self._hear_bell()
 
     def _wait_in_slices(self, wait_s: float) -> None:
         """Look again and again at a port that `select` does not know (Windows' serial ports, loop://)."""
         end_s = time.monotonic() + wait_s
         while not getattr(self._port, "in_waiting", 1) and time.monotonic() < end_s:
-            if select.select([self._alarm_clock], [], [], SLICE_S)[0]:
-                self._alarm_clock.recv(READ_BYTES)
+            time.sleep(SLICE_S)  # finer than `select` on Windows
+            if select.select([self._alarm_clock], [], [], 0)[0]:
+                self._hear_bell()
                 return
+
+    def _hear_bell(self) -> None:
+        self._alarm_clock.recv(READ_BYTES)
+        self.woken = True
 
     def _lost(self, error: Exception) -> LinkError:
         return LinkError(
@@ -100,8 +133,13 @@ class Link:
         )
 
 
+<<<<<<< HEAD
 def open_link(name: str, baud: int = 115_200) -> Link:
     """Open a port by device name or URL (`socket://host:port`, `telnet://host`, `rfc2217://host:port`, `loop://`).
+=======
+def open_link(name: str, baud: int = BAUD) -> Link:
+    """Open a port by device name or URL (`socket://host:port`, `rfc2217://host:port`, `loop://`).
+>>>>>>> b_link
 
     Raises LinkError that says what to do when the port is missing, busy, forbidden or silent, and
     MissingPackage without pyserial.
@@ -121,7 +159,11 @@ def open_link(name: str, baud: int = 115_200) -> Link:
     except (OSError, ValueError, TypeError, AttributeError) as error:  # a bad URL ends in any of these
         raise _refusal(name, error) from error
     _send_at_once(port)
+<<<<<<< HEAD
     return Link(TelnetPort(port) if is_telnet else port, name)
+=======
+    return Link(port, name, baud)
+>>>>>>> b_link
 
 
 def port_names() -> list[tuple[str, str]]:

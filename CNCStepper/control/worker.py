@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The sender's process: `python -m CNCStepper.control.worker SESSION_FILE`, the job as JSON on standard input.
+"""The sender's process: `python -m CNCStepper.control.worker SESSION_FILE`, the job as JSON on standard input,
+its lines in the spool beside the session file.
 
 It lives as long as the job: a window that dies does not stop the cut, SIGTERM stops it safely (hold,
 standstill, reset). Its exit status is 0 when the machine is idle at the job's end.
@@ -8,16 +9,22 @@ standstill, reset). Its exit status is 0 when the machine is idle at the job's e
 from __future__ import annotations
 
 import sys
+from functools import partial
 from pathlib import Path
 
+<<<<<<< HEAD
 from CNCStepper.control.journal.journal import Journal
+=======
+from CNCStepper.control.awake import awake
+>>>>>>> b_link
 from CNCStepper.control.outcome import FAILED, Outcome
 from CNCStepper.control.own_process import stop_on_signals
 from CNCStepper.control.run import LOST
 from CNCStepper.control.send_job import SendJob
 from CNCStepper.control.sender import Sender
-from CNCStepper.control.session_file import OUTCOME, write_private
+from CNCStepper.control.session_file import OUTCOME, WIRE, write_private
 from CNCStepper.control.session_server import SessionServer
+from CNCStepper.control.spool import read_spool
 from CNCStepper.errors import CNCStepperError
 
 SWITCH_S = 0.0005  # a command must not wait for the sender's turn of 5 ms
@@ -27,7 +34,8 @@ def main(arguments: list[str]) -> int:
     """Run the job of standard input as the session whose file is `arguments[0]`; return the exit status."""
     sys.setswitchinterval(SWITCH_S)
     session = Path(arguments[0])
-    job = SendJob.from_json(sys.stdin.buffer.read().decode("utf-8"))
+    wire = session.with_suffix(WIRE)
+    job = read_spool(wire, SendJob.from_json(sys.stdin.buffer.read().decode("utf-8")))
     server = SessionServer()
     sender = Sender(job, tell=server.tell, refuse=server.refuse, journal=Journal(session.parent))
     stop_on_signals(sender.stop)
@@ -35,10 +43,12 @@ def main(arguments: list[str]) -> int:
     write_private(session, server.address(job.port, job.file))
     outcome = _fault(sender)
     try:
-        outcome = sender.run()
+        with awake(partial(server.tell, "warning")):
+            outcome = sender.run()
     finally:
         write_private(session.with_suffix(OUTCOME), outcome.to_json())
-        session.unlink(missing_ok=True)
+        for path in (session, wire):
+            path.unlink(missing_ok=True)
         server.tell_outcome(outcome)
         server.finish()
     return 0 if outcome.done else 1

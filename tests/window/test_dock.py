@@ -160,6 +160,8 @@ def test_send_hold_resume_done(hand: Hand, dock: Any) -> None:
     hand.shot("dock-running")
     hand.click(f"{D}Override_feed_10")
     hand.wait(lambda: hand.text(f"{D}Override_feed") == "110 %")
+    hand.click(f"{D}Override_coolant_flood")
+    hand.wait(lambda: hand.text(f"{D}Override_coolant") == "Flood")
     hand.click(f"{D}Hold")
     says(hand, "Held")
     hand.shot("dock-held")

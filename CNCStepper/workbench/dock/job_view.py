@@ -9,8 +9,7 @@ from typing import Any
 from PySide import QtCore, QtGui
 
 from CNCStepper.workbench.dock import parts
-from CNCStepper.workbench.dock.figures import duration
-from CNCStepper.workbench.dock.remaining import Remaining
+from CNCStepper.workbench.dock.figures import NOTHING, duration
 from CNCStepper.workbench.dock.state import RULES, Moment, why_not
 from CNCStepper.workbench.words import tr
 
@@ -47,6 +46,7 @@ class JobView(QtGui.QWidget):
         self.progress = parts.named(QtGui.QProgressBar(), "Progress")
         self.progress.setRange(0, PARTS)
         self.lines = parts.wrapped("Lines")
+        self.buffer = parts.wrapped("Buffer")
         self.text = parts.named(QtGui.QLabel(), "ProgramLine")
         self.text.setFont(QtGui.QFontDatabase.systemFont(QtGui.QFontDatabase.SystemFont.FixedFont))
         self.text.setTextFormat(QtCore.Qt.TextFormat.PlainText)
@@ -55,22 +55,26 @@ class JobView(QtGui.QWidget):
         times = parts.row(QtGui.QLabel(tr("Elapsed")), self.elapsed, QtGui.QLabel(tr("Remaining")), self.remaining)
         times.insertStretch(2, 1)
         layout = parts.column(self)
-        for widget in (self.title, self.progress, self.lines, self.text):
+        for widget in (self.title, self.progress, self.lines, self.buffer, self.text):
             layout.addWidget(widget)
         layout.addLayout(times)
         self.hide()
 
-    def show_job(self, label: str, status: Any, remaining: Remaining, program_lines: Any) -> None:
+    def show_job(self, label: str, status: Any, program_lines: Any) -> None:
         """Show how far a job is; `program_lines` of its file, empty when they are not known here."""
         self.show()
         self.title.setText(tr("Job: {0}").format(label) if label else tr("Job"))
-        self.progress.setValue(round(PARTS * remaining.done))
-        self.progress.setFormat(tr("{0} %").format(int(100 * remaining.done)))
+        self.progress.setValue(round(PARTS * status.done))
+        self.progress.setFormat(tr("{0} %").format(int(100 * status.done)))
         self.lines.setText(
-            tr("{0} of {1} lines, line {2} of the file").format(status.acknowledged, status.total, status.file_line)
+            tr("{0} of {1} lines, line {2} of the file, sent to line {3}").format(
+                status.acknowledged, status.total, status.file_line, status.file_line_sent
+            )
         )
+        blocks, free_bytes = status.buffer or (NOTHING, NOTHING)
+        self.buffer.setText(tr("Controller's buffer: {0} blocks and {1} bytes free").format(blocks, free_bytes))
         known = 0 < status.file_line <= len(program_lines)
         self.text.setText(program_lines[status.file_line - 1].strip() if known else "")
         self.text.setVisible(known)
         self.elapsed.setText(duration(status.elapsed_s))
-        self.remaining.setText(duration(remaining.remaining_s))
+        self.remaining.setText(duration(status.remaining_s))

@@ -28,7 +28,6 @@ class Link:
     def __init__(self) -> None:
         self.client: DeskClient | None = None
         self.port = ""
-        self.speed = 1.0
         self._virtual: VirtualMachine | None = None
         self._baud = 0
         self._trouble: CNCStepperError | None = None
@@ -40,7 +39,6 @@ class Link:
         """Begin to connect to a port; `speed` is that of the virtual grbl, which is started first."""
         self._forget()
         self.port, self._baud = port, baud
-        self.speed = speed if port == VIRTUAL else 1.0
         if port == VIRTUAL:
             self._virtual = VirtualMachine(speed)
         else:

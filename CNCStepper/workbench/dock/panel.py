@@ -118,11 +118,9 @@ class Panel(QtGui.QWidget):
 
     def _show_status(self, status: Any, job_runs: bool) -> None:
         self.position.show_status(status)
-        self.overrides.show_overrides(overrides_of(status))
+        self.overrides.show_overrides(overrides_of(status), status and status.outputs)
         if status is not None and job_runs:
-            remaining = self.sending.remaining
-            remaining.take(status.phase, status.elapsed_s, status.file_line, status.acknowledged, status.total)
-            self.job.show_job(Path(status.file).name, status, remaining, self.sending.program_lines)
+            self.job.show_job(Path(status.file).name, status, self.sending.program_lines)
         elif not job_runs:
             self.job.hide()
 

@@ -15,7 +15,6 @@ from CNCStepper.state import Start
 from CNCStepper.workbench import tell
 from CNCStepper.workbench.dock.flow import Flow
 from CNCStepper.workbench.dock.link import Link, told
-from CNCStepper.workbench.dock.remaining import Remaining
 from CNCStepper.workbench.dock.state import sentences
 from CNCStepper.workbench.sentences import translated
 from CNCStepper.workbench.words import tr
@@ -37,7 +36,6 @@ class Sending:
         changed: Callable[[], None],
     ):
         self.flow = Flow()
-        self.remaining = Remaining()
         self.program_lines: Sequence[str] = ()
         self._parent, self._link = parent, link
         self._show_findings, self._connect, self._changed = show_findings, connect, changed
@@ -60,7 +58,7 @@ class Sending:
 
     def forget(self) -> None:
         """Know nothing of the job that is being cut, when another window began it."""
-        self.remaining, self.program_lines = Remaining(), ()
+        self.program_lines = ()
 
     def onward(self) -> None:
         """Answer the question of the present step with yes."""
@@ -169,7 +167,6 @@ class Sending:
 
     def _start(self) -> None:
         result = self._result
-        self.remaining = Remaining(result.moves.line, result.moves.ends_s, 1.0 / self._link.speed)
         self._link.command("run", result.send_file, zero_confirmed=True, allow_differences=self.flow.anyway)
 
     def _ended(self, outcome: Any) -> None:

@@ -7,7 +7,7 @@ import json
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
-from fake_controller import FakeClock
+from fake_controller import FakeClock, Unqueued
 
 from CNCStepper.control.command import Command
 from CNCStepper.control.desk import Desk
@@ -26,7 +26,7 @@ LIMIT_S = 60.0
 Person = Iterator[Callable[[], bool] | float]
 
 
-class Table:
+class Table(Unqueued):
     """A virtual board behind its serial line, as a link for the desk; reading lets time pass and the person act.
 
     written: (time, bytes) that reached the port. cut: the cable is out.
@@ -52,7 +52,7 @@ class Table:
         while True:
             data = self.pass_time(min(wait_s, LONG_STEP_S) if self._wire.quiet else STEP_S)
             if data or self._woken or self.clock.now_s >= end_s:
-                self._woken = False
+                self.woken, self._woken = self._woken, False
                 return data
 
     def write(self, data: bytes) -> None:

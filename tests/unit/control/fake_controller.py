@@ -203,7 +203,24 @@ class FakeClock:
         return self.now_s
 
 
-class FakeLink:
+class Unqueued:
+    """A Link's words about its queue, for a link of a clock's own time in which nothing that is written waits."""
+
+    clock: FakeClock
+    woken = False
+
+    def rest(self, wait_s: float) -> None:
+        self.woken = False
+        self.clock.now_s += wait_s
+
+    def waiting_bytes(self) -> int:
+        return 0
+
+    def leaving_s(self, count: int) -> float:
+        return 0.0
+
+
+class FakeLink(Unqueued):
     """A Link to a controller in memory, in its clock's time."""
 
     name = "fake"
@@ -220,7 +237,7 @@ class FakeLink:
             said = self.controller.read()
             self.clock.now_s += 0.0005
             if said or self._woken or self.clock.now_s >= end_s:
-                self._woken = False
+                self.woken, self._woken = self._woken, False
                 return said
 
     def write(self, data: bytes) -> None:

@@ -26,7 +26,11 @@ from CNCStepper.control.grbl_report import (
     Unknown,
     parse,
 )
+<<<<<<< HEAD
 from CNCStepper.control.lines import check_length, check_line, dwell_s, needs_idle, pauses, stores
+=======
+from CNCStepper.control.lines import check_line, dwell_s, is_plain, needs_idle, pauses, stores
+>>>>>>> b_link
 from CNCStepper.control.outcome import error_from_json, error_to_json
 from CNCStepper.control.readiness import check_offsets, differences, offset_differences
 from CNCStepper.control.transport import Link, open_link, port_names
@@ -119,6 +123,19 @@ def test_only_bytes_that_do_not_act_pass(text):
     else:
         with pytest.raises(ProgramError, match="act"):
             check_line(text)
+
+
+@given(text=st.text(st.characters(max_codepoint=300), max_size=90))
+def test_plain_lines_are_those_that_need_no_further_check(text):
+    try:
+        check_line(text)
+    except ProgramError:
+        assert not is_plain(text)
+
+
+@pytest.mark.parametrize("byte", [*range(32), *b"!?~", *range(127, 256)])
+def test_no_byte_that_acts_is_plain(byte):
+    assert not is_plain(f"G1X1{chr(byte)}")
 
 
 def test_line_check_names_place_and_column_and_the_limit():

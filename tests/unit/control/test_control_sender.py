@@ -9,6 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from CNCStepper.control.outcome import DONE, FAILED, REFUSED, STOPPED, Outcome
+from CNCStepper.control.overrides import override_byte
 from CNCStepper.control.readiness import expected_settings
 from CNCStepper.control.send_job import SendJob
 from CNCStepper.control.sender import Sender
@@ -439,3 +440,22 @@ def test_a_fault_of_our_own_still_stops_the_machine():
     with pytest.raises(ZeroDivisionError):
         bench.run()
     assert "!" in bench.controller.realtime and "\x18" in bench.controller.realtime
+
+
+def test_status_tells_lines_done_and_sent_buffer_outputs_and_what_remains():
+    plan = [[number, 2.0 * number] for number in range(1, len(LINES) + 1)]
+    bench = Bench(plan=plan, line_s=0.02)
+    bench.controller.report_extra = "|Bf:3,60|Ov:100,50,100|A:SF"
+    seen = []
+    bench.controller.actions[40] = lambda: seen.append(bench.sender.status())
+    assert bench.run().done
+    status = seen[0]
+    assert 0 < status.file_line < status.file_line_sent <= len(LINES)
+    assert status.buffer == (3, 60) and status.outputs == "SF" and status.overrides == (100, 50, 100)
+    assert 0 < status.done < 1 and status.remaining_s > 0
+    end = bench.sender.status()
+    assert end.done == 1.0 and end.remaining_s == 0.0
+
+
+def test_coolant_is_switched_by_its_bytes():
+    assert override_byte("coolant", "flood") == b"\xa0" and override_byte("coolant", "mist") == b"\xa1"

@@ -5,9 +5,9 @@ from __future__ import annotations
 
 import pytest
 
-from CNCStepper.workbench.dock.remaining import Remaining
+from CNCStepper.control.remaining import Remaining
 
-LINES, ENDS_S = [2, 3, 5, 6], [10.0, 20.0, 30.0, 100.0]
+PLAN = ((2, 10.0), (3, 20.0), (5, 30.0), (6, 100.0))
 
 
 def cut(clock: Remaining, *moments: tuple[str, float, int]) -> Remaining:
@@ -17,40 +17,36 @@ def cut(clock: Remaining, *moments: tuple[str, float, int]) -> Remaining:
 
 
 def test_before_the_first_line_it_is_the_planned_time() -> None:
-    clock = cut(Remaining(LINES, ENDS_S), ("running", 0.0, 0))
-    assert clock.remaining_s == 100.0 and clock.done == 0.0 and clock.planned_s == 100.0
+    clock = cut(Remaining(PLAN), ("running", 0.0, 0))
+    assert clock.remaining_s == 100.0 and clock.done == 0.0
 
 
 def test_a_machine_that_keeps_the_plan_takes_what_is_left_of_it() -> None:
-    clock = cut(Remaining(LINES, ENDS_S), ("running", 0.0, 0), ("running", 20.0, 3))
+    clock = cut(Remaining(PLAN), ("running", 0.0, 0), ("running", 20.0, 3))
     assert clock.remaining_s == pytest.approx(80.0) and clock.done == pytest.approx(0.2)
 
 
 def test_a_line_without_a_move_counts_as_the_one_before_it() -> None:
-    clock = cut(Remaining(LINES, ENDS_S), ("running", 0.0, 0), ("running", 20.0, 4))
+    clock = cut(Remaining(PLAN), ("running", 0.0, 0), ("running", 20.0, 4))
     assert clock.remaining_s == pytest.approx(80.0)
 
 
 def test_a_slower_machine_takes_longer_by_the_measured_ratio() -> None:
-    clock = cut(Remaining(LINES, ENDS_S), ("running", 0.0, 0), ("running", 40.0, 3))
+    clock = cut(Remaining(PLAN), ("running", 0.0, 0), ("running", 40.0, 3))
     assert clock.ratio == pytest.approx(2.0) and clock.remaining_s == pytest.approx(160.0)
 
 
 def test_a_hold_is_not_cutting() -> None:
-    clock = cut(Remaining(LINES, ENDS_S), ("running", 0.0, 0), ("running", 20.0, 3), ("held", 500.0, 3))
+    clock = cut(Remaining(PLAN), ("running", 0.0, 0), ("running", 20.0, 3), ("held", 500.0, 3))
     clock = cut(clock, ("paused", 900.0, 3), ("running", 900.0, 3))
     assert clock.remaining_s == pytest.approx(80.0)
 
 
 def test_the_first_moment_of_a_ratio_is_not_trusted() -> None:
-    clock = Remaining([1, 2], [0.5, 100.0], expected_ratio=0.1)
+    clock = Remaining([[1, 0.5], [2, 100.0]])
     clock.take("running", 0.0, 0, 0, 2)
     clock.take("running", 5.0, 1, 1, 2)  # ten times the plan, but after half a second of it
-    assert clock.remaining_s == pytest.approx(99.5 * (0.9 * 0.1 + 0.1 * 10))
-
-
-def test_a_fast_virtual_machine_is_known_to_be_fast() -> None:
-    assert cut(Remaining(LINES, ENDS_S, 0.1), ("running", 0.0, 0)).remaining_s == pytest.approx(10.0)
+    assert clock.remaining_s == pytest.approx(99.5 * (0.9 * 1 + 0.1 * 10))
 
 
 def test_without_planned_times_the_lines_are_counted() -> None:
@@ -65,8 +61,3 @@ def test_a_job_that_another_window_began_is_timed_from_its_own_begin() -> None:
     clock = Remaining()
     clock.take("running", 60.0, 90, 100, 400)
     assert clock.remaining_s == pytest.approx(180.0)
-
-
-def test_lines_that_come_again_keep_their_latest_time() -> None:
-    clock = cut(Remaining([4, 2, 3, 2], [1.0, 2.0, 3.0, 4.0]), ("running", 0.0, 2))
-    assert clock.done == 1.0 and clock.remaining_s == 0.0

@@ -1,0 +1,58 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""How long a job still takes: its planned times, corrected by how long its lines really took."""
+
+from __future__ import annotations
+
+from bisect import bisect_right
+from collections.abc import Sequence
+
+TRUSTED_S = 5.0  # of planned time that must lie behind before the measured ratio counts wholly
+STANDING = ("held", "paused", "door")
+
+
+class Remaining:
+    """The clock of one job.
+
+    plan: lines of the file in rising order, each with the planned time in s by its end; empty for a job of which only
+    the number of lines is known.
+    """
+
+    def __init__(self, plan: Sequence[Sequence[float]] = ()):
+        self._lines = [line for line, _ in plan]
+        self._ends_s = [end_s for _, end_s in plan]
+        self._planned_s = self._ends_s[-1] if plan else 0.0
+        self._behind_s = 0.0  # of the plan
+        self._moving_s = 0.0
+        self._last_s: float | None = None
+        self._share_of_lines = 0.0
+
+    def take(self, phase: str, elapsed_s: float, file_line: int, acknowledged: int, total: int) -> None:
+        """Learn from a moment; time during which the machine was seen held does not count as cutting."""
+        if phase not in STANDING or self._last_s is None:
+            self._moving_s += max(elapsed_s - (self._last_s or 0.0), 0.0)
+        self._last_s = elapsed_s
+        place = bisect_right(self._lines, file_line)
+        self._behind_s = self._ends_s[place - 1] if place else 0.0
+        self._share_of_lines = acknowledged / total if total else 0.0
+
+    @property
+    def ratio(self) -> float:
+        """Real seconds in a planned one, as measured; trusted the more the longer the job is cut."""
+        if self._behind_s <= 0.0:
+            return 1.0
+        trust = min(self._behind_s / TRUSTED_S, 1.0)
+        return (1.0 - trust) + trust * self._moving_s / self._behind_s
+
+    @property
+    def remaining_s(self) -> float | None:
+        """The time still to go, None when nothing can be said yet."""
+        if self._planned_s:
+            return (self._planned_s - self._behind_s) * self.ratio
+        if self._share_of_lines <= 0.0:
+            return None
+        return self._moving_s * (1.0 - self._share_of_lines) / self._share_of_lines
+
+    @property
+    def done(self) -> float:
+        """The part of the work that lies behind, 0 to 1: by planned time where it is known, else by lines."""
+        return self._behind_s / self._planned_s if self._planned_s else self._share_of_lines

@@ -1,0 +1,113 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The lines of a job in a file, read as they are needed: a sender's memory does not grow with the program.
+
+12 G1X10F600        the file's line, and what is sent; one record a line
+13 G1X20
+"""
+
+from __future__ import annotations
+
+import os
+from array import array
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import replace
+from itertools import count
+from pathlib import Path
+from typing import Any, overload
+
+from CNCStepper.control.lines import check_line
+from CNCStepper.control.send_job import SendJob
+from CNCStepper.errors import Place
+
+BLOCK = 1024  # records that are read at once
+
+
+def write_spool(path: Path, job: SendJob) -> SendJob:
+    """Write the lines of a job to a new file that only its owner can read; return the job without them.
+
+    Raises ProgramError for a line that holds the end of one.
+    """
+    numbers = map(int, job.file_lines) if len(job.file_lines) else count(1)
+    with open(os.open(path, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o600), "w", encoding="utf-8", newline="\n") as file:
+        file.writelines(_record(number, line, job.file) for number, line in zip(numbers, job.lines, strict=False))
+    return replace(job, lines=(), file_lines=())
+
+
+def read_spool(path: Path, job: SendJob) -> SendJob:
+    """Return a job whose lines are those of `write_spool`, read when they are asked for."""
+    spool = _Spool(path)
+    return replace(
+        job,
+        lines=_Column(spool, lambda record: record.partition(" ")[2]),
+        file_lines=_Column(spool, lambda record: int(record.partition(" ")[0])),
+    )
+
+
+def _record(number: int, line: str, file: str) -> str:
+    if "\n" in line:
+        check_line(line, Place(file, number))
+    return f"{number} {line}\n"
+
+
+class _Spool:
+    """The records of a file; for any thread. offsets: where every BLOCK-th record begins, and the end."""
+
+    def __init__(self, path: Path):
+        self._path = path
+        self._offsets = array("q")
+        self._block: tuple[int, list[str]] = (-1, [])
+        self.count = 0
+        offset = 0
+        with open(path, "rb") as file:
+            for self.count, record in enumerate(file, 1):
+                if (self.count - 1) % BLOCK == 0:
+                    self._offsets.append(offset)
+                offset += len(record)
+        self._offsets.append(offset)
+
+    def record(self, index: int) -> str:
+        """Return a record by its place from 0."""
+        number, place = divmod(index, BLOCK)
+        kept, records = self._block
+        if kept != number:
+            records = self._read(number)
+            self._block = (number, records)
+        return records[place]
+
+    def records(self) -> Iterator[str]:
+        """Yield all records in turn."""
+        for number in range(len(self._offsets) - 1):
+            yield from self._read(number)
+
+    def _read(self, number: int) -> list[str]:
+        begin, end = self._offsets[number], self._offsets[number + 1]
+        with open(self._path, "rb") as file:
+            file.seek(begin)
+            return file.read(end - begin).decode("utf-8").split("\n")[:-1]
+
+
+class _Column(Sequence[Any]):
+    """One half of every record."""
+
+    def __init__(self, spool: _Spool, half: Callable[[str], Any]):
+        self._spool = spool
+        self._half = half
+
+    def __len__(self) -> int:
+        return self._spool.count
+
+    def __iter__(self) -> Iterator[Any]:
+        return map(self._half, self._spool.records())
+
+    @overload
+    def __getitem__(self, index: int) -> Any: ...
+
+    @overload
+    def __getitem__(self, index: slice) -> tuple[Any, ...]: ...
+
+    def __getitem__(self, index: int | slice) -> Any:
+        if isinstance(index, slice):
+            return tuple(self[place] for place in range(*index.indices(len(self))))
+        if not -len(self) <= index < len(self):
+            raise IndexError(index)
+        return self._half(self._spool.record(index % len(self)))

@@ -1,0 +1,59 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""How many bytes wait in this computer before they go out over the line.
+
+    write ──► operating system's queue ──► adapter, socket ──► line at baud/10 bytes a second
+              what it says waits, or what the line cannot have carried yet: the more of the two
+
+Where the system says nothing (a pseudo-terminal), or cannot know (an adapter, a far end), the line's rate tells.
+"""
+
+from __future__ import annotations
+
+import struct
+import sys
+from collections.abc import Callable
+from math import ceil
+from typing import Any
+
+BITS_PER_BYTE = 10  # start bit, eight data bits, stop bit
+SIOCOUTQNSD = 0x894B  # Linux: bytes of a socket that were not sent yet
+ROUNDING = 1e-3  # of the clock, in bytes
+
+
+class WireQueue:
+    """The bytes between a program and the line; the caller tells what it writes."""
+
+    def __init__(self, port: Any, baud: int, clock: Callable[[], float]):
+        self._said_bytes = _what_says(port)
+        self._bytes_per_s = baud / BITS_PER_BYTE
+        self._clock = clock
+        self._empty_s = float("-inf")  # when the line will have carried all that was written
+
+    def take(self, count: int) -> None:
+        """Count bytes that are written now."""
+        self._empty_s = max(self._empty_s, self._clock()) + self.leaving_s(count)
+
+    def leaving_s(self, count: int) -> float:
+        """Return how long the line takes for so many bytes, in s."""
+        return count / self._bytes_per_s
+
+    def waiting_bytes(self) -> int:
+        """Return how many bytes wait; raises OSError when the port is gone."""
+        left_s = max(self._empty_s - self._clock(), 0.0)
+        return max(ceil(left_s * self._bytes_per_s - ROUNDING), self._said_bytes())
+
+
+def _what_says(port: Any) -> Callable[[], int]:
+    """Return what asks the operating system, where it can be asked."""
+    if hasattr(type(port), "out_waiting"):
+        return lambda: int(port.out_waiting)
+    connection = getattr(port, "_socket", None)
+    if connection is not None and sys.platform == "linux":
+        return lambda: _unsent_bytes(connection.fileno())
+    return lambda: 0
+
+
+def _unsent_bytes(descriptor: int) -> int:
+    import fcntl
+
+    return struct.unpack("i", fcntl.ioctl(descriptor, SIOCOUTQNSD, bytes(4)))[0]
