@@ -104,7 +104,7 @@ def command(
         job = _checked(wanted, dialect_name(dialect, wanted.machine), unchecked)
     sha256 = digest_of_text(wanted.text)
     job = replace(job, port=port, baud=baud, allow_differences=allow_differences, program_sha256=sha256)
-    conclude(watch(confirmed(job, zeroconfirmed), resume_pauses))
+    conclude(watch(confirmed(job, zero_confirmed), resume_pauses))
 
 
 @dataclass(frozen=True)

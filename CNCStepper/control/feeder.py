@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from CNCStepper.control.firmware import Firmware
 from CNCStepper.control.grbl import Answered, Grbl
-from CNCStepper.control.journal.kept import Journals, NoJournal
+from CNCStepper.control.journal.kept import Keeping, NoJournal
 from CNCStepper.control.lines import dwell_s, needs_idle, pauses, stores
 from CNCStepper.control.send_job import SendJob
 from CNCStepper.errors import MachineRefusal, Place, ProgramError
@@ -18,7 +18,7 @@ class Feeder:
     before them, and the lines after them wait for theirs. So nothing follows an M0 until it is over.
     """
 
-    def __init__(self, job: SendJob, journal: Journals | None = None):
+    def __init__(self, job: SendJob, journal: Keeping | None = None):
         self.job = job
         self._journal = journal or NoJournal()
         self.sent = 0

@@ -26,17 +26,15 @@ from CNCStepper.control.feeder import Feeder
 from CNCStepper.control.first_modes import check_modes, mode_differences
 from CNCStepper.control.grbl import Answered, Grbl, Received
 from CNCStepper.control.grbl_report import Alarm, Greeting, Status, Vector
-from CNCStepper.control.journal.kept import Journals, NoJournal
+from CNCStepper.control.journal.kept import Journals, Keeping, NoJournal
+from CNCStepper.control.journal.led import Led
 from CNCStepper.control.moment import moment
 from CNCStepper.control.outcome import DONE, FAILED, REFUSED, STOPPED, Outcome, SenderStatus
 from CNCStepper.control.overrides import override_byte
 from CNCStepper.control.phases import RETREATED, Phases
 from CNCStepper.control.readiness import check_offsets, check_settings, check_zero, differences, offset_differences
-<<<<<<< HEAD
-from CNCStepper.control.retrace import LAST, Retrace, check_place, stand_reset
-=======
 from CNCStepper.control.remaining import Remaining
->>>>>>> b_link
+from CNCStepper.control.retrace import LAST, Retrace, check_place, stand_reset
 from CNCStepper.control.send_job import SendJob
 from CNCStepper.control.timing import Timing
 from CNCStepper.control.watch import Watch
@@ -80,13 +78,10 @@ class JobRun:
         self._clock = clock
         self._tell = tell
         self._refuse = refuse
-<<<<<<< HEAD
-        self._journal = journal or NoJournal()
+        self._new_journal = journal or NoJournal()
+        self._journal: Keeping = self._new_journal
         self._feeder = Feeder(job, self._journal)
-=======
-        self._feeder = Feeder(job)
         self._remaining = Remaining(job.plan)
->>>>>>> b_link
         self._phases = Phases(tell)
         self._watch = Watch(timing)
         self._retrace = Retrace(job)
@@ -96,10 +91,7 @@ class JobRun:
 
     def status(self) -> SenderStatus:
         """Return this moment."""
-<<<<<<< HEAD
-        last, before = self._feeder.acknowledged - 1, self._retrace.lines_before
-=======
->>>>>>> b_link
+        before = self._retrace.lines_before
         return replace(
             moment(self.driver, self._phases.name, self._phases.message),
             sent=max(0, before + self._feeder.sent),
@@ -146,7 +138,7 @@ class JobRun:
             found = connected()
             self._compare(found)
             assert self.driver
-            self._journal.begin(self.job, self.driver, found)
+            self._new_journal.begin(self.job, self.driver, found)
             self._retrace.begin(self._met, found)
         except Stopped:
             return self._outcome(STOPPED, "stopped before the first line was sent", True)
@@ -292,8 +284,10 @@ class JobRun:
         except CNCStepperError:
             self.job = before
             raise
-        self._feeder, self._idle_reports = Feeder(leg.job), 0
         self._retrace.start(leg)
+        rest = self._retrace.lines_before if leg.is_rest else None
+        self._journal = Led.from_now(self._journal, self._feeder.sent, self._feeder.acknowledged, rest)
+        self._feeder, self._idle_reports = Feeder(leg.job, self._journal), 0
         self._phases.run_anew()
 
     # --- the end -------------------------------------------------------------------------------

@@ -8,12 +8,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, fields
 from typing import Any
 
-<<<<<<< HEAD
 from CNCStepper.control.firmware import Firmware
-from CNCStepper.control.lines import check_length, check_line
-=======
-from CNCStepper.control.lines import check_line, is_plain
->>>>>>> b_link
+from CNCStepper.control.lines import check_length, check_line, is_plain
 from CNCStepper.errors import JobError, Place, ProgramError
 
 
@@ -26,12 +22,9 @@ class SendJob:
     expected: grbl settings that must hold, by number; differences are only told when
     `allow_differences`. zero_confirmed: somebody said that the work zero is right. work_offsets_mm, work_system:
     where the program was proven to begin (G54..G59.3 and G92 by name); empty: nobody knows, so nothing is compared.
-<<<<<<< HEAD
     machine, program_sha256, certificate_sha256: for the journal, empty where there is none.
     retrace: what a way back along the cut is proven with (dialect, start, machine: `job.certify`); empty: not known.
-=======
     plan: lines of the file in rising order, each with the planned time by its end, s; empty: not known.
->>>>>>> b_link
     """
 
     port: str
@@ -45,14 +38,11 @@ class SendJob:
     baud: int = 115_200
     work_offsets_mm: Mapping[str, Sequence[float]] = field(default_factory=dict)
     work_system: str = ""
-<<<<<<< HEAD
     machine: str = ""
     program_sha256: str = ""
     certificate_sha256: str = ""
     retrace: Mapping[str, Any] = field(default_factory=dict)
-=======
     plan: Sequence[Sequence[float]] = ()
->>>>>>> b_link
 
     def __post_init__(self) -> None:
         if len(self.file_lines) not in (0, len(self.lines)):
@@ -80,8 +70,10 @@ class SendJob:
 
     def check_lengths(self, firmware: Firmware, window_bytes: int) -> None:
         """Check that the controller can read every line; raises ProgramError as `check` does."""
+        surely_fits = min(firmware.line_characters, window_bytes - 1)
         for index, text in enumerate(self.lines):
-            check_length(text, firmware, window_bytes, self.place(index))
+            if len(text) > surely_fits:
+                check_length(text, firmware, window_bytes, self.place(index))
 
     def to_content(self) -> dict[str, Any]:
         """Return the job as plain data."""

@@ -16,11 +16,8 @@ import time
 from collections.abc import Callable
 from typing import Any
 
-<<<<<<< HEAD
 from CNCStepper.control.telnet_port import TelnetPort, socket_url
-=======
 from CNCStepper.control.wire_queue import WireQueue
->>>>>>> b_link
 from CNCStepper.errors import CNCStepperError, LinkError, MissingPackage
 
 READ_BYTES = 4096
@@ -133,13 +130,8 @@ class Link:
         )
 
 
-<<<<<<< HEAD
-def open_link(name: str, baud: int = 115_200) -> Link:
-    """Open a port by device name or URL (`socket://host:port`, `telnet://host`, `rfc2217://host:port`, `loop://`).
-=======
 def open_link(name: str, baud: int = BAUD) -> Link:
-    """Open a port by device name or URL (`socket://host:port`, `rfc2217://host:port`, `loop://`).
->>>>>>> b_link
+    """Open a port by device name or URL (`socket://host:port`, `telnet://host`, `rfc2217://host:port`, `loop://`).
 
     Raises LinkError that says what to do when the port is missing, busy, forbidden or silent, and
     MissingPackage without pyserial.
@@ -159,11 +151,7 @@ def open_link(name: str, baud: int = BAUD) -> Link:
     except (OSError, ValueError, TypeError, AttributeError) as error:  # a bad URL ends in any of these
         raise _refusal(name, error) from error
     _send_at_once(port)
-<<<<<<< HEAD
-    return Link(TelnetPort(port) if is_telnet else port, name)
-=======
-    return Link(port, name, baud)
->>>>>>> b_link
+    return Link(TelnetPort(port) if is_telnet else port, name, baud)
 
 
 def port_names() -> list[tuple[str, str]]:

@@ -12,11 +12,8 @@ import sys
 from functools import partial
 from pathlib import Path
 
-<<<<<<< HEAD
-from CNCStepper.control.journal.journal import Journal
-=======
 from CNCStepper.control.awake import awake
->>>>>>> b_link
+from CNCStepper.control.journal.journal import Journal
 from CNCStepper.control.outcome import FAILED, Outcome
 from CNCStepper.control.own_process import stop_on_signals
 from CNCStepper.control.run import LOST

@@ -38,11 +38,7 @@ if TYPE_CHECKING:
 
 FIGURES = ("blocks", "moves", "cut_length_mm", "air_length_mm", "rapid_length_mm", "pierces", "removed_volume_mm3")
 VERDICT = ("gouge_mm", "left_over_mm")
-<<<<<<< HEAD
-SENT = ("lines", "file", "file_lines", "messages", "expected", "work_offsets_mm", "work_system", "retrace")
-=======
-SENT = ("lines", "file", "file_lines", "messages", "expected", "work_offsets_mm", "work_system", "plan")
->>>>>>> b_link
+SENT = ("lines", "file", "file_lines", "messages", "expected", "work_offsets_mm", "work_system", "retrace", "plan")
 Read = TypeVar("Read")
 _PLAY = TypeAdapter(Play)
 ANY_TOOL = "any"  # the number of a tool that stands for every number
@@ -138,24 +134,17 @@ def _part_of(certificate: Certificate, read: Callable[[Mapping[str, Any]], Read]
 
 
 def send_job(
-<<<<<<< HEAD
-    wire: WireText, machine: Machine | None, file: str, start: Start | None = None, dialect: str = ""
-=======
     wire: WireText,
     machine: Machine | None,
     file: str,
     start: Start | None = None,
+    dialect: str = "",
     plan: Sequence[Sequence[float]] = (),
->>>>>>> b_link
 ) -> SendJob:
     """Return the job of sending `wire`, whose port is still to be chosen and whose zero is not confirmed.
 
     machine: its settings must hold on the controller. start: so must its work zero, where that is known. None
-<<<<<<< HEAD
-    compares nothing. dialect: in which it was read, the machine's own when left out.
-=======
-    compares nothing. plan: as `milestones` gives it.
->>>>>>> b_link
+    compares nothing. dialect: in which it was read, the machine's own when left out. plan: as `milestones` gives it.
     """
     known = start if start is not None and start.zero_known else None
     return SendJob(
@@ -167,12 +156,9 @@ def send_job(
         expected=expected_settings(machine) if machine else {},
         work_offsets_mm=(_offsets(known) if known else {}) | (_places(start, wire.lines) if start else {}),
         work_system=known.work_system if known else "",
-<<<<<<< HEAD
         machine=machine.name if machine else "",
         retrace=_retrace(machine, start or Start(), dialect) if machine else {},
-=======
         plan=plan,
->>>>>>> b_link
     )
 
 
@@ -264,11 +250,7 @@ def _times(operations: list[dict[str, Any]]) -> list[dict[str, Any]]:
 
 
 def _send(proof: Proof) -> dict[str, Any]:
-<<<<<<< HEAD
-    job = send_job(proof.wire, proof.given.machine, proof.report["program"], proof.toolpath.start, proof.given.dialect)
-=======
-    plan = milestones(proof.toolpath.table().line, proof.times_s)
-    job = send_job(proof.wire, proof.given.machine, proof.report["program"], proof.toolpath.start, plan)
->>>>>>> b_link
+    plan, given = milestones(proof.toolpath.table().line, proof.times_s), proof.given
+    job = send_job(proof.wire, given.machine, proof.report["program"], proof.toolpath.start, given.dialect, plan)
     content = job.to_content()
     return {name: content[name] for name in SENT}

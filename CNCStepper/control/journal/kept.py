@@ -12,15 +12,12 @@ from CNCStepper.control.outcome import Outcome
 from CNCStepper.control.send_job import SendJob
 
 
-class Journals(Protocol):
-    """A journal in the hands of the run; nothing here waits for the disk but `begin` and `end`."""
+class Keeping(Protocol):
+    """A journal that has begun, in the hands of the run; nothing here waits for the disk but `end`."""
 
     @property
     def permitted(self) -> int:
         """How many lines of the job, from its first, may be sent by now."""
-
-    def begin(self, job: SendJob, driver: Grbl, found: Found) -> None:
-        """Put the job on the disk; raises JobError when that cannot be done."""
 
     def hear(self, received: list[Received]) -> None:
         """Learn from what the controller says how much it holds."""
@@ -33,6 +30,13 @@ class Journals(Protocol):
 
     def end(self, outcome: Outcome) -> list[str]:
         """Write how the job ended, and return what people must know of that."""
+
+
+class Journals(Keeping, Protocol):
+    """A journal before its job."""
+
+    def begin(self, job: SendJob, driver: Grbl, found: Found) -> None:
+        """Put the job on the disk, and wait for it; raises JobError when that cannot be done."""
 
 
 class NoJournal:

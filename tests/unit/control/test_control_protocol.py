@@ -26,11 +26,7 @@ from CNCStepper.control.grbl_report import (
     Unknown,
     parse,
 )
-<<<<<<< HEAD
-from CNCStepper.control.lines import check_length, check_line, dwell_s, needs_idle, pauses, stores
-=======
-from CNCStepper.control.lines import check_line, dwell_s, is_plain, needs_idle, pauses, stores
->>>>>>> b_link
+from CNCStepper.control.lines import check_length, check_line, dwell_s, is_plain, needs_idle, pauses, stores
 from CNCStepper.control.outcome import error_from_json, error_to_json
 from CNCStepper.control.readiness import check_offsets, differences, offset_differences
 from CNCStepper.control.transport import Link, open_link, port_names
