@@ -32,14 +32,20 @@ def command() -> None:
 @click.option("--trace", type=click.Path(path_type=Path), help="Save the path of the axes: t_s,x_mm,y_mm,z_mm.")
 @click.option("--homing", is_flag=True, help="Start in alarm until homed, as with $22=1.")
 @click.option("--until-left", is_flag=True, help="End when its client has left, or when none has come within 30 s.")
+@click.option(
+    "--faults",
+    type=click.Path(path_type=Path),
+    help="Let go wrong what this TOML or JSON file says, and tell of each fault; see docs/control/faults.md.",
+)
 @machine_option(required=False)
-def grbl(pty, tcp, speed, baud, trace, homing, until_left, machine: Machine | None) -> None:
+def grbl(pty, tcp, speed, baud, trace, homing, until_left, faults, machine: Machine | None) -> None:
     """A grbl 1.1 with 128 bytes and 15 blocks, on a pseudo-terminal or a TCP port; Ctrl-C ends it.
 
     Without --machine it has the settings of table-a.
     """
     if bool(pty) == bool(tcp):
         raise click.UsageError("give either --pty PATH or --tcp HOST:PORT")
+    from CNCStepper.virtual.faults_outside import plan_for_server
     from CNCStepper.virtual.grbl.server import serve
 
     serve(
@@ -52,4 +58,6 @@ def grbl(pty, tcp, speed, baud, trace, homing, until_left, machine: Machine | No
         homing=homing,
         until_left=until_left,
         ready=lambda address: click.echo(f"virtual grbl at {address}"),
+        faults=plan_for_server(faults) if faults else None,
+        told=lambda fault, time_s: click.echo(f"{time_s:.3f} s: {fault}"),
     )
