@@ -25,6 +25,7 @@ from CNCStepper.units import mm_from_inch
 
 HOLD, RESUME, RESET, STATUS, JOG_CANCEL = b"!", b"~", b"\x18", b"?", b"\x85"
 WINDOW_BYTES = 127  # of grbl's 128 one stays free
+PLANNER_BLOCKS = 15
 NOISE_LIMIT_BYTES = 4096  # without a line end
 REPORT_INCHES = 13  # the setting that switches reports to inches
 
@@ -54,7 +55,7 @@ class Grbl:
     listen: called after every `receive` with what came, on the same thread.
     status: the last answer to `?`. status_asked_s: when it was asked for, by `clock`; a status may
     have been on its way before whatever was written later. mpos_mm, wpos_mm: None until reported.
-    overrides: feed, rapid and spindle in percent, as last reported.
+    overrides: feed, rapid and spindle in percent, as last reported. planner_blocks: moves that it plans ahead.
     """
 
     def __init__(
@@ -66,6 +67,7 @@ class Grbl:
         self.link = link
         self.clock = clock
         self.window = WINDOW_BYTES
+        self.planner_blocks = PLANNER_BLOCKS
         self.unanswered: deque[Sent] = deque()
         self.status: Status | None = None
         self.status_asked_s = float("-inf")
@@ -202,7 +204,10 @@ class Grbl:
             self.window = max(self.window, self._free_bytes - 1)
 
     def _take_options(self, text: str) -> None:
-        """Take the receive buffer's size from `[OPT:letters,blocks,bytes]`."""
+        """Take the sizes of planner and receive buffer from `[OPT:letters,blocks,bytes]`."""
+        blocks = text.split(",")[1:2]
+        if blocks and blocks[0].isdecimal():
+            self.planner_blocks = int(blocks[0])
         size = text.split(",")[2:3]
         if size and size[0].isdecimal() and int(size[0]) > 1:
             self.window = max(int(size[0]), self._free_bytes) - 1

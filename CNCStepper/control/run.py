@@ -27,6 +27,7 @@ from CNCStepper.control.grbl_report import Alarm, Greeting, Status, Vector
 from CNCStepper.control.moment import moment
 from CNCStepper.control.outcome import DONE, FAILED, REFUSED, STOPPED, Outcome, SenderStatus
 from CNCStepper.control.overrides import override_byte
+from CNCStepper.control.path_watch import PathWatch
 from CNCStepper.control.phases import Phases
 from CNCStepper.control.readiness import check_offsets, check_settings, check_zero, differences, offset_differences
 from CNCStepper.control.send_job import SendJob
@@ -73,6 +74,7 @@ class JobRun:
         self._feeder = Feeder(job)
         self._phases = Phases(tell)
         self._watch = Watch(timing)
+        self._path: PathWatch | None = None  # before the first line
         self._begin_s = clock()
         self._idle_reports = 0
         self._trouble: list[Received] = []  # the alarm or greeting that ended the job
@@ -97,6 +99,8 @@ class JobRun:
                 self._feeder.take(report)
                 if message := self.job.messages.get(report.sent.index):
                     self._tell("message", message)
+            elif isinstance(report, Status) and self._path:
+                self._path.take(report, self._feeder.acknowledged, self._feeder.sent)
 
     def run(self, connected: Callable[[], connect.Found]) -> Outcome:
         """Send the job and return how it ended; refusals and failures are in the outcome, not raised.
@@ -114,7 +118,10 @@ class JobRun:
         try:
             check_zero(self.job.zero_confirmed)
             self.job.check()
-            self._compare(connected())
+            found = connected()
+            self._compare(found)
+            assert self.driver
+            self._path = PathWatch(self.job, self.driver, found, self._tell)
         except Stopped:
             return self._outcome(STOPPED, "stopped before the first line was sent", True)
         except CNCStepperError as error:
@@ -147,11 +154,13 @@ class JobRun:
     # --- streaming -----------------------------------------------------------------------------
 
     def _streamed(self) -> Outcome:
-        assert self.driver
+        assert self.driver and self._path
         try:
             self._obey(self.driver)  # what was asked while connecting, before the first line
             while self._idle_reports < IDLE_REPORTS:
                 self._turn(self.driver)
+                self._path.check()
+            self._path.check_end()
         except Stopped:
             return self._halted(self.driver, None)
         except CNCStepperError as error:
@@ -216,7 +225,7 @@ class JobRun:
     def _halted(self, driver: Grbl, error: CNCStepperError | None) -> Outcome:
         """Bring the machine to rest and say why and how it stands."""
         known, broken = self._rest(driver)
-        error = error or broken
+        error = error or broken or (self._path.excursion if self._path else None)
         why = str(error) if error else f"stopped as asked after {self._feeder.acknowledged} lines"
         return self._outcome(FAILED if error else STOPPED, f"{why}. Now {KEPT if known else LOST}", known, error)
 
