@@ -13,7 +13,7 @@ help:
 	@echo "make test    everything: lint, types, all tests, those inside FreeCAD too"
 	@echo "make matrix  the tests inside FreeCAD 0.20.2, 1.0.0 and 1.1.3, with and without a window (sets them up; as root)"
 	@echo "make quick   the tests that take under 60 s together and need no FreeCAD"
-	@echo "make soak    the random cases of every cycle, 500 each in place of 25 (an hour or more); RUNS=n takes another number"
+	@echo "make soak    the random cases of every cycle, 500 each in place of 25, and 5000 sends under faults (hours); RUNS=n takes another number"
 	@echo "make fuzz    100 000 hostile programs for the reader (CASES=n), then atheris looks for more for FUZZ_S=300 seconds"
 	@echo "make bench   measure speed, beside the programs we compare ourselves with"
 	@echo "make lint    style and types only"
@@ -41,10 +41,12 @@ quick:
 	@.venv/bin/python -m pytest -n 2 --dist loadfile --no-loadscope-reorder -m "not slow and not freecad"
 
 RUNS := 500
+FAULT_RUNS := $(if $(filter command,$(firstword $(origin RUNS))),$(RUNS),5000)
 soak:
 	@tools/setup.sh python
 	@echo "seeds 1 to $(RUNS); a failed test has its seed in its name: pytest 'FILE::TEST[SEED]' repeats it"
-	@grep -rlE --include='test_*.py' "from cases import.*SEEDS|CNCSTEPPER_CASES" tests/unit | CNCSTEPPER_CASES=$(RUNS) xargs -d '\n' \
+	@grep -rlE --include='test_*.py' "from cases import.*SEEDS|CNCSTEPPER_CASES|CNCSTEPPER_FAULT_RUNS" tests/unit | \
+		CNCSTEPPER_CASES=$(RUNS) CNCSTEPPER_FAULT_RUNS=$(FAULT_RUNS) xargs -d '\n' \
 		.venv/bin/python -m pytest -n 2 --dist worksteal
 
 CASES := 100000

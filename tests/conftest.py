@@ -10,6 +10,7 @@ from __future__ import annotations
 import os
 import subprocess
 import sys
+from collections import Counter
 from collections.abc import Callable
 from pathlib import Path
 
@@ -115,3 +116,15 @@ def halved(picture: np.ndarray) -> np.ndarray:
     """Return a picture at half its size, uint8[rows, columns, 3]."""
     rows, columns = picture.shape[0] // 2, picture.shape[1] // 2
     return picture[: 2 * rows, : 2 * columns].reshape(rows, 2, columns, 2, 3).mean(axis=(1, 3)).astype(np.uint8)
+
+
+def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
+    """Print what tests have counted (`record_property` with a dictionary), summed over the tests and the workers."""
+    sums: dict[str, Counter[str]] = {}
+    for report in terminalreporter.getreports("passed") + terminalreporter.getreports("failed"):
+        for name, counts in report.user_properties:
+            if isinstance(counts, dict):
+                sums.setdefault(name, Counter()).update(counts)
+    for name, counts in sums.items():
+        told = ", ".join(f"{kind} {count}" for kind, count in sorted(counts.items()))
+        terminalreporter.write_line(f"{name}: {told}")

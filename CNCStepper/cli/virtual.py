@@ -39,8 +39,13 @@ def command() -> None:
     help="Greet, answer and refuse as this one does, with its buffer and line length.",
 )
 @click.option("--until-left", is_flag=True, help="End when its client has left, or when none has come within 30 s.")
+@click.option(
+    "--faults",
+    type=click.Path(path_type=Path),
+    help="Let go wrong what this TOML or JSON file says, and tell of each fault; see docs/control/faults.md.",
+)
 @machine_option(required=False)
-def grbl(pty, tcp, speed, baud, trace, homing, firmware, until_left, machine: Machine | None) -> None:
+def grbl(pty, tcp, speed, baud, trace, homing, firmware, until_left, faults, machine: Machine | None) -> None:
     """A grbl 1.1 with 128 bytes and 15 blocks, on a pseudo-terminal or a TCP port; Ctrl-C ends it.
 
     With --firmware grblhal it has 1023 bytes, lines of 255 characters and M6, which waits in the state Tool; with
@@ -49,6 +54,7 @@ def grbl(pty, tcp, speed, baud, trace, homing, firmware, until_left, machine: Ma
     """
     if bool(pty) == bool(tcp):
         raise click.UsageError("give either --pty PATH or --tcp HOST:PORT")
+    from CNCStepper.virtual.faults_outside import plan_for_server
     from CNCStepper.virtual.grbl.firmware import FIRMWARES
     from CNCStepper.virtual.grbl.server import serve
 
@@ -63,4 +69,6 @@ def grbl(pty, tcp, speed, baud, trace, homing, firmware, until_left, machine: Ma
         until_left=until_left,
         firmware=FIRMWARES[firmware],
         ready=lambda address: click.echo(f"virtual {firmware} at {address}"),
+        faults=plan_for_server(faults) if faults else None,
+        told=lambda fault, time_s: click.echo(f"{time_s:.3f} s: {fault}"),
     )

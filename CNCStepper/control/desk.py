@@ -215,7 +215,9 @@ class Desk:
             self._run, self._phase = None, ""
             self._zero_is_old = True  # a program may set it
         idle.position_known, idle.homed = known, homed
-        if not outcome.position_known and outcome.kind != REFUSED:
+        if outcome.kind == REFUSED:
+            outcome = replace(outcome, position_known=outcome.position_known and known is not False)
+        elif not outcome.position_known:
             idle.lose_position()
         self._ended(outcome)
 
@@ -234,6 +236,7 @@ class Desk:
         self._run.driver = self._driver
         self._idle.check_no_jog()
         check_state(fresh_status(self._driver, self._timing))
+        self._idle.check_position()
         found = connect.learn(self._driver, self._timing)
         self._take_zero(found.offsets, found.modes)
         return found

@@ -30,6 +30,7 @@ HOLD, RESUME, RESET, STATUS, JOG_CANCEL = b"!", b"~", b"\x18", b"?", b"\x85"
 WINDOW_BYTES = 127  # of grbl's 128 one stays free; larger buffers say so themselves ($I, Bf)
 QUEUE_BYTES = 40  # that a real-time byte may find before it: 3.5 ms at 115 200 baud
 LONGEST_REST_S = 0.01
+PLANNER_BLOCKS = 15
 NOISE_LIMIT_BYTES = 4096  # without a line end
 REPORT_INCHES = 13  # the setting that switches reports to inches
 
@@ -62,7 +63,7 @@ class Grbl:
     have been on its way before whatever was written later. mpos_mm, wpos_mm: None until reported, and
     until the controller has said whether it reports in mm or in inches.
     overrides: feed, rapid and spindle in percent, as last reported.
-    outputs: what was on then, as `Status` has it.
+    outputs: what was on then, as `Status` has it. planner_blocks: moves that it plans ahead.
     """
 
     def __init__(
@@ -75,6 +76,7 @@ class Grbl:
         self.clock = clock
         self.firmware: Firmware = GRBL
         self.window = WINDOW_BYTES
+        self.planner_blocks = PLANNER_BLOCKS
         self.unanswered: deque[Sent] = deque()
         self.status: Status | None = None
         self.status_asked_s = float("-inf")
@@ -261,7 +263,10 @@ class Grbl:
             self.window = max(widest, self._free_bytes - 1)
 
     def _take_options(self, text: str) -> None:
-        """Take the receive buffer's size from `[OPT:letters,blocks,bytes]`."""
+        """Take the sizes of planner and receive buffer from `[OPT:letters,blocks,bytes]`."""
+        blocks = text.split(",")[1:2]
+        if blocks and blocks[0].isdecimal():
+            self.planner_blocks = int(blocks[0])
         size = text.split(",")[2:3]
         if size and size[0].isdecimal() and int(size[0]) > 1:
             self.window = max(int(size[0]), self._free_bytes) - 1

@@ -16,6 +16,7 @@ import re
 from dataclasses import dataclass
 
 Vector = tuple[float, ...]
+AXES = 3  # at least
 
 
 @dataclass(frozen=True)
@@ -139,6 +140,14 @@ def vector(text: str) -> Vector:
     return numbers
 
 
+def _place(text: str) -> Vector:
+    """Return a position, which has three axes at least; raises ValueError."""
+    place = vector(text)
+    if len(place) < AXES:
+        raise ValueError(f"an axis is missing: {text}")
+    return place
+
+
 def _other(line: str) -> Report:
     if greeting := _GREETING.match(line):
         return Greeting(line, greeting[1])
@@ -171,6 +180,8 @@ def _status(line: str) -> Report:
         values = _fields(fields)
     except ValueError:  # a byte was lost on the way: half a position is worse than none
         return Unknown(line)
+    if not values.keys() & {"mpos", "wpos"}:
+        return Unknown(line)
     return Status(found[1], int(found[2]) if found[2] else None, **values)
 
 
@@ -180,7 +191,7 @@ def _fields(fields: list[str]) -> dict:
     for field in fields:
         name, _, text = field.partition(":")
         if name in ("MPos", "WPos", "WCO"):
-            values[name.lower()] = vector(text)
+            values[name.lower()] = _place(text)
         elif name == "Bf":
             blocks, size = (int(part) for part in text.split(","))
             values["buffer"] = (blocks, size)

@@ -13,6 +13,7 @@ from CNCStepper.control.grbl import HOLD, Grbl, Received
 from CNCStepper.control.grbl_report import Alarm, Greeting
 from CNCStepper.control.timing import Timing
 
+RESETS = 3  # one may be lost on its way, and then the outputs are still on
 AT_REST = {("Hold", 0), ("Door", 0), ("Door", 1), ("Idle", None), ("Tool", None)}
 
 
@@ -35,15 +36,22 @@ def reset(driver: Grbl, timing: Timing, heard: list[Received] | None = None) -> 
     """
     heard = [] if heard is None else heard
     before = _greetings(heard)
-    driver.reset()
-    reset_s = driver.clock()
-    came_back = _wait(driver, timing, timing.wake_s, heard, lambda: _greetings(heard) > before)
-    if not came_back or not _wait(driver, timing, timing.wake_s, heard, lambda: driver.status_asked_s > reset_s):
+    if not any(_comes_back(driver, timing, heard) for _ in range(RESETS)):
+        return False
+    back_s = driver.clock()
+    if not _wait(driver, timing, timing.wake_s, heard, lambda: driver.status_asked_s > back_s):
         return False
     alarms = [report.code for report in heard if isinstance(report, Alarm)]
     locked = driver.status is not None and driver.status.state in ("Alarm", "Sleep")
     kept = all(driver.firmware.alarm(code).position_kept for code in alarms)
     return before == 0 and bool(alarms or not locked) and kept
+
+
+def _comes_back(driver: Grbl, timing: Timing, heard: list[Received]) -> bool:
+    """Reset, and return whether a greeting follows."""
+    before = _greetings(heard)
+    driver.reset()
+    return _wait(driver, timing, timing.wake_s, heard, lambda: _greetings(heard) > before)
 
 
 def _at_rest(driver: Grbl, since_s: float) -> bool:

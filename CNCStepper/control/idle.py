@@ -168,6 +168,15 @@ class Idle:
             advice = "wait until the jog has ended"
             raise MachineRefusal("machine-busy", "the machine is not at rest", value="jogging", advice=advice)
 
+    def check_position(self) -> None:
+        """Raise MachineRefusal while the machine's position is unknown: no program may move it then."""
+        if self.position_known is False:
+            raise MachineRefusal(
+                "position-unknown",
+                "the machine's position is unknown",
+                advice="home it, or set the zero of all axes again, before it is sent a program",
+            )
+
     def check_at_rest(self) -> None:
         """Raise MachineRefusal while something moves or is under way."""
         self.check_no_jog()

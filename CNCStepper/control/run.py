@@ -31,6 +31,7 @@ from CNCStepper.control.journal.led import Led
 from CNCStepper.control.moment import moment
 from CNCStepper.control.outcome import DONE, FAILED, REFUSED, STOPPED, Outcome, SenderStatus
 from CNCStepper.control.overrides import override_byte
+from CNCStepper.control.path_watch import PathWatch
 from CNCStepper.control.phases import RETREATED, Phases
 from CNCStepper.control.readiness import check_offsets, check_settings, check_zero, differences, offset_differences
 from CNCStepper.control.remaining import Remaining
@@ -85,6 +86,7 @@ class JobRun:
         self._phases = Phases(tell)
         self._watch = Watch(timing)
         self._retrace = Retrace(job)
+        self._path: PathWatch | None = None  # before the first line
         self._begin_s = clock()
         self._idle_reports = 0
         self._trouble: list[Received] = []  # the alarm or greeting that ended the job
@@ -117,6 +119,8 @@ class JobRun:
                 self._feeder.take(report)
                 if message := self.job.messages.get(report.sent.index):
                     self._tell("message", message)
+            elif isinstance(report, Status) and self._path:
+                self._path.take(report, self._feeder.acknowledged, self._feeder.sent)
 
     def run(self, connected: Callable[[], connect.Found]) -> Outcome:
         """Send the job and return how it ended; refusals and failures are in the outcome, not raised.
@@ -140,6 +144,7 @@ class JobRun:
             assert self.driver
             self._new_journal.begin(self.job, self.driver, found)
             self._retrace.begin(self._met, found)
+            self._path = PathWatch(self.job, self.driver, found, self._tell)
         except Stopped:
             return self._outcome(STOPPED, "stopped before the first line was sent", True)
         except CNCStepperError as error:
@@ -178,11 +183,13 @@ class JobRun:
     # --- streaming -----------------------------------------------------------------------------
 
     def _streamed(self) -> Outcome:
-        assert self.driver
+        assert self.driver and self._path
         try:
             self._obey(self.driver)  # what was asked while connecting, before the first line
             while self._idle_reports < IDLE_REPORTS:
                 self._turn(self.driver)
+                self._path.check()
+            self._path.check_end()
         except Stopped:
             return self._halted(self.driver, None)
         except CNCStepperError as error:
@@ -285,6 +292,7 @@ class JobRun:
             self.job = before
             raise
         self._retrace.start(leg)
+        self._path = PathWatch(leg.job, driver, found, self._tell)
         rest = self._retrace.lines_before if leg.is_rest else None
         self._journal = Led.from_now(self._journal, self._feeder.sent, self._feeder.acknowledged, rest)
         self._feeder, self._idle_reports = Feeder(leg.job, self._journal), 0
@@ -295,7 +303,7 @@ class JobRun:
     def _halted(self, driver: Grbl, error: CNCStepperError | None) -> Outcome:
         """Bring the machine to rest and say why and how it stands."""
         known, broken = self._rest(driver)
-        error = error or broken
+        error = error or broken or (self._path.excursion if self._path else None)
         why = str(error) if error else f"stopped as asked after {self.status().acknowledged} lines"
         return self._outcome(FAILED if error else STOPPED, f"{why}. Now {KEPT if known else LOST}", known, error)
 

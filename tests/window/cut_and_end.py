@@ -35,6 +35,7 @@ def steps():
     while panel.link.moment.phase != "idle":
         yield
     if END != "idle":
+        panel.link.command("set_zero", "XYZ")
         panel.link.command("run", write_job(), zero_confirmed=True)
         while not (panel.link.moment.job_runs and panel.link.status.acknowledged > 5):
             yield

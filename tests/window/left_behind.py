@@ -26,6 +26,7 @@ def main(folder: Path) -> None:
     file.write_text(SendJob(port="", lines=lines, file="left-behind.nc").to_json(), "utf-8")
     client = DeskClient.launch(address)
     wait_for(client, "idle")
+    client.set_zero("XYZ")
     client.run(file, zero_confirmed=True)
     while True:
         client.poll()

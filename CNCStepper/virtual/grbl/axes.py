@@ -12,12 +12,14 @@ from CNCStepper.motion.live import Motion
 from CNCStepper.virtual.grbl.settings import ALWAYS_ON_MS, IDLE_DELAY_MS, STEPS, TRAVEL, Settings
 from CNCStepper.virtual.grbl.words import f32
 
+COASTING_STEPS = 3  # of every axis, when motors that turn are stopped without a ramp
+
 
 class Axes:
     """Where the machine is, in steps, and what it is doing.
 
-    `_lost`: true place minus reported place, steps: at power-up the table stands in the middle of its
-    travel and reports 0, until homing finds the truth.
+    lost_steps: true place minus reported place: at power-up the table stands in the middle of its
+    travel and reports 0, until homing finds the truth; a dead stop in motion loses some more.
     """
 
     def __init__(self, settings: Settings):
@@ -26,7 +28,7 @@ class Axes:
         self._motion = Motion(self._limits())
         self.position_steps = self._motion.position_steps  # machine position
         self.declared = 0  # how often a place was declared rather than reached
-        self._lost = [
+        self.lost_steps = [
             round(-travel / 2 * steps) for travel, steps in zip(self._travels(), self._steps_per_mm, strict=True)
         ]
 
@@ -92,8 +94,9 @@ class Axes:
         self._motion.resume()
 
     def reset(self) -> None:
-        """Stop at once and forget all moves."""
-        self._motion.reset()
+        """Stop at once and forget all moves; axes that were moving coast on, and nobody counts that."""
+        if self._motion.reset():
+            self.lost_steps = [lost + COASTING_STEPS for lost in self.lost_steps]
         self.position_steps = self._motion.position_steps
 
     def override(self, feed_percent: int, rapid_percent: int) -> None:
@@ -110,13 +113,13 @@ class Axes:
         steps = list(self.position_steps)
         before = steps[axis]
         steps[axis] = round(position_mm * self._steps_per_mm[axis])
-        self._lost[axis] += before - steps[axis]
+        self.lost_steps[axis] += before - steps[axis]
         self._stand_at(tuple(steps))
 
     def to_switch_mm(self, axis: int, low: bool) -> float:
         """Return the way from here to the switch at the low or the high end of an axis, signed."""
         end_steps = -self._travels()[axis] * self._steps_per_mm[axis] if low else 0.0
-        return (end_steps - self.position_steps[axis] - self._lost[axis]) / self._steps_per_mm[axis]
+        return (end_steps - self.position_steps[axis] - self.lost_steps[axis]) / self._steps_per_mm[axis]
 
     def pressed_switches(self) -> list[str]:
         """Return the names of the axes that stand on or beyond one of their switches."""

@@ -201,6 +201,25 @@ class Grbl:
             self.send("ok")  # the firmware leaves the line it was at as if it were done
         self._begin()
 
+    def fail(self, code: int) -> None:
+        """Raise ALARM:1 as a limit switch does, which stops dead, or ALARM:2 as a soft limit, after a ramp."""
+        if code == ALARM_SOFT_LIMIT:
+            self._running = self._stop_and_alarm()
+            next(self._running)
+            return
+        self.stop_at_once()
+        self._running = self._stand_still()
+        self.alarm(code)
+
+    def power_up(self) -> None:
+        """Come back from a loss of supply: the place counts from 0 again, only the memory is kept."""
+        self.stop_at_once()
+        for axis in range(3):
+            self.axes.set_position(axis, 0.0)
+        self._output.clear()
+        self.state = State.ALARM if self.memory.settings.on(HOMING) else State.IDLE
+        self._begin()
+
     def sync_position(self) -> None:
         """Let the parser believe what the axes say."""
         self.parser.position = self.axes.position_mm
@@ -284,9 +303,12 @@ class Grbl:
             yield from execute.run(self, line)
 
     def _check_soft_limits(self, target_mm: list[float]) -> Waiting:
-        """Come to a controlled stop and raise the alarm where a target lies outside; never comes back then."""
-        if not self.memory.settings.outside_travel(target_mm):
-            return
+        """Stop with an alarm where a target lies outside; never comes back then."""
+        if self.memory.settings.outside_travel(target_mm):
+            yield from self._stop_and_alarm()
+
+    def _stop_and_alarm(self) -> Waiting:
+        """Come to a controlled stop and raise the alarm of the soft limits; never comes back."""
         if self.state is State.RUN:
             self.axes.hold()
             while not self.axes.stopped:
@@ -332,9 +354,7 @@ class Grbl:
     def _look_at_switches(self) -> None:
         watched = self.memory.settings.on(HARD_LIMITS) and self.state is not State.HOME
         if watched and not self.critical and any(self.axes.pressed_switches()):
-            self.stop_at_once()
-            self._running = self._stand_still()
-            self.alarm(ALARM_HARD_LIMIT)
+            self.fail(ALARM_HARD_LIMIT)
 
     def _stand_still(self) -> Waiting:
         while True:

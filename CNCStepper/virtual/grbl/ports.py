@@ -34,6 +34,9 @@ class Port(Protocol):
     def write(self, data: bytes) -> None:
         """Send bytes to the client; without one, or when it does not read, they are lost."""
 
+    def hang_up(self) -> None:
+        """Break the connection with the client, as a pulled cable does; another may come."""
+
     def close(self) -> None:
         """Give everything back."""
 
@@ -88,6 +91,9 @@ class TcpPort:
                 except (ConnectionError, TimeoutError):
                     self._drop()
 
+    def hang_up(self) -> None:
+        self._drop()
+
     def close(self) -> None:
         self._drop()
         self._listener.close()
@@ -114,15 +120,9 @@ class PtyPort:
     """A pseudo-terminal; `path` becomes a link to it and is removed at the end."""
 
     def __init__(self, path: str):
-        self._master, slave = _open_pty()
-        self._target = os.ttyname(slave)
-        os.close(slave)  # so that the master can tell whether a client has it open
-        os.set_blocking(self._master, False)
         self._path = Path(path)
-        self._make_link()
         self.address = path
-        self._poll = select.poll()
-        self._poll.register(self._master, select.POLLIN)
+        self._open()
 
     @property
     def connected(self) -> bool:
@@ -149,10 +149,23 @@ class PtyPort:
             with contextlib.suppress(OSError):
                 os.write(self._master, data)
 
+    def hang_up(self) -> None:
+        self.close()
+        self._open()
+
     def close(self) -> None:
         if self._path.is_symlink() and os.readlink(self._path) == self._target:
             self._path.unlink()
         os.close(self._master)
+
+    def _open(self) -> None:
+        self._master, slave = _open_pty()
+        self._target = os.ttyname(slave)
+        os.close(slave)  # so that the master can tell whether a client has it open
+        os.set_blocking(self._master, False)
+        self._make_link()
+        self._poll = select.poll()
+        self._poll.register(self._master, select.POLLIN)
 
     def _events(self) -> int:
         found = self._poll.poll(0)

@@ -22,6 +22,9 @@ from pathlib import Path
 
 from CNCStepper.errors import LinkError
 from CNCStepper.machine.profile import Machine
+from CNCStepper.virtual.faults import Fault, FaultPlan
+from CNCStepper.virtual.faults_link import FaultyLink
+from CNCStepper.virtual.faults_outside import kill_sender
 from CNCStepper.virtual.grbl.firmware import GRBL, Firmware
 from CNCStepper.virtual.grbl.link import Link
 from CNCStepper.virtual.grbl.machine import Grbl
@@ -41,7 +44,12 @@ class Server:
     """Runs a board behind a port until `stop` is called or, with `until_left`, its client has left or none came."""
 
     def __init__(
-        self, link: Link, port: Port, speed: float = 1.0, trace: Trace | None = None, until_left: bool = False
+        self,
+        link: Link | FaultyLink,
+        port: Port,
+        speed: float = 1.0,
+        trace: Trace | None = None,
+        until_left: bool = False,
     ):
         self._link = link
         self._port = port
@@ -65,6 +73,8 @@ class Server:
             due_s += min(now - last, LONGEST_LAG_S) * self._speed
             last = now
             due_s = self._advance(due_s)
+            if isinstance(self._link, FaultyLink) and self._link.take_cut():
+                self._port.hang_up()
             if self._trace and self._link.quiet:
                 self._trace.flush()
 
@@ -113,6 +123,8 @@ def serve(
     until_left: bool = False,
     firmware: Firmware = GRBL,
     ready: Callable[[str], None] | None = None,
+    faults: FaultPlan | None = None,
+    told: Callable[[Fault, float], None] = lambda fault, time_s: None,
 ) -> None:
     """Be a board on `machine` until SIGTERM or SIGINT comes.
 
@@ -122,7 +134,8 @@ def serve(
     speed: simulated seconds in a real one. baud: of the serial line, in simulated time. trace: CSV file
     for the path of the axes. homing: $22=1, locked at power-up. probe_height_mm: machine height of a
     probe plate. firmware: what it greets, answers and refuses as. ready: called with the address (path,
-    or socket://HOST:PORT) once clients may come.
+    or socket://HOST:PORT) once clients may come. faults: what goes wrong on the way; told hears of each as it
+    happens, with the simulated time in s.
     Raises LinkError when the port cannot be opened or a value makes no sense; nothing is left behind.
     """
     _check(speed, baud, pty, tcp)
@@ -132,7 +145,8 @@ def serve(
         record = stack.enter_context(contextlib.closing(Trace(trace, board))) if trace else None
         port: Port = PtyPort(str(pty)) if pty else _tcp_port(str(tcp))
         stack.callback(port.close)
-        link = Link(board, baud)
+        line = Link(board, baud)
+        link = FaultyLink(line, faults, outside=kill_sender, told=told) if faults else line
         server = Server(link, port, speed, record, until_left)
         stack.enter_context(_stopped_by_signals(server))
         if ready:

@@ -128,8 +128,13 @@ class Visit:
             values = dict.fromkeys(("x_mm", "y_mm", "z_mm"), 0.0) | {"feed_mm_min": 3000.0} | values
         self.desk.ask(Command(name, values))
 
-    def job(self, *lines: str, **job) -> None:
-        """Ask for a job of these lines, as the window leaves it in a file: without a port."""
+    def job(self, *lines: str, zeroed: bool = True, **job) -> None:
+        """Ask for a job of these lines, as the window leaves it in a file: without a port.
+
+        zeroed: where the position is unknown, this place is made the zero first.
+        """
+        if zeroed and self.phase == "idle" and self.desk.status().position_known is False:
+            self.ask("set_zero", axes="XYZ")
         content = json.loads(SendJob("nowhere", lines, file="part.nc", **job).to_json())
         del content["port"]
         self._file.write_text(json.dumps(content), "utf-8")

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import random
+import re
 import socket
 import threading
 import time
@@ -36,6 +37,7 @@ class FakeController:
         self.out = bytearray()
         self.modes, self.length = "G0 G54 G17 G21 G90 G94", "0.000"  # of `$G`, and the tool's of `$#`
         self.state = "Idle"
+        self.place = [10.0, 10.0, 10.0]  # of its work, mm
         self.settings = dict(SETTINGS)
         self.info, self.greeting = INFO, GREETING  # of `$I`, and after a reset
         self.named: dict[str, str] = {}  # settings by name, as FluidNC has them
@@ -144,7 +146,14 @@ class FakeController:
         elif self.state == "Idle":
             self.state = "Run"
         self._busy_s = self.clock() + self.keep_moving_s
+        self._go(line)
         self._do(action, line)
+
+    def _go(self, line: str) -> None:
+        """Stand where a line leads, in work coordinates, at once."""
+        if not line.startswith(("G10", "G28", "G30")):
+            for letter, value in re.findall(r"([XYZ])(-?[0-9.]+)", line):
+                self.place["XYZ".index(letter)] = float(value)
 
     def _do(self, action: str, line: str) -> None:
         if action == "cut":
@@ -189,7 +198,9 @@ class FakeController:
         wco = ""
         if self._wco_countdown < 0:
             self._wco_countdown, wco = 5, "|WCO:-100.000,-50.000,-20.000"
-        fields = f"MPos:-90.000,-40.000,-10.000|FS:500,8000{wco}{self.report_extra}"
+        unit = 25.4 if self.settings[13] else 1.0
+        place = ",".join(f"{work / unit + zero:.3f}" for work, zero in zip(self.place, (-100, -50, -20), strict=True))
+        fields = f"MPos:{place}|FS:500,8000{wco}{self.report_extra}"
         self.say(f"<{state}|{fields}>")
 
 

@@ -305,7 +305,16 @@ def test_zero_is_set_for_the_axes_asked_in_the_system_in_force(visit):
     assert seen[0].wpos_mm == pytest.approx((0, -20, 0), abs=0.013)
     places = visit.table.board.memory.places
     assert places[55] == pytest.approx([-10, 0, 0], abs=0.013) and places[54] == [0, 0, 0]
-    assert visit.refused == [] and seen[0].position_known is False  # one axis is still unknown
+    assert visit.refused == []
+
+
+def test_zero_of_two_axes_leaves_the_position_unknown(visit):
+    def person():
+        visit.ask("set_zero", axes="xz")
+        yield lambda: ("message", "zero of XZ set in G54") in visit.told
+
+    visit.receive(person)
+    assert visit.desk.status().position_known is False
 
 
 def test_zero_of_all_axes_makes_the_position_known_also_with_offsets_in_the_way(visit):
@@ -602,6 +611,7 @@ def test_file_that_holds_no_job_is_refused(visit, tmp_path, text):
     file.write_text(text)
 
     def person():
+        visit.ask("set_zero", axes="XYZ")
         visit.ask("run", file=str(file), zero_confirmed=True, allow_differences=False)
         yield visit.ended(1)
         visit.ask("run", file=str(tmp_path / "none.json"), zero_confirmed=True, allow_differences=False)
@@ -751,6 +761,7 @@ def test_certificate_is_run_when_it_holds_and_refused_when_not(code, visit, tmp_
     file.write_text(CERTIFICATES[code], "utf-8")
 
     def person():
+        visit.ask("set_zero", axes="XYZ")
         visit.ask("run", file=str(file), zero_confirmed=True, allow_differences=False)
         yield visit.ended(1)
 
@@ -758,3 +769,60 @@ def test_certificate_is_run_when_it_holds_and_refused_when_not(code, visit, tmp_
     (outcome,) = visit.outcomes
     assert (DONE if outcome.done else outcome.error.code) == code
     assert visit.phase == "idle"
+
+
+# --- never blind ---------------------------------------------------------------------------------------------------
+
+
+def reset_in_motion(visit):
+    visit.job(*SQUARE)
+    yield visit.at("running")
+    yield 0.5
+    visit.table.board.receive(RESET)
+    yield visit.ended()
+
+
+def hard_limit_in_motion(visit):
+    visit.job(*SQUARE)
+    yield visit.at("running")
+    yield 0.5
+    visit.table.board.fail(1)
+    yield visit.ended()
+
+
+def supply_lost_in_motion(visit):
+    visit.job(*SQUARE)
+    yield visit.at("running")
+    yield 0.5
+    visit.table.board.power_up()
+    yield visit.ended()
+
+
+def greeting_at_rest(visit):
+    visit.ask("set_zero", axes="XYZ")
+    yield lambda: visit.desk.status().position_known is True
+    yield 0.5
+    visit.table.board.power_up()
+    yield lambda: visit.desk.status().position_known is False
+
+
+@pytest.mark.parametrize("loses", [reset_in_motion, hard_limit_in_motion, supply_lost_in_motion, greeting_at_rest])
+def test_machine_whose_position_is_unknown_takes_no_program_until_its_zero_is_set(visit, loses):
+    def person():
+        yield from loses(visit)
+        before = len(visit.outcomes)
+        if visit.phase == "alarm":
+            visit.ask("unlock")
+            yield visit.at("idle")
+        visit.job(*SQUARE, zeroed=False)
+        yield visit.ended(before + 1)
+        visit.ask("jog", x_mm=-1.0)
+        yield visit.at("jogging")
+        yield visit.at("idle")
+        visit.job(*SQUARE)  # its zero is set first
+        yield visit.ended(before + 2)
+
+    visit.receive(person)
+    blind, again = visit.outcomes[-2:]
+    assert blind.kind == REFUSED and blind.error.code == "position-unknown" and not blind.position_known
+    assert again.kind == DONE and visit.refusals() == []

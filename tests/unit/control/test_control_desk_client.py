@@ -110,6 +110,7 @@ def test_launch_connects_runs_a_job_and_leaves_nothing(window, tmp_path):
     assert running_desks(tmp_path) == [client.session_file]
     if os.name == "posix":
         assert client.session_file.stat().st_mode & 0o777 == 0o600
+    client.set_zero("XYZ")
     client.run(job_file(tmp_path, SHORT), zero_confirmed=True)
     assert client.outcome is None
     window.until(lambda: client.outcome is not None)
@@ -169,6 +170,7 @@ from CNCStepper.control.desk_client import DeskClient
 client = DeskClient.launch(sys.argv[1], folder=Path(sys.argv[2]))
 while client.phase != "connected":
     client.poll(); time.sleep(0.01)
+client.set_zero("XYZ")
 client.run(Path(sys.argv[3]), zero_confirmed=True)
 while client.status.phase != "running":
     client.poll(); time.sleep(0.01)
@@ -204,6 +206,7 @@ def test_second_launch_on_one_port_attaches_to_the_desk_that_is_there(window, tm
     second.until(lambda: second.client.phase == "connected")
     assert second.client.session_file == window.client.session_file
     window.client.detach()
+    second.client.set_zero("XYZ")
     second.client.run(job_file(tmp_path, SHORT), zero_confirmed=True)
     second.until(lambda: second.client.outcome is not None)
     assert second.client.outcome.done
@@ -268,6 +271,7 @@ def test_killed_desk_is_lost_with_its_position(table, tmp_path):
 def test_sigterm_stops_the_job_safely(table, tmp_path):
     window = Window(DeskClient.launch(table, folder=tmp_path))
     window.until(lambda: window.client.phase == "connected")
+    window.client.set_zero("XYZ")
     window.client.run(job_file(tmp_path, LONG), zero_confirmed=True)
     window.until_phase("running")
     os.kill(process_of(window.client.session_file), signal.SIGTERM)

@@ -60,8 +60,8 @@ def test_job_is_done_when_all_lines_are_acknowledged_and_the_machine_is_idle():
     assert outcome.status.sent == outcome.status.acknowledged == outcome.status.total == len(LINES)
     assert bench.phases() == ["running", "finishing", "done"]
     assert bench.link.closed
-    assert outcome.status.mpos_mm == (-90.0, -40.0, -10.0)
-    assert outcome.status.wpos_mm == (10.0, 10.0, 10.0)
+    assert outcome.status.mpos_mm == (-41.0, -47.0, -10.0)
+    assert outcome.status.wpos_mm == (59.0, 3.0, 10.0)
     outcome.raise_for_error()
 
 
@@ -414,7 +414,7 @@ def test_difference_may_be_allowed_and_is_told():
 def test_positions_in_inches_are_converted():
     bench = Bench()
     bench.controller.settings[13] = 1
-    assert bench.run().status.mpos_mm == pytest.approx((-2286.0, -1016.0, -254.0))
+    assert bench.run().status.mpos_mm == pytest.approx((59 - 2540.0, 3 - 1270.0, 10 - 508.0), abs=0.02)
 
 
 @pytest.mark.parametrize("text", ["G1X1!", "(why?)", "G1~", "G1X1\x18", "G1Xф", "G1X1\n", "\x85"])

@@ -1,0 +1,121 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Compares every reported position with the path: what grbl's link lets pass damaged, `X90` for `X10`, is seen so.
+
+stretches  | done | planned by the controller | in its receive buffer |
+                  ^ behind here it cannot be                          ^ nor beyond: the last line sent
+                    ○ a report on one of these is right; from then on the machine is not behind it either
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from typing import TYPE_CHECKING
+
+from CNCStepper.control.connect import Found
+from CNCStepper.control.grbl import Grbl
+from CNCStepper.control.grbl_report import Status, Vector
+from CNCStepper.control.readiness import STEPS_PER_MM
+from CNCStepper.control.send_job import SendJob
+from CNCStepper.errors import MachineRefusal
+from CNCStepper.state import WORK_SYSTEMS, Start
+
+if TYPE_CHECKING:
+    from CNCStepper.control.planned_path import PlannedPath
+
+STEPS = 2.0
+ROUNDING_MM = 0.002  # of positions and offsets as they are reported, in inches too
+STEP_MM = 0.0125  # where the controller does not report its steps/mm
+AHEAD_BLOCKS = 8  # short ones that the step generator has taken out of the planner's queue
+STANDING = ("Idle", "Run", "Hold")  # in others (door, tool, jog) a controller moves by itself, or a person it
+MODES = ("G0", "G1", "G2", "G3", "G17", "G18", "G19", "G20", "G21", "G90", "G91", "G93", "G94")
+
+
+class PathWatch:
+    """Watches one job on one machine; `excursion` is the first report that was off the path.
+
+    tell(kind, text): hears the warning that the path is not known any more.
+    """
+
+    def __init__(self, job: SendJob, driver: Grbl, found: Found, tell: Callable[[str, str], None]):
+        self.excursion: MachineRefusal | None = None
+        self._job = job
+        self._driver = driver
+        self._tell = tell
+        self._told = False  # that the path is not known
+        self._path = self._planned(found)
+        axes = (driver.settings.get(STEPS_PER_MM + axis, 1 / STEP_MM) for axis in range(3))
+        self._near_mm = tuple(STEPS / max(steps, 1.0) + ROUNDING_MM for steps in axes)
+
+    def take(self, status: Status, acknowledged: int, sent: int) -> None:
+        """Compare a report; acknowledged: lines that were answered before it. sent: lines sent by now."""
+        place = self._driver.mm(status.mpos) or self._driver.mpos_mm
+        if place is None or self._path is None or self.excursion or status.state not in STANDING:
+            return
+        self._path.read(sent)
+        self._tell_unknown(self._path)
+        self._path.drop_planned_before(acknowledged, self._driver.planner_blocks + AHEAD_BLOCKS)
+        if not self._path.drop_to(place[:3], self._near_mm):
+            self.excursion = self._refusal(place)
+
+    def check(self) -> None:
+        """Raise MachineRefusal once a report was off the path."""
+        if self.excursion:
+            raise self.excursion
+
+    def check_end(self) -> None:
+        """Raise MachineRefusal unless the machine, idle after the last answer, stands at the path's end."""
+        place = self._driver.mpos_mm
+        if self._path and (place is None or not self._path.ends_at(place[:3], self._near_mm)):
+            raise self._refusal(place)
+
+    def _planned(self, found: Found) -> PlannedPath | None:
+        try:
+            from CNCStepper.control.planned_path import PlannedPath  # takes a second: when a machine is there only
+        except ImportError as error:
+            self._warn(str(error))
+            return None
+        return PlannedPath(self._job.lines, start_of(self._driver, found), held_words(self._driver, found))
+
+    def _tell_unknown(self, path: PlannedPath) -> None:
+        if path.refused and not self._told:
+            self._told = True
+            self._warn(str(path.refused))
+
+    def _warn(self, why: str) -> None:
+        self._tell("warning", f"positions are not compared with the path any more: {why}")
+
+    def _refusal(self, place: Vector | None) -> MachineRefusal:
+        return MachineRefusal(
+            "path-left",
+            "the machine is not on the program's path: a line was damaged on its way",
+            value=",".join(f"{value:.3f}" for value in place or ()) + " mm",
+            limit=f"{STEPS:g} steps",
+            advice="look at cable, shielding and grounding; the part may be cut where it should not be",
+            place=self._job.place(max(self._path.line, 0) if self._path else 0),
+        )
+
+
+def start_of(driver: Grbl, found: Found) -> Start:
+    """Return where a machine stands that was just met, and its offsets."""
+    offsets = {name: mm for name, offset in found.offsets.items() if (mm := driver.mm(offset)) is not None}
+    return Start(
+        position_mm=driver.mpos_mm or Start().position_mm,
+        work_system=next((word for word in found.modes.split() if word in WORK_SYSTEMS), "G54"),
+        work_offsets_mm={name: offsets[name] for name in WORK_SYSTEMS if name in offsets},
+        g92_mm=offsets.get("G92", Start().g92_mm),
+        zero_known=True,
+        parameters=_homes(offsets),
+    )
+
+
+def held_words(driver: Grbl, found: Found) -> list[str]:
+    """Return what a machine holds besides, as lines: a tool's length, what a coordinate means, the feed."""
+    length = driver.mm(found.offsets.get("TLO"))
+    words = (word for word in found.modes.split() if word in MODES or (word[0] == "F" and float(word[1:]) > 0))
+    return [*([f"G43.1Z{length[-1]}"] if length and length[-1] else []), "".join(words)]
+
+
+def _homes(offsets_mm: Mapping[str, Sequence[float]]) -> dict[int, float]:
+    """Return G28 and G30 as the parameters that hold them."""
+    first = {"G28": 5161, "G30": 5181}
+    return {first[name] + axis: value for name in first for axis, value in enumerate(offsets_mm.get(name, ()))}

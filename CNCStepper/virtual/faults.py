@@ -1,0 +1,94 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A plan of faults: what goes wrong between a sender and a virtual controller, and when; from TOML, JSON or a seed.
+
+[[fault]]           kinds of the wire       drop  delay  duplicate  corrupt   bytes of one way, "in" or "out"
+kind = "corrupt"              of the words  withhold  flood                   answers kept back, messages too many
+way = "in"                    of the board  reset  power  alarm               at once, in motion, or at rest
+at_byte = 400                 of the port   close                             as a cable that is pulled
+count = 1                     of the sender kill  disk                        its process, its disk
+"""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any, Literal, get_args
+
+from pydantic import BaseModel, ConfigDict, Field, model_validator
+
+from CNCStepper.errors import JobError, Place
+from CNCStepper.machine.profile import read_toml, validated
+
+Kind = Literal[
+    "drop", "delay", "duplicate", "corrupt", "withhold", "flood", "reset", "power", "alarm", "close", "kill", "disk"
+]
+KINDS: tuple[str, ...] = get_args(Kind)
+WIRE_KINDS = ("drop", "delay", "duplicate", "corrupt")
+BOARD_KINDS = ("reset", "power", "alarm")
+SENDER_KINDS = ("kill", "disk")
+IN, OUT = "in", "out"
+
+
+class _Checked(BaseModel):
+    model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
+
+
+class Fault(_Checked):
+    """One fault, once.
+
+    at_byte: the byte of its way, from 0, that it begins with. at_s: or the time since power-up, in simulated seconds.
+    way: "in" to the controller, "out" from it; bytes are counted there. count: bytes, `ok` or messages. for_s: of a
+    delay. bits: corrupted are these bits of each byte; 0 leaves one to chance. when: a fault of the board waits until
+    the machine is in "motion" or at "rest". code: of an alarm, 1 (limit switch) or
+    2 (soft limit). text: of a flood's messages. pid_file: holds the number
+    of the process to kill, or is a session file.
+    """
+
+    kind: Kind
+    way: Literal["in", "out"] = "in"
+    at_byte: int | None = Field(default=None, ge=0)
+    at_s: float | None = Field(default=None, ge=0)
+    count: int = Field(default=1, ge=1, le=10_000)
+    for_s: float = Field(default=0.5, gt=0)
+    bits: int = Field(default=0, ge=0, le=255)
+    when: Literal["any", "motion", "rest"] = "any"
+    code: int = Field(default=1, ge=1, le=2)
+    text: str = Field(default="[MSG:Flood]", pattern=r"^[ -~]*$")
+    pid_file: str = ""
+
+    @model_validator(mode="after")
+    def _has_one_moment(self) -> Fault:
+        if (self.at_byte is None) == (self.at_s is None):
+            raise ValueError("give either at_byte or at_s")
+        return self
+
+    def __str__(self) -> str:
+        moment = f"at byte {self.at_byte}" if self.at_s is None else f"at {self.at_s:g} s"
+        way = f" {self.way}" if self.kind in WIRE_KINDS else ""
+        return f"{self.kind}{way} {moment}"
+
+
+class FaultPlan(_Checked):
+    """Faults, and the seed of what they leave to chance."""
+
+    seed: int = 0
+    fault: tuple[Fault, ...] = ()
+
+
+def read_plan(path: Path) -> FaultPlan:
+    """Return the plan of a TOML or JSON file; raises JobError naming the file and what is wrong."""
+    try:
+        content = _json(path) if path.suffix.lower() == ".json" else read_toml(path)
+    except OSError as error:
+        raise JobError("faults-file", f"it cannot be read: {error.strerror}", place=Place(str(path))) from error
+    return validated(FaultPlan, content, str(path))
+
+
+def _json(path: Path) -> dict[str, Any]:
+    try:
+        content = json.loads(path.read_text("utf-8-sig"))
+    except ValueError as error:
+        raise JobError("json", f"not a JSON file: {error}", place=Place(str(path))) from error
+    if not isinstance(content, dict):
+        raise JobError("json", "not an object of keys and values", place=Place(str(path)))
+    return content

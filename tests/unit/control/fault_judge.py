@@ -1,0 +1,240 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Judges a run by the machine's own trace; knows nothing of the sender but what it claimed and what it was told.
+
+Places are the true ones, in steps: what the board counts, and what it has lost. A reference is the trace of the same
+program on a board without faults.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from itertools import pairwise
+from math import dist, hypot
+
+from CNCStepper.virtual.faults_link import FaultyLink
+from CNCStepper.virtual.grbl.machine import Grbl
+
+NEAR_STEPS = 2.0
+RIGHT_MM = 0.002  # of a told position: three decimals
+BRAKED_S = 1.5  # from a report off the path to standstill
+ANSWER = re.compile(rb"^(?:ok|error:\d+)\r$", re.MULTILINE)
+TROUBLE = re.compile(rb"^(?:error:\d+|ALARM:\d+|Grbl .*)\r$", re.MULTILINE)
+REPORT = re.compile(rb"<[A-Z][a-z]+(?::\d)?\|MPos:(-?\d+\.\d{3}),(-?\d+\.\d{3}),(-?\d+\.\d{3})[|>]")
+
+EXACT, STOPPED_KNOWN, STOPPED_UNKNOWN, REFUSED = "exact", "stopped, known", "stopped, unknown", "refused"
+EXCURSION, SILENT, WRONG = "excursion declared", "damaged unnoticed", "WRONG"
+
+Place = tuple[float, ...]
+
+
+@dataclass(frozen=True)
+class Row:
+    """A place the axes came to, and what the spindle did on the way: M number and rpm."""
+
+    time_s: float
+    place: Place  # true, steps
+    spindle: tuple[int, float]
+
+
+class MachineTrace:
+    """Notes the true path of a board's axes; `begin_lost` and `lost` say whether its count is still the one met."""
+
+    def __init__(self, board: Grbl):
+        self.board = board
+        self.rows = [self._row()]
+        self.begin_lost = list(board.axes.lost_steps)
+        self._counted, self._declared = board.axes.position_steps, board.axes.declared
+        board.on_step = self._note
+
+    @property
+    def lost(self) -> bool:
+        """Whether the board counts from elsewhere than at the begin."""
+        return self.board.axes.lost_steps != self.begin_lost
+
+    @property
+    def at_rest(self) -> bool:
+        """Whether nothing moves or is going to."""
+        return self.board.quiet and self.board.spindle.rpm == 0
+
+    def _note(self, board: Grbl) -> None:
+        axes = board.axes
+        if axes.position_steps != self._counted and axes.declared == self._declared:
+            self.rows.append(self._row())
+        self._counted, self._declared = axes.position_steps, axes.declared
+
+    def _row(self) -> Row:
+        axes, spindle = self.board.axes, self.board.spindle
+        place = tuple(float(here + lost) for here, lost in zip(axes.position_steps, axes.lost_steps, strict=True))
+        return Row(self.board.time_s, place, (spindle.direction, spindle.rpm))
+
+
+@dataclass(frozen=True)
+class Claim:
+    """What a sender says at its end."""
+
+    done: bool
+    refused: bool
+    position_known: bool
+    mpos_mm: Place | None
+    declared: str  # the code of its error
+
+
+@dataclass
+class Run:
+    """All that is known of one run but how the sender works. heard: what reached it, with the moments in s."""
+
+    reference: list[Row]
+    answers: int  # of the controller, in a run without faults
+    trace: MachineTrace
+    line: FaultyLink
+    claim: Claim
+    heard: list[tuple[float, bytes]] = field(default_factory=list)
+
+    @property
+    def damaged(self) -> bool:
+        """Whether the controller read other bytes than were sent."""
+        return self.line.ways["in"].damaged > 0
+
+    @property
+    def said(self) -> bytes:
+        """All that reached the sender."""
+        return b"".join(data for _, data in self.heard)
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """What a run is, and why if it is wrong."""
+
+    kind: str
+    why: str = ""
+
+
+def judge(run: Run) -> Verdict:
+    """Return what a run is."""
+    claim = run.claim
+    if why := _position_wrong(run):
+        return Verdict(WRONG, why)
+    if run.trace.board.ring.lost and not run.damaged:
+        return Verdict(WRONG, "the controller's buffer was overrun")
+    if claim.done:
+        return _judge_done(run)
+    if "close" not in run.line.fired and not claim.refused and not run.trace.at_rest:
+        return Verdict(WRONG, "the machine was left running")
+    if not follows(run.reference, run.trace.rows):
+        return _judge_left(run)
+    if claim.refused:
+        return Verdict(REFUSED)
+    return Verdict(STOPPED_KNOWN if claim.position_known else STOPPED_UNKNOWN)
+
+
+def _position_wrong(run: Run) -> str:
+    """Return what is wrong with a position that is said to be known, "" where nothing is."""
+    if not run.claim.position_known:
+        return ""
+    if run.trace.lost:
+        return "the position is said to be known, but steps were lost"
+    if run.claim.refused:
+        return ""
+    told, here = run.claim.mpos_mm, run.trace.board.axes.position_mm
+    if told is None or max(abs(a - b) for a, b in zip(told, here, strict=True)) > RIGHT_MM:
+        return f"the position is told as {told}, it is {here}"
+    return ""
+
+
+def _judge_done(run: Run) -> Verdict:
+    if not run.trace.board.quiet:
+        return Verdict(WRONG, "done is said while the machine moves")
+    if covers(run.reference, run.trace.rows) and run.trace.at_rest:
+        return Verdict(EXACT)
+    if not run.damaged:
+        return Verdict(WRONG, "done is said, but path or spindle are not the program's")
+    if TROUBLE.search(_after_greeting(run.said)) or len(ANSWER.findall(run.said)) != run.answers:
+        return Verdict(WRONG, "done is said, but the controller's answers told otherwise")
+    if _seen_off_path(run) is not None:
+        return Verdict(WRONG, "done is said, but a report had told that the path was left")
+    return Verdict(SILENT)
+
+
+def _judge_left(run: Run) -> Verdict:
+    if not run.damaged:
+        return Verdict(WRONG, "the machine went elsewhere, though every byte reached it")
+    seen_s = _seen_off_path(run)
+    if seen_s is not None and run.trace.rows[-1].time_s > seen_s + BRAKED_S and "close" not in run.line.fired:
+        return Verdict(WRONG, "the machine moved on after a report had told that the path was left")
+    return Verdict(EXCURSION if run.claim.declared == "path-left" else STOPPED_UNKNOWN)
+
+
+def _after_greeting(said: bytes) -> bytes:
+    """Return what was said after the greeting of the power-up."""
+    return said.partition(b"for help]\r\n")[2]
+
+
+def _seen_off_path(run: Run) -> float | None:
+    """Return when the sender was told a place that is nowhere on the program's path, None where it never was."""
+    board, tail = run.trace.board, b""
+    per_mm = [1 / board.axes.step_mm(axis) for axis in range(3)]
+    for time_s, data in run.heard:
+        tail += data
+        for found in REPORT.finditer(tail):
+            counted = (float(text) * scale for text, scale in zip(found.groups(), per_mm, strict=True))
+            place = tuple(here + lost for here, lost in zip(counted, run.trace.begin_lost, strict=True))
+            if not _on(run.reference, place, NEAR_STEPS + 1):
+                return time_s
+        tail = tail[tail.rfind(b"\n") + 1 :]
+    return None
+
+
+# --- paths ---------------------------------------------------------------------------------------------
+
+
+def follows(reference: Sequence[Row], rows: Sequence[Row]) -> bool:
+    """Return whether a path is the reference, in its order and with its spindle, as far as it goes."""
+    return bool(_reached(reference, rows))
+
+
+def covers(reference: Sequence[Row], rows: Sequence[Row]) -> bool:
+    """Return whether a path is the whole reference."""
+    end = reference[-1].place
+    left = (reference[stretch + 1 :] for stretch in _reached(reference, rows))
+    at_end = dist(rows[-1].place, end) <= NEAR_STEPS
+    return at_end and any(all(dist(row.place, end) <= NEAR_STEPS for row in rows_left) for rows_left in left)
+
+
+def _reached(reference: Sequence[Row], rows: Sequence[Row]) -> set[int]:
+    """Return the stretches of the reference at which a path may end that follows it; none where it does not.
+
+    The path is straight between two rows; it may pass a corner of the reference where that lies near enough.
+    """
+    reached = {0} if dist(reference[0].place, rows[0].place) <= NEAR_STEPS else set()
+    for before, row in pairwise(rows):
+        reached = {after for stretch in reached for after in _steps(reference, stretch, before, row)}
+        if not reached:
+            break
+    return reached
+
+
+def _steps(reference: Sequence[Row], stretch: int, before: Row, row: Row) -> set[int]:
+    """Return the stretches of the reference that one row of a path may have come to from `stretch`."""
+    found = set()
+    while True:
+        begin, end = reference[stretch], reference[stretch + 1]
+        if row.spindle == end.spindle and distance(row.place, begin.place, end.place) <= NEAR_STEPS:
+            found.add(stretch)
+        stretch += 1
+        if stretch + 1 >= len(reference) or distance(end.place, before.place, row.place) > NEAR_STEPS:
+            return found
+
+
+def _on(reference: Sequence[Row], place: Place, near_steps: float) -> bool:
+    return any(distance(place, begin.place, end.place) <= near_steps for begin, end in pairwise(reference))
+
+
+def distance(place: Place, begin: Place, end: Place) -> float:
+    """Return how far a place is from a stretch."""
+    x, y, z = end[0] - begin[0], end[1] - begin[1], end[2] - begin[2]
+    u, v, w = place[0] - begin[0], place[1] - begin[1], place[2] - begin[2]
+    length2 = x * x + y * y + z * z
+    share = min(max((u * x + v * y + w * z) / length2, 0.0), 1.0) if length2 else 0.0
+    return hypot(u - share * x, v - share * y, w - share * z)
