@@ -3,12 +3,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import click
 
-from CNCStepper.cli.options import machine_option
+from CNCStepper.cli.options import FilePath, machine_option
 from CNCStepper.machine.profile import Machine, load_machine
+
+if TYPE_CHECKING:
+    from CNCStepper.virtual.grbl.machine import Grbl
 
 
 @click.group("virtual")
@@ -32,11 +37,26 @@ def command() -> None:
 @click.option("--trace", type=click.Path(path_type=Path), help="Save the path of the axes: t_s,x_mm,y_mm,z_mm.")
 @click.option("--homing", is_flag=True, help="Start in alarm until homed, as with $22=1.")
 @click.option("--until-left", is_flag=True, help="End when its client has left, or when none has come within 30 s.")
+@click.option("--press", type=FilePath, help="Press its input pins when this TOML file says so.")
+@click.option("--typed", is_flag=True, help="Press its input pins by what is typed here (not on Windows).")
 @machine_option(required=False)
-def grbl(pty, tcp, speed, baud, trace, homing, until_left, machine: Machine | None) -> None:
+def grbl(pty, tcp, speed, baud, trace, homing, until_left, press, typed, machine: Machine | None) -> None:
     """A grbl 1.1 with 128 bytes and 15 blocks, on a pseudo-terminal or a TCP port; Ctrl-C ends it.
 
-    Without --machine it has the settings of table-a.
+    Without --machine it has the settings of table-a. With --typed these lines press its input pins:
+
+    \b
+      P            the probe's pin for 0.3 s; also X Y Z (limit switches), D door, R reset, H hold, S cycle start
+      press P      the same, and keep it pressed
+      release P    let it go
+
+    --press reads the same from a file, in seconds since the first client has come:
+
+    \b
+      [[press]]
+      pin = "P"
+      at_s = 2.5
+      for_s = 0.3
     """
     if bool(pty) == bool(tcp):
         raise click.UsageError("give either --pty PATH or --tcp HOST:PORT")
@@ -52,4 +72,24 @@ def grbl(pty, tcp, speed, baud, trace, homing, until_left, machine: Machine | No
         homing=homing,
         until_left=until_left,
         ready=lambda address: click.echo(f"virtual grbl at {address}"),
+        visit=lambda board: _hand_at(board, press, typed),
     )
+
+
+def _hand_at(board: Grbl, press: Path | None, typed: bool) -> Callable[[], None]:
+    """Return what lets a hand press the pins of a board, called again and again."""
+    from CNCStepper.cli.typed import Typed
+    from CNCStepper.virtual.grbl.hand import Hand
+
+    hand = Hand(board, tell=click.echo)
+    if press:
+        hand.plan(press)
+    if not typed:
+        return hand.turn
+    lines = Typed(hand.hear)
+
+    def hear_and_turn() -> None:
+        lines.wait(0.0)
+        hand.turn()
+
+    return hear_and_turn

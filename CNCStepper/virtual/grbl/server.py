@@ -37,16 +37,26 @@ NOBODY_CAME_S = 30.0  # after which a server that serves until it is left ends
 
 
 class Server:
-    """Runs a board behind a port until `stop` is called or, with `until_left`, its client has left or none came."""
+    """Runs a board behind a port until `stop` is called or, with `until_left`, its client has left or none came.
+
+    each_step: called between two steps of the board.
+    """
 
     def __init__(
-        self, link: Link, port: Port, speed: float = 1.0, trace: Trace | None = None, until_left: bool = False
+        self,
+        link: Link,
+        port: Port,
+        speed: float = 1.0,
+        trace: Trace | None = None,
+        until_left: bool = False,
+        each_step: Callable[[], None] = lambda: None,
     ):
         self._link = link
         self._port = port
         self._speed = speed
         self._trace = trace
         self._until_left = until_left
+        self._each_step = each_step
         self._stopping = False
         self._step_s = min(max(STEP_S * speed, SHORTEST_STEP_S), LONGEST_STEP_S)
 
@@ -85,6 +95,7 @@ class Server:
             self._link.advance(step_s)
             due_s -= step_s
             self._exchange(0.0)
+            self._each_step()
         return due_s
 
     def _exchange(self, timeout_s: float) -> None:
@@ -111,6 +122,7 @@ def serve(
     probe_height_mm: float | None = None,
     until_left: bool = False,
     ready: Callable[[str], None] | None = None,
+    visit: Callable[[Grbl], Callable[[], None]] = lambda board: _nothing,
 ) -> None:
     """Be a grbl 1.1h on `machine` until SIGTERM or SIGINT comes.
 
@@ -120,21 +132,27 @@ def serve(
     speed: simulated seconds in a real one. baud: of the serial line, in simulated time. trace: CSV file
     for the path of the axes. homing: $22=1, locked at power-up. probe_height_mm: machine height of a
     probe plate. ready: called with the address (path, or socket://HOST:PORT) once clients may come.
+    visit: gets the board and returns what is called between two of its steps, for a hand at its pins.
     Raises LinkError when the port cannot be opened or a value makes no sense; nothing is left behind.
     """
     _check(speed, baud, pty, tcp)
     with contextlib.ExitStack() as stack:
         _compile(machine)
         board = Grbl(machine, homing=homing, probe_height_mm=probe_height_mm)
+        each_step = visit(board)
         record = stack.enter_context(contextlib.closing(Trace(trace, board))) if trace else None
         port: Port = PtyPort(str(pty)) if pty else _tcp_port(str(tcp))
         stack.callback(port.close)
         link = Link(board, baud)
-        server = Server(link, port, speed, record, until_left)
+        server = Server(link, port, speed, record, until_left, each_step)
         stack.enter_context(_stopped_by_signals(server))
         if ready:
             ready(port.address)
         server.run()
+
+
+def _nothing() -> None:
+    """Nobody is at the board."""
 
 
 def _compile(machine: Machine) -> None:
