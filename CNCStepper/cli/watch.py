@@ -24,14 +24,16 @@ def watch(job: SendJob, resume_pauses: bool) -> Outcome:
         SessionClient.start(job) as client,
         Progress(*columns, TextColumn("{task.fields[place]}"), console=Console(stderr=True)) as progress,
     ):
-        return _Watch(client, progress, resume_pauses).run()
+        has_start = any(entry["act"] == "start" for entry in job.inputs)
+        return _Watch(client, progress, resume_pauses, has_start).run()
 
 
 class _Watch:
-    def __init__(self, client: SessionClient, progress: Progress, resume_pauses: bool):
+    def __init__(self, client: SessionClient, progress: Progress, resume_pauses: bool, has_start: bool):
         self._client = client
         self._progress = progress
         self._resume_pauses = resume_pauses
+        self._has_start = has_start  # a button at the machine, so that nobody need answer here
         self._bar = progress.add_task("connecting", total=None, place="")
         self._answered = ("", -1)  # the stand that has had its answer: its phase and place
 
@@ -42,6 +44,7 @@ class _Watch:
             try:
                 self._look()
             except KeyboardInterrupt:
+                self._has_start, self._answered = False, ("", -1)  # whoever interrupts is here to answer
                 self._client.hold()
         return self._client.wait(self._show)
 
@@ -71,6 +74,9 @@ class _Watch:
         if status.phase == "paused" and self._resume_pauses:
             self._progress.console.print(f"pause: {status.message or 'M0'}; going on", markup=False)
             self._client.resume()
+        elif self._has_start:
+            what = f"{status.message or 'The machine holds'}. Its start button goes on, Ctrl-C asks here"
+            self._progress.console.print(what, markup=False)
         else:
             self._ask(status)
 

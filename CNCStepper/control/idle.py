@@ -61,6 +61,7 @@ class Idle:
             "set_zero": self._set_zero,
             "home": self._home,
             "unlock": self._unlock,
+            "switch": self._switch,
             "override": lambda **values: driver.realtime(override_byte(**values)),
         }
 
@@ -201,6 +202,12 @@ class Idle:
         self._driver.send(HOME)
         self._driver.flush()
         self._homing_since_s = self._driver.clock()
+
+    def _switch(self, line: str) -> None:
+        """Send a block that only switches an output."""
+        self.check_no_jog()
+        check_state(self._driver.status)
+        connect.ask(self._driver, line, self._timing)
 
     def _take_answer(self, answer: Answered) -> None:
         if answer.sent.text != HOME:

@@ -13,14 +13,15 @@ BYTES: dict[str, dict[str, bytes]] = {
     "feed": {"reset": b"\x90", "10": b"\x91", "-10": b"\x92", "1": b"\x93", "-1": b"\x94"},
     "rapid": {"100": b"\x95", "50": b"\x96", "25": b"\x97", "reset": b"\x95"},
     "spindle": {"reset": b"\x99", "10": b"\x9a", "-10": b"\x9b", "1": b"\x9c", "-1": b"\x9d", "stop": b"\x9e"},
+    "coolant": {"flood": b"\xa0", "mist": b"\xa1"},  # each switches it on, or off
 }
 
 
 def override_byte(kind: str, step: str) -> bytes:
-    """Return the byte for one step of "feed", "rapid" or "spindle"; raises MachineRefusal naming the steps there are.
+    """Return the byte for one step of "feed", "rapid", "spindle" or "coolant".
 
-    step: percent to add ("10", "-1"), of rapid the percentage itself, "reset", or "stop" for the spindle
-    of a held machine.
+    step: percent to add ("10", "-1"), of rapid the percentage itself, "reset", "stop" for the spindle of a held
+    machine, or which coolant. Raises MachineRefusal naming the steps that there are.
     """
     try:
         return BYTES[kind][step]

@@ -19,6 +19,7 @@ from contextlib import suppress
 from dataclasses import replace
 
 from CNCStepper.control import connect, halt
+from CNCStepper.control.buttons import quicker
 from CNCStepper.control.command import Command, Inbox
 from CNCStepper.control.feeder import Feeder
 from CNCStepper.control.first_modes import check_modes, mode_differences
@@ -66,13 +67,13 @@ class JobRun:
         self.job = job
         self.driver: Grbl | None = None  # before it is connected
         self._inbox = inbox
-        self._timing = timing
+        self._timing = quicker(timing, job.inputs)
         self._clock = clock
         self._tell = tell
         self._refuse = refuse
         self._feeder = Feeder(job)
         self._phases = Phases(tell)
-        self._watch = Watch(timing)
+        self._watch = Watch(self._timing)
         self._begin_s = clock()
         self._idle_reports = 0
         self._trouble: list[Received] = []  # the alarm or greeting that ended the job

@@ -21,6 +21,7 @@ class SendJob:
     expected: grbl settings that must hold, by number; differences are only told when
     `allow_differences`. zero_confirmed: somebody said that the work zero is right. work_offsets_mm, work_system:
     where the program was proven to begin (G54..G59.3 and G92 by name); empty: nobody knows, so nothing is compared.
+    inputs: the machine's own buttons, as `machine.inputs.Input` has them.
     """
 
     port: str
@@ -34,6 +35,7 @@ class SendJob:
     baud: int = 115_200
     work_offsets_mm: Mapping[str, Sequence[float]] = field(default_factory=dict)
     work_system: str = ""
+    inputs: Sequence[Mapping[str, Any]] = ()
 
     def __post_init__(self) -> None:
         if len(self.file_lines) not in (0, len(self.lines)):
@@ -66,6 +68,7 @@ class SendJob:
             "messages": {str(index): text for index, text in self.messages.items()},
             "expected": {str(number): value for number, value in self.expected.items()},
             "work_offsets_mm": {name: list(offset) for name, offset in self.work_offsets_mm.items()},
+            "inputs": [dict(entry) for entry in self.inputs],
         }
 
     def to_json(self) -> str:

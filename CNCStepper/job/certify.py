@@ -34,7 +34,7 @@ if TYPE_CHECKING:
 
 FIGURES = ("blocks", "moves", "cut_length_mm", "air_length_mm", "rapid_length_mm", "pierces", "removed_volume_mm3")
 VERDICT = ("gouge_mm", "left_over_mm")
-SENT = ("lines", "file", "file_lines", "messages", "expected", "work_offsets_mm", "work_system")
+SENT = ("lines", "file", "file_lines", "messages", "expected", "work_offsets_mm", "work_system", "inputs")
 Read = TypeVar("Read")
 _PLAY = TypeAdapter(Play)
 ANY_TOOL = "any"  # the number of a tool that stands for every number
@@ -145,6 +145,7 @@ def send_job(wire: WireText, machine: Machine | None, file: str, start: Start | 
         expected=expected_settings(machine) if machine else {},
         work_offsets_mm=_offsets(known) if known else {},
         work_system=known.work_system if known else "",
+        inputs=[entry.model_dump(mode="json") for entry in machine.input] if machine else (),
     )
 
 
@@ -154,8 +155,8 @@ def _offsets(start: Start) -> dict[str, tuple[float, ...]]:
 
 
 def machine_digest(machine: Machine) -> str:
-    """Return the fingerprint of a whole machine profile."""
-    return digest_of(machine.model_dump(mode="json"))
+    """Return the fingerprint of a machine profile without its buttons, which change no proof."""
+    return digest_of(machine.model_dump(mode="json", exclude={"input"}))
 
 
 def stock_digest(stock: Stock | None) -> str:
