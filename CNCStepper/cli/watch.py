@@ -4,17 +4,20 @@
 from __future__ import annotations
 
 import signal
+import time
+from typing import Any
 
 import click
 from rich.console import Console
 from rich.progress import BarColumn, Progress, TaskProgressColumn, TextColumn, TimeElapsedColumn
 
+from CNCStepper.cli.pause_words import STOP, Answer, is_end
 from CNCStepper.control.outcome import Outcome, SenderStatus
 from CNCStepper.control.send_job import SendJob
 from CNCStepper.control.session import SessionClient
 
 LOOK_EVERY_S = 0.05
-STOP_WORDS = ("s", "stop", "q", "quit", "n", "no")
+TOUCHED_S = 0.5  # until a jog or a new zero shows at the latest
 
 
 def watch(job: SendJob, resume_pauses: bool) -> Outcome:
@@ -54,13 +57,18 @@ class _Watch:
                 status = SenderStatus.from_json(event["status"])
                 self._show(status)
                 self._stand(status)
-            elif event["event"] in ("message", "warning"):
-                self._progress.console.print(event["text"], markup=False)
+            else:
+                self._print(event)
+
+    def _print(self, event: dict[str, Any]) -> None:
+        if event["event"] in ("message", "warning"):
+            self._progress.console.print(event["text"], markup=False)
+        if event["event"] == "warning":  # what was answered may have been refused
+            self._answered = ("", -1)
 
     def _show(self, status: SenderStatus) -> None:
         place = f"line {status.file_line}" if status.file_line else ""
-        if status.wpos_mm:
-            place += "  " + " ".join(f"{axis}{value:.3f}" for axis, value in zip("XYZ", status.wpos_mm, strict=False))
+        place += f"  {_work_place(status)}"
         self._progress.update(
             self._bar, description=status.phase, completed=status.acknowledged, total=status.total or None, place=place
         )
@@ -75,36 +83,50 @@ class _Watch:
             self._progress.console.print(f"pause: {status.message or 'M0'}; going on", markup=False)
             self._client.resume()
         elif self._has_start:
-            what = f"{status.message or 'The machine holds'}. Its start button goes on, Ctrl-C asks here"
+            what = f"{_why(status)}. Its start button goes on, Ctrl-C asks here"
             self._progress.console.print(what, markup=False)
         else:
             self._ask(status)
 
     def _ask(self, status: SenderStatus) -> None:
-        """Ask until the answer is one of the two; nobody to ask means stop: no tool stands in the work unwatched."""
-        question = f"{status.message or 'The machine holds'}. Enter goes on, s stops"
+        """Ask until the job goes on or is stopped; nobody to ask means stop: no tool stands in the work unwatched."""
         self._progress.stop()
-        try:
-            answer = click.prompt(question, default="", show_default=False, err=True, type=_GO_ON_OR_STOP)
-        except (click.Abort, EOFError):
-            answer = "s"
+        wishes = self._asked(status)
+        while not is_end(wishes) and not self._client.outcome:
+            self._wish(wishes)
+            status = self._touched(status)
+            wishes = self._asked(status)
         self._progress.start()
-        if answer == "s":
-            self._client.stop()
-        else:
-            self._client.resume()
+        self._wish(wishes)
+
+    def _asked(self, status: SenderStatus) -> list[tuple[str, dict[str, Any]]]:
+        can_jog = status.phase == "paused" and status.machine_state == "Idle"
+        more = f", z-0.1 jogs, zero z touches off ({_work_place(status)})" if can_jog else ""
+        question = f"{_why(status)}. Enter goes on, s stops{more}"
+        try:
+            return click.prompt(question, default="", show_default=False, err=True, type=Answer())
+        except (click.Abort, EOFError):
+            return STOP
+
+    def _wish(self, wishes: list[tuple[str, dict[str, Any]]]) -> None:
+        for name, values in wishes:
+            self._client.ask(name, **values)
+
+    def _touched(self, status: SenderStatus) -> SenderStatus:
+        """Wait until a jog has begun and ended, or a zero is set; return how the machine stands then."""
+        begin_s = time.monotonic()
+        while time.monotonic() - begin_s < TOUCHED_S or status.machine_state == "Jog":
+            for event in self._client.poll(LOOK_EVERY_S):
+                self._print(event)
+                status = SenderStatus.from_json(event["status"]) if event["event"] == "status" else status
+            if self._client.outcome:
+                break
+        return status
 
 
-class _GoOnOrStop(click.ParamType):
-    """Enter alone, or a word for stop; anything else is asked again, for going on moves the machine."""
-
-    name = "answer"
-
-    def convert(self, value: str, param: click.Parameter | None, ctx: click.Context | None) -> str:
-        word = value.strip().lower()
-        if word and word not in STOP_WORDS:
-            self.fail(f"'{value}' is neither: press Enter alone to go on, or s to stop", param, ctx)
-        return word and "s"
+def _why(status: SenderStatus) -> str:
+    return status.message or ("The program pauses" if status.phase == "paused" else "The machine holds")
 
 
-_GO_ON_OR_STOP = _GoOnOrStop()
+def _work_place(status: SenderStatus) -> str:
+    return " ".join(f"{axis}{value:.3f}" for axis, value in zip("XYZ", status.wpos_mm or (), strict=False))

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from CNCStepper.control.codes import error_code
 from CNCStepper.control.grbl import Answered, Grbl
-from CNCStepper.control.lines import dwell_s, needs_idle, pauses, stores
+from CNCStepper.control.lines import dwell_s, needs_idle, only_pauses, pauses, stores
 from CNCStepper.control.send_job import SendJob
 from CNCStepper.errors import MachineRefusal, Place, ProgramError
 
@@ -15,14 +15,19 @@ class Feeder:
 
     Lines that write permanent memory, `$` commands and pauses go alone: they wait for every answer
     before them, and the lines after them wait for theirs. So nothing follows an M0 until it is over.
+
+    An M0 that stands alone is never sent: the sender stands there itself, at an idle machine that may be jogged.
+    by_line: so it does before every line.
     """
 
     def __init__(self, job: SendJob):
         self.job = job
+        self.by_line = job.by_line
         self.sent = 0
         self.acknowledged = 0
         self.total = len(job.lines)
         self._message = ""  # the program's last since its last pause
+        self._released = -1  # the line that may go out by itself
         self._alone = False  # the last line sent must be answered before the next goes out
 
     @property
@@ -63,6 +68,24 @@ class Feeder:
             return self.job.messages.get(driver.unanswered[0].index, self._message)
         return None
 
+    def stand_message(self, driver: Grbl) -> str | None:
+        """Return what to say where the sender stands, all lines before being answered; None where it does not."""
+        if driver.unanswered or self.sent >= self.total or not self._stands(self.sent):
+            return None
+        text = self.job.lines[self.sent]
+        if only_pauses(text):
+            return self.job.messages.get(self.sent, self._message)
+        return f"next is line {self.job.place(self.sent).line}: {text}"
+
+    def leave_stand(self) -> None:
+        """Go on: an M0 is over, any other line may go out."""
+        if not only_pauses(self.job.lines[self.sent]):
+            self._released = self.sent
+            return
+        self.sent += 1
+        self.acknowledged += 1
+        self._message = ""
+
     def place_at_work(self) -> Place:
         """Return where the first line stands that was not acknowledged, or the last one."""
         return self.job.place(min(self.acknowledged, self.total - 1))
@@ -71,7 +94,12 @@ class Feeder:
         """Return how long the oldest line under way may keep its answer back on purpose."""
         return dwell_s(driver.unanswered[0].text) if driver.unanswered else 0.0
 
+    def _stands(self, index: int) -> bool:
+        return only_pauses(self.job.lines[index]) or (self.by_line and self._released != index)
+
     def _may_go(self, text: str, driver: Grbl, idle: bool) -> bool:
+        if self._stands(self.sent):
+            return False
         alone = stores(text) or needs_idle(text) or pauses(text)
         if driver.unanswered and (alone or self._alone):
             return False

@@ -11,7 +11,7 @@ from CNCStepper.control.codes import alarm_code, error_code
 from CNCStepper.control.command import Command
 from CNCStepper.control.grbl import HOLD, RESUME, Answered, Grbl, Received
 from CNCStepper.control.grbl_report import Alarm, Feedback, Greeting, Status
-from CNCStepper.control.jogger import LAPSE_S, Jogger, Way
+from CNCStepper.control.jogger import Jogger, Way, check_in_time
 from CNCStepper.control.moment import moment
 from CNCStepper.control.outcome import SenderStatus
 from CNCStepper.control.overrides import override_byte
@@ -107,10 +107,7 @@ class Idle:
 
     def do(self, command: Command) -> None:
         """Carry out a command; raises MachineRefusal when it cannot be done now."""
-        if command.name.startswith("jog") and command.name != "jog_cancel":
-            late_s = self._driver.clock() - command.asked_s
-            if late_s > LAPSE_S:
-                raise MachineRefusal("jog-late", "the jog came too late to be safe", value=f"{late_s:.1f} s")
+        check_in_time(command, self._driver.clock())
         self._does[command.name](**command.values)
 
     def hear(self, received: list[Received]) -> None:

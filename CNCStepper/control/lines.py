@@ -13,6 +13,7 @@ BYTE_LIMIT = 126  # with its line end a line must fit into the receive buffer
 _ACTING = re.compile(r"[^ \"->@-}]")
 _STORING = re.compile(r"G0*(?:10(?:\.0*)?|28\.10*|30\.10*)(?![\d.])")
 _PAUSE = re.compile(r"M0+(?![\d.])")
+_ONLY_PAUSE = re.compile(r"(?:N\d+)?M0+")
 _DWELL = re.compile(r"G0*4(?![\d.])")
 _SECONDS = re.compile(r"P(\d*\.?\d*)")
 
@@ -58,6 +59,11 @@ def needs_idle(text: str) -> bool:
 def pauses(text: str) -> bool:
     """Return whether a line holds M0."""
     return bool(_PAUSE.search(_plain(text)))
+
+
+def only_pauses(text: str) -> bool:
+    """Return whether a line is an M0 and nothing else, so that a sender can make the pause itself."""
+    return bool(_ONLY_PAUSE.fullmatch(_plain(text)))
 
 
 def dwell_s(text: str) -> float:

@@ -3,6 +3,7 @@
 
     running --hold--> holding --Hold:0--> held --resume--> running
     running --Hold at an M0--> paused --resume--> running
+    running --Idle before a line that is waited for--> paused --resume, after any jogs back there--> running
     running --Door--> door --closed (Door:0), resume--> running
 
 A wish is only a wish until the controller's state shows it: grbl forgets `~` while it slows down, so
@@ -34,6 +35,7 @@ class Phases:
         self.message = ""
         self.changed_s = float("-inf")
         self._tell = tell
+        self.stands = False  # paused by the sender itself, between two lines, with an idle machine
         self._hold_asked = False
         self._resume_asked = False
 
@@ -44,9 +46,15 @@ class Phases:
 
     def set(self, name: str, message: str = "") -> None:
         """Enter a phase and tell it; nothing happens when it is the present one."""
+        self.stands = False
         if name != self.name:
             self.name, self.message = name, message
             self._tell("phase", f"{name}: {message}" if message else name)
+
+    def stand(self, message: str) -> None:
+        """Pause between two lines, until the phase is set anew."""
+        self.set("paused", message)
+        self.stands = True
 
     def obey(self, command: str, driver: Grbl) -> None:
         """Carry out "hold" or "resume"."""
@@ -75,7 +83,7 @@ class Phases:
             self._in_hold(status, driver, feeder)
         elif status.state == "Door":
             self._at_door(status, driver)
-        else:
+        elif not self.stands:
             self._moving(driver)
 
     def _in_hold(self, status: Status, driver: Grbl, feeder: Feeder) -> None:

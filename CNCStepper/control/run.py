@@ -2,7 +2,7 @@
 """One job's run over an open connection; it ends only when the machine stands still and why is known.
 
     connecting --> running <--> holding --> held          `!` and `~`, asked for here or at the machine
-        |             |  `--> paused (M0), door
+        |             |  `--> paused (M0, or line by line: `stand.py`), door
         |             v
         |          finishing (all acknowledged) --> done (Idle, reported twice)
         `-> refused   `-> stopping --> stopped, failed    hold, Hold:0, soft reset
@@ -31,6 +31,7 @@ from CNCStepper.control.overrides import override_byte
 from CNCStepper.control.phases import Phases
 from CNCStepper.control.readiness import check_offsets, check_settings, check_zero, differences, offset_differences
 from CNCStepper.control.send_job import SendJob
+from CNCStepper.control.stand import Stand
 from CNCStepper.control.timing import Timing
 from CNCStepper.control.watch import Watch
 from CNCStepper.errors import CNCStepperError, LinkError, MachineRefusal
@@ -74,6 +75,7 @@ class JobRun:
         self._feeder = Feeder(job)
         self._phases = Phases(tell)
         self._watch = Watch(self._timing)
+        self._stand = Stand(self._timing, tell, refuse)
         self._begin_s = clock()
         self._idle_reports = 0
         self._trouble: list[Received] = []  # the alarm or greeting that ended the job
@@ -94,7 +96,9 @@ class JobRun:
     def count(self, received: list[Received]) -> None:
         """Hear what came, also while the machine is brought to rest: count the answers to the job's lines."""
         for report in received:
-            if isinstance(report, Answered):
+            if isinstance(report, Greeting) and self._phases.stands:
+                self._trouble.append(report)  # also one that comes while a zero is set
+            elif isinstance(report, Answered):
                 self._feeder.take(report)
                 if message := self.job.messages.get(report.sent.index):
                     self._tell("message", message)
@@ -164,6 +168,9 @@ class JobRun:
 
     def _turn(self, driver: Grbl) -> None:
         """Feed, ask, listen and obey once; at most until the next `?` is due."""
+        for report in self._trouble:
+            if isinstance(report, Greeting):
+                raise connect.restart_refusal(report)
         idle = self._watch.idle(driver, self._phases.changed_s)
         self._watch.check(
             driver, idle and self._phases.feeding, self._feeder.dwell_s(driver), self._feeder.place_at_work()
@@ -171,14 +178,19 @@ class JobRun:
         if self._phases.feeding and self._feeder.feed(driver, idle):
             self._watch.heard_s = self._clock()
         every_s = self._timing.poll_s if self._phases.name == "running" else self._timing.quick_poll_s
-        for report in driver.receive(self._watch.poll(driver, every_s)):
+        for report in driver.receive(min(self._watch.poll(driver, every_s), self._stand.turn())):
             self._take(driver, report)
         self._obey(driver)
+        if self._phases.stands and self._stand.is_left(driver):
+            self._feeder.leave_stand()
+            self._phases.set("running")
 
     def _take(self, driver: Grbl, report: Received) -> None:
         if isinstance(report, Answered):
             self._watch.heard_s = self._clock()
-            if report.error:
+            if report.sent.index < 0:
+                self._stand.answered(report)
+            elif report.error:
                 raise self._feeder.refusal(report)
         elif isinstance(report, (Alarm, Greeting)):
             self._trouble.append(report)
@@ -190,8 +202,14 @@ class JobRun:
     def _count_idle(self, driver: Grbl) -> None:
         if self._feeder.complete and self._phases.feeding:
             self._phases.set("finishing")
-        finished = self._phases.name == "finishing" and self._watch.idle(driver, self._phases.changed_s)
+        message = self._feeder.stand_message(driver) if self._phases.name == "running" else None
+        awaited = self._phases.name == "finishing" or message is not None
+        finished = awaited and self._watch.idle(driver, self._phases.changed_s)
         self._idle_reports = self._idle_reports + 1 if finished else 0
+        if message is not None and self._idle_reports == IDLE_REPORTS:
+            self._idle_reports = 0
+            self._stand.begin(driver, self._feeder.sent)
+            self._phases.stand(message)
 
     def _obey(self, driver: Grbl) -> None:
         for command in self._inbox.take():
@@ -205,7 +223,11 @@ class JobRun:
                 self._refuse(command, error)
 
     def _do(self, command: Command, driver: Grbl) -> None:
-        if command.name in ("hold", "resume"):
+        if command.name == "by_line":
+            self._feeder.by_line = command.values["on"]
+        elif self._phases.stands and command.name in self._stand.commands:
+            self._stand.do(command)
+        elif command.name in ("hold", "resume"):
             self._phases.obey(command.name, driver)
         elif command.name == "override":
             driver.realtime(override_byte(**command.values))

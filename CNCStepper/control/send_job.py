@@ -21,7 +21,8 @@ class SendJob:
     expected: grbl settings that must hold, by number; differences are only told when
     `allow_differences`. zero_confirmed: somebody said that the work zero is right. work_offsets_mm, work_system:
     where the program was proven to begin (G54..G59.3 and G92 by name); empty: nobody knows, so nothing is compared.
-    inputs: the machine's own buttons, as `machine.inputs.Input` has them.
+    by_line: wait before each line until somebody resumes. inputs: the machine's own buttons, as `machine.inputs.Input`
+    has them.
     """
 
     port: str
@@ -35,6 +36,7 @@ class SendJob:
     baud: int = 115_200
     work_offsets_mm: Mapping[str, Sequence[float]] = field(default_factory=dict)
     work_system: str = ""
+    by_line: bool = False
     inputs: Sequence[Mapping[str, Any]] = ()
 
     def __post_init__(self) -> None:

@@ -8,7 +8,7 @@ import select
 import socket
 import subprocess
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any
 
@@ -70,6 +70,10 @@ class SessionClient:
             if time.monotonic() > end_s:
                 raise LinkError("sender-silent", "the sender's process does not answer", advice="see " + self._log())
         return self._status
+
+    def ask(self, command: str, **values: Any) -> None:
+        """Ask for one of the session's commands, for example "jog"; what is refused is told as a warning."""
+        self._send(command, values)
 
     def hold(self) -> None:
         """Ask for a feed hold."""
@@ -161,13 +165,13 @@ class SessionClient:
         self._connection.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
         self._send("attach")
 
-    def _send(self, command: str) -> None:
+    def _send(self, command: str, values: Mapping[str, Any] | None = None) -> None:
         if self.outcome is not None:
             self._status = self.outcome.status
         elif self._connection is None:
             raise LinkError("session-detached", "this client is detached", advice="attach to the session again")
         else:
-            self._write(self._connection, json.dumps({"token": self._token, "command": command}))
+            self._write(self._connection, json.dumps({**(values or {}), "token": self._token, "command": command}))
 
     def _write(self, connection: socket.socket, text: str) -> None:
         try:
