@@ -102,9 +102,9 @@ class Buttons:
         contacts = [_Contact(button) for button in buttons]
         return PinWatch(pins, lambda high: self._look(contacts, high), self._lost)
 
-    def _look(self, contacts: Sequence[_Contact], pins_on: Collection[int] | str) -> None:
+    def _look(self, contacts: Sequence[_Contact], pins_on: Collection[int | str]) -> None:
         for contact in contacts:
-            is_on = contact.button.pin in pins_on  # type: ignore[operator]
+            is_on = contact.button.pin in pins_on
             pressed = contact.debouncer.look(is_on == (contact.button.level == "high"), self._clock())
             command = None if pressed is None else contact.button.command(pressed)
             if command:

@@ -18,6 +18,7 @@ READ_STATUS = 0x80017081  # of Linux's ppdev.h
 BITS = {15: 3, 13: 4, 12: 5, 10: 6, 11: 7}
 INVERTED = (11,)
 LOOK_EVERY_S = 0.005
+CLOSE_LIMIT_S = 1.0  # another program may have claimed the port
 
 Pins = frozenset[int]
 
@@ -94,7 +95,7 @@ class PinWatch:
     def close(self) -> None:
         """Look no more."""
         self._closed.set()
-        self._thread.join()
+        self._thread.join(CLOSE_LIMIT_S)
 
     def _run(self) -> None:
         try:

@@ -7,13 +7,16 @@ import threading
 
 import pytest
 from desk_table import Visit
-from fake_controller import FakeClock
+from fake_controller import FakeClock, FakeController, FakeLink
 
 from CNCStepper.control.button import buttons_of
-from CNCStepper.control.buttons import Buttons
+from CNCStepper.control.buttons import POLL_S, Buttons, quicker
 from CNCStepper.control.command import VALUES, Command
 from CNCStepper.control.grbl_report import Greeting, parse
 from CNCStepper.control.outcome import DONE, STOPPED
+from CNCStepper.control.send_job import SendJob
+from CNCStepper.control.sender import Sender
+from CNCStepper.control.timing import Timing
 from CNCStepper.errors import JobError, LinkError
 from CNCStepper.machine.inputs import Act, Input
 
@@ -25,6 +28,14 @@ TAP_S = 0.4
 def inputs(*told: dict) -> list[dict]:
     """Return the buttons of a profile as a job carries them."""
     return [Input.model_validate(entry).model_dump(mode="json") for entry in told]
+
+
+PANEL = inputs(
+    {"pin": "P", "act": "pause"},
+    {"pin": "X", "act": "start"},
+    {"pin": "Y", "act": "stop"},
+    {"pin": "Z", "act": "flood"},
+)
 
 
 class Ear:
@@ -170,14 +181,36 @@ def test_pins_of_a_port_ask_the_same_and_a_lost_port_holds():
     assert ear.told[1][0] == "warning" and "it is gone" in ear.told[1][1]
 
 
-# --- the table, worked from its own buttons ---------------------------------------------------------
+# --- a session of one job ---------------------------------------------------------------------------
 
-PANEL = inputs(
-    {"pin": "P", "act": "pause"},
-    {"pin": "X", "act": "start"},
-    {"pin": "Y", "act": "stop"},
-    {"pin": "Z", "act": "flood"},
-)
+
+def test_session_is_paused_and_started_by_buttons():
+    clock = FakeClock()
+    controller = FakeController(clock)
+    told: list[str] = []
+
+    def tell(kind: str, text: str) -> None:
+        told.append(text)
+        controller.report_extra = {"held": "|Pn:X", "start by the button on pin X": ""}.get(
+            text, controller.report_extra
+        )
+
+    lines = [f"G1X{number}F600" for number in range(400)]
+    job = SendJob("fake", lines, zero_confirmed=True, inputs=PANEL)
+    controller.actions[100] = lambda: setattr(controller, "report_extra", "|Pn:P")
+    sender = Sender(job, opener=lambda name, baud: FakeLink(controller, clock), clock=clock, tell=tell)
+    assert sender.run().kind == DONE and controller.lines == lines
+    first = told.index("pause by the button on pin P")
+    assert told[first + 1 : first + 5] == ["holding", "held", "start by the button on pin X", "running"]
+
+
+def test_pins_of_the_controller_are_looked_at_more_often_those_of_a_port_are_not():
+    assert quicker(Timing(), PANEL).poll_s == POLL_S
+    assert quicker(Timing(), inputs({"pin": 10, "port": "/dev/parport0", "act": "stop"})) == Timing()
+    assert quicker(Timing(), ()) == Timing()
+
+
+# --- the table, worked from its own buttons ---------------------------------------------------------
 
 
 @pytest.fixture
