@@ -98,9 +98,10 @@ class Feeder:
         return only_pauses(self.job.lines[index]) or (self.by_line and self._released != index)
 
     def _may_go(self, text: str, driver: Grbl, idle: bool) -> bool:
-        if self._stands(self.sent):
+        pausing = pauses(text)
+        if (pausing or self.by_line) and self._stands(self.sent):
             return False
-        alone = stores(text) or needs_idle(text) or pauses(text)
+        alone = pausing or stores(text) or needs_idle(text)
         if driver.unanswered and (alone or self._alone):
             return False
         if needs_idle(text) and not idle:
