@@ -53,6 +53,9 @@ if TYPE_CHECKING:
 @dialect_option
 @click.option("--baud", type=click.IntRange(min=300), default=115200, show_default=True)
 @click.option("--zero-confirmed", is_flag=True, help="The work zero is set on the stock; without it you are asked.")
+@click.option(
+    "--step", "by_line", is_flag=True, help="Line by line: Enter sends the next one and waits till it is cut."
+)
 @click.option("--resume-pauses", is_flag=True, help="Go on by itself at M0: for a virtual machine or a dry run.")
 @click.option(
     "--allow-differences", is_flag=True, help="Send though the controller's settings or offsets are not those wanted."
@@ -71,6 +74,7 @@ def command(
     dialect: str | None,
     baud: int,
     zero_confirmed: bool,
+    by_line: bool,
     resume_pauses: bool,
     allow_differences: bool,
     unchecked: bool,
@@ -84,6 +88,10 @@ def command(
     first: with --machine, with --job (whose machine counts where none is given), or not at all if told so by
     --unchecked. The controller's settings, and its work zero where the proof knows it, are compared.
     Ctrl-C holds the machine and asks what to do. A stop here is not an emergency stop.
+
+    At a pause (M0, for example to change the tool) and between two lines with --step the machine is idle: Enter goes
+    on, s stops, "x10 y-5 z0.1" jogs by these mm ("f100": at 100 mm/min), "zero z" sets the work zero of Z, "all" ends
+    --step. Who jogged is taken back first: up, over, and slowly down to where the program stood.
     """
     from CNCStepper.cli.watch import watch
     from CNCStepper.control.certificate import digest_of_text
@@ -91,6 +99,8 @@ def command(
 
     if not certificate or job_path:
         check_stock(stock, tool, job_path)
+    if by_line and resume_pauses:
+        raise click.UsageError("--step waits at each line, --resume-pauses at none: give one of them")
     if despite_certificate and not certificate:
         raise click.UsageError("--despite-certificate goes with --certificate")
     if not (certificate or machine or job_path or unchecked):
@@ -104,7 +114,7 @@ def command(
         job = _checked(wanted, dialect_name(dialect, wanted.machine), unchecked)
     sha256 = digest_of_text(wanted.text)
     job = replace(job, port=port, baud=baud, allow_differences=allow_differences, program_sha256=sha256)
-    conclude(watch(confirmed(job, zero_confirmed), resume_pauses))
+    conclude(watch(confirmed(replace(job, by_line=by_line), zero_confirmed), resume_pauses))
 
 
 @dataclass(frozen=True)

@@ -3,12 +3,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import click
 
-from CNCStepper.cli.options import machine_option
+from CNCStepper.cli.options import FilePath, machine_option
 from CNCStepper.machine.profile import Machine, load_machine
+
+if TYPE_CHECKING:
+    from CNCStepper.virtual.grbl.machine import Grbl
 
 
 @click.group("virtual")
@@ -44,13 +49,30 @@ def command() -> None:
     type=click.Path(path_type=Path),
     help="Let go wrong what this TOML or JSON file says, and tell of each fault; see docs/control/faults.md.",
 )
+@click.option("--press", type=FilePath, help="Press its input pins when this TOML file says so.")
+@click.option("--typed", is_flag=True, help="Press its input pins by what is typed here (not on Windows).")
 @machine_option(required=False)
-def grbl(pty, tcp, speed, baud, trace, homing, firmware, until_left, faults, machine: Machine | None) -> None:
+def grbl(
+    pty, tcp, speed, baud, trace, homing, firmware, until_left, faults, press, typed, machine: Machine | None
+) -> None:
     """A grbl 1.1 with 128 bytes and 15 blocks, on a pseudo-terminal or a TCP port; Ctrl-C ends it.
 
     With --firmware grblhal it has 1023 bytes, lines of 255 characters and M6, which waits in the state Tool; with
     fluidnc lines of 254 characters, and settings that can only be read. Without --machine it has the settings of
-    table-a.
+    table-a. With --typed these lines press its input pins:
+
+    \b
+      P            the probe's pin for 0.3 s; also X Y Z (limit switches), D door, R reset, H hold, S cycle start
+      press P      the same, and keep it pressed
+      release P    let it go
+
+    --press reads the same from a file, in seconds since the first client has come:
+
+    \b
+      [[press]]
+      pin = "P"
+      at_s = 2.5
+      for_s = 0.3
     """
     if bool(pty) == bool(tcp):
         raise click.UsageError("give either --pty PATH or --tcp HOST:PORT")
@@ -71,4 +93,24 @@ def grbl(pty, tcp, speed, baud, trace, homing, firmware, until_left, faults, mac
         ready=lambda address: click.echo(f"virtual {firmware} at {address}"),
         faults=plan_for_server(faults) if faults else None,
         told=lambda fault, time_s: click.echo(f"{time_s:.3f} s: {fault}"),
+        visit=lambda board: _hand_at(board, press, typed),
     )
+
+
+def _hand_at(board: Grbl, press: Path | None, typed: bool) -> Callable[[], None]:
+    """Return what lets a hand press the pins of a board, called again and again."""
+    from CNCStepper.cli.typed import Typed
+    from CNCStepper.virtual.grbl.hand import Hand
+
+    hand = Hand(board, tell=click.echo)
+    if press:
+        hand.plan(press)
+    if not typed:
+        return hand.turn
+    lines = Typed(hand.hear)
+
+    def hear_and_turn() -> None:
+        lines.wait(0.0)
+        hand.turn()
+
+    return hear_and_turn

@@ -15,11 +15,23 @@ from CNCStepper.control.transport import Link
 _NUMBER = (int, float)
 _WAY = {"x_mm": _NUMBER, "y_mm": _NUMBER, "z_mm": _NUMBER, "feed_mm_min": _NUMBER}
 
-JOB_COMMANDS = ("hold", "resume", "stop", "tell_place", "retrace")
+JOB_COMMANDS = (
+    "hold",
+    "resume",
+    "stop",
+    "by_line",
+    "jog",
+    "jog_on",
+    "jog_cancel",
+    "set_zero",
+    "tell_place",
+    "retrace",
+)
 VALUES: dict[str, dict[str, Any]] = {  # of each command: its values and their types
     "hold": {},
     "resume": {},
     "stop": {},
+    "by_line": {"on": bool},
     "tell_place": {"file": str},
     "retrace": {"file": str},
     "run": {"file": str, "zero_confirmed": bool, "allow_differences": bool},

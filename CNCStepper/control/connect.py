@@ -53,6 +53,12 @@ def learn(driver: Grbl, timing: Timing, greeted: bool = False) -> Found:
     return Found(version, driver.firmware, dict(driver.settings), offsets, modes, greeted)
 
 
+def look_again(driver: Grbl, timing: Timing) -> Found:
+    """Ask a controller that is idle what may have changed since it was met: its offsets and modes."""
+    offsets, modes = read_offsets(driver, timing), read_modes(driver, timing)
+    return Found("", driver.firmware, dict(driver.settings), offsets, modes)
+
+
 def learn_units(driver: Grbl, timing: Timing) -> None:
     """Learn whether a firmware without $13 reports in inches; raises MachineRefusal when it does not say."""
     question = driver.firmware.inches_question

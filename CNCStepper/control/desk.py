@@ -19,6 +19,8 @@ from typing import Any
 
 from CNCStepper.control import connect
 from CNCStepper.control.acts import fresh_status
+from CNCStepper.control.button import buttons_of
+from CNCStepper.control.buttons import Buttons
 from CNCStepper.control.certificate import sendable
 from CNCStepper.control.command import VALUES, Command, Inbox
 from CNCStepper.control.grbl import Grbl, Received
@@ -73,9 +75,11 @@ class Desk:
         self._during_job = during_job
         self._clock = clock
         self._inbox = Inbox(clock)
+        self._buttons = Buttons(self._inbox.put, tell, clock, self._start)
         self._driver: Grbl | None = None
         self._idle: Idle | None = None
         self._run: JobRun | None = None
+        self._last_done: SendJob | None = None  # what a start button lets run again
         self._connected = False
         self._learned = False
         self._zero_is_old = False
@@ -114,6 +118,7 @@ class Desk:
         except Stopped:  # while connecting: nothing was sent
             return
         finally:
+            self._buttons.close()
             link.close()
 
     # --- the loop ------------------------------------------------------------------------------
@@ -163,7 +168,10 @@ class Desk:
     def _obey(self, command: Command, idle: Idle) -> None:
         try:
             if command.name == "run":
-                self._run_job(idle, **command.values)
+                self._run_file(idle, **command.values)
+            elif command.name == "again" and self._last_done:
+                self._tell("job", self._last_done.file)
+                self._run_job(idle, self._last_done)
             elif command.name != "end":
                 idle.do(command)
                 self._zero_is_old = self._zero_is_old or command.name in ("set_zero", "line")
@@ -178,6 +186,7 @@ class Desk:
             self._run.count(received)
         if self._idle:
             self._idle.hear(received)
+        self._buttons.hear(received)
         if connect.greeted(received):
             self._zero_is_old = True  # a reset takes G92 and the tool's length away
         if self._ending and not self._connected:
@@ -190,15 +199,24 @@ class Desk:
 
     # --- a job ---------------------------------------------------------------------------------
 
-    def _run_job(self, idle: Idle, file: str, zero_confirmed: bool, allow_differences: bool) -> None:
+    def _start(self) -> Command | None:
+        """Return what a start button asks for while nothing runs: the last job again, if it was cut to its end."""
+        may_run = self._last_done and self._run is None and self._idle and self._idle.phase == "idle"
+        return Command("again") if may_run else None
+
+    def _run_file(self, idle: Idle, file: str, zero_confirmed: bool, allow_differences: bool) -> None:
         """Let the job of a file run; however it ends, its outcome is told."""
-        known, homed = idle.position_known, idle.homed
         self._tell("job", file)
         try:
             job = self._read(Path(file), zero_confirmed, allow_differences)
         except JobError as error:
-            self._ended(Outcome(REFUSED, str(error), known is not False, replace(self.status(), phase=REFUSED), error))
+            known = idle.position_known is not False
+            self._ended(Outcome(REFUSED, str(error), known, replace(self.status(), phase=REFUSED), error))
             return
+        self._run_job(idle, job)
+
+    def _run_job(self, idle: Idle, job: SendJob) -> None:
+        known, homed = idle.position_known, idle.homed
         self._run = JobRun(
             job,
             self._inbox,
@@ -219,6 +237,7 @@ class Desk:
             outcome = replace(outcome, position_known=outcome.position_known and known is not False)
         elif not outcome.position_known:
             idle.lose_position()
+        self._last_done = job if outcome.done else None
         self._ended(outcome)
 
     def _read(self, file: Path, zero_confirmed: bool, allow_differences: bool) -> SendJob:
@@ -233,6 +252,7 @@ class Desk:
     def _ready(self) -> connect.Found:
         """Return what the machine is, read anew: somebody may have changed it since it was met."""
         assert self._driver and self._run and self._idle
+        self._buttons.wire(buttons_of(self._run.job.inputs))
         self._run.driver = self._driver
         self._idle.check_no_jog()
         check_state(fresh_status(self._driver, self._timing))

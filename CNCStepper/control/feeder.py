@@ -6,7 +6,7 @@ from __future__ import annotations
 from CNCStepper.control.firmware import Firmware
 from CNCStepper.control.grbl import Answered, Grbl
 from CNCStepper.control.journal.kept import Keeping, NoJournal
-from CNCStepper.control.lines import dwell_s, needs_idle, pauses, stores
+from CNCStepper.control.lines import dwell_s, needs_idle, only_pauses, pauses, stores
 from CNCStepper.control.send_job import SendJob
 from CNCStepper.errors import MachineRefusal, Place, ProgramError
 
@@ -16,15 +16,20 @@ class Feeder:
 
     Lines that write permanent memory, `$` commands and pauses go alone: they wait for every answer
     before them, and the lines after them wait for theirs. So nothing follows an M0 until it is over.
+
+    An M0 that stands alone is never sent: the sender stands there itself, at an idle machine that may be jogged.
+    by_line: so it does before every line.
     """
 
     def __init__(self, job: SendJob, journal: Keeping | None = None):
         self.job = job
         self._journal = journal or NoJournal()
+        self.by_line = job.by_line
         self.sent = 0
         self.acknowledged = 0
         self.total = len(job.lines)
         self._message = ""  # the program's last since its last pause
+        self._released = -1  # the line that may go out by itself
         self._alone = False  # the last line sent must be answered before the next goes out
 
     @property
@@ -37,8 +42,11 @@ class Feeder:
         before = self.sent
         permitted = min(self.total, self._journal.permitted)
         while self.sent < permitted and self._may_go(self.job.lines[self.sent], driver, idle):
-            driver.send(self.job.lines[self.sent], self.sent)
-            self.sent += 1
+            if only_pauses(self.job.lines[self.sent]):
+                self._pass_pause()
+            else:
+                driver.send(self.job.lines[self.sent], self.sent)
+                self.sent += 1
         driver.flush()
         return self.sent - before
 
@@ -66,6 +74,19 @@ class Feeder:
             return self.job.messages.get(driver.unanswered[0].index, self._message)
         return None
 
+    def stand_message(self, driver: Grbl) -> str | None:
+        """Return what to say where the sender stands, all lines before being answered; None where it does not."""
+        if driver.unanswered or self.sent >= self.total or not self._stands(self.sent):
+            return None
+        text = self.job.lines[self.sent]
+        if only_pauses(text):
+            return self.job.messages.get(self.sent, self._message)
+        return f"next is line {self.job.place(self.sent).line}: {text}"
+
+    def leave_stand(self) -> None:
+        """Go on with the line that was waited before, as soon as the journal allows it."""
+        self._released = self.sent
+
     def place_at_work(self) -> Place:
         """Return where the first line stands that was not acknowledged, or the last one."""
         return self.job.place(min(self.acknowledged, self.total - 1))
@@ -74,8 +95,20 @@ class Feeder:
         """Return how long the oldest line under way may keep its answer back on purpose."""
         return dwell_s(driver.unanswered[0].text) if driver.unanswered else 0.0
 
+    def _stands(self, index: int) -> bool:
+        return self._released != index and (self.by_line or only_pauses(self.job.lines[index]))
+
+    def _pass_pause(self) -> None:
+        """Count an M0 that is over as a line that was sent and answered: all before it is cut."""
+        self.sent += 1
+        self.acknowledged += 1
+        self._message = ""
+
     def _may_go(self, text: str, driver: Grbl, idle: bool) -> bool:
-        alone = stores(text) or needs_idle(text) or pauses(text)
+        pausing = pauses(text)
+        if (pausing or self.by_line) and self._stands(self.sent):
+            return False
+        alone = pausing or stores(text) or needs_idle(text)
         if driver.unanswered and (alone or self._alone):
             return False
         if needs_idle(text) and not idle:

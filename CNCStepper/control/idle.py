@@ -12,7 +12,7 @@ from CNCStepper.control.console import Console
 from CNCStepper.control.firmware import TOOL_CHANGED
 from CNCStepper.control.grbl import HOLD, RESUME, Answered, Grbl, Received
 from CNCStepper.control.grbl_report import Alarm, Feedback, Greeting, Status
-from CNCStepper.control.jogger import LAPSE_S, Jogger, Way
+from CNCStepper.control.jogger import Jogger, Way, check_in_time
 from CNCStepper.control.moment import moment
 from CNCStepper.control.outcome import SenderStatus
 from CNCStepper.control.overrides import override_byte
@@ -69,6 +69,8 @@ class Idle:
             "line": self._type,
             "tell_place": self._refuse_way_back,
             "retrace": self._refuse_way_back,
+            "by_line": self._refuse_by_line,
+            "switch": self._switch,
             "override": lambda **values: driver.realtime(override_byte(**values)),
         }
 
@@ -116,10 +118,7 @@ class Idle:
 
     def do(self, command: Command) -> None:
         """Carry out a command; raises MachineRefusal when it cannot be done now."""
-        if command.name.startswith("jog") and command.name != "jog_cancel":
-            late_s = self._driver.clock() - command.asked_s
-            if late_s > LAPSE_S:
-                raise MachineRefusal("jog-late", "the jog came too late to be safe", value=f"{late_s:.1f} s")
+        check_in_time(command, self._driver.clock())
         self._does[command.name](**command.values)
 
     def hear(self, received: list[Received]) -> None:
@@ -197,6 +196,9 @@ class Idle:
     def _refuse_way_back(self, file: str) -> None:
         raise MachineRefusal("not-held", "no job is held", advice="go back along the cut while a job is held")
 
+    def _refuse_by_line(self, on: bool) -> None:
+        raise MachineRefusal("not-running", "no job runs", advice="go line by line while a job runs")
+
     def _resume(self) -> None:
         if self.phase not in ("held", "door"):
             raise MachineRefusal("nothing-to-resume", "the machine is not held", advice="there is nothing to resume")
@@ -252,6 +254,12 @@ class Idle:
         self._driver.send(HOME)
         self._driver.flush()
         self._homing_since_s = self._driver.clock()
+
+    def _switch(self, line: str) -> None:
+        """Send a block that only switches an output."""
+        self.check_no_jog()
+        check_state(self._driver.status)
+        connect.ask(self._driver, line, self._timing)
 
     def _take_answer(self, answer: Answered) -> None:
         if self._console.changes_steps(answer):

@@ -12,10 +12,12 @@ One piece at most has no answer yet: after 0x85 grbl still runs the lines in its
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from math import hypot, inf
+from typing import Protocol
 
+from CNCStepper.control.command import Command
 from CNCStepper.control.grbl import JOG_CANCEL, Answered, Grbl
 from CNCStepper.control.readiness import ACCELERATION, MAX_RATE
 from CNCStepper.errors import MachineRefusal
@@ -27,6 +29,13 @@ SHORTEST_MM = 0.1  # of a piece: a few steps
 SLOWEST_MM_MIN = 30.0  # of a held jog; grbl makes 30 steps/s at least, and runs away from slower pacing
 STEPS_LIMIT = 5  # steps that wait for the controller
 MAY_JOG = ("Idle", "Jog")
+
+
+class Line(Protocol):
+    """Anything that the controller can be told as one jog."""
+
+    def line(self) -> str:
+        """Return the jog command of grbl 1.1."""
 
 
 @dataclass(frozen=True)
@@ -72,6 +81,13 @@ class Held:
         return self.sent_mm < self.way.feed_mm_min / 60 * (now_s - self.begin_s) + self.ahead_mm
 
 
+def check_in_time(command: Command, now_s: float) -> None:
+    """Raise MachineRefusal for a jog that was asked too long ago: whoever asked may have turned away."""
+    late_s = now_s - command.asked_s
+    if command.name in ("jog", "jog_on") and late_s > LAPSE_S:
+        raise MachineRefusal("jog-late", "the jog came too late to be safe", value=f"{late_s:.1f} s")
+
+
 class Jogger:
     """Jogs one machine; `turn` is called at least every `wait_s`.
 
@@ -82,7 +98,7 @@ class Jogger:
         self._driver = driver
         self._refuse = refuse
         self._tell = tell
-        self._steps: deque[Way] = deque()
+        self._steps: deque[Line] = deque()
         self._held: Held | None = None
         self._over = ""  # the press that came to its end before its button was let go
         self._under_way = False  # a line without its answer
@@ -127,6 +143,10 @@ class Jogger:
         self._driver.realtime(JOG_CANCEL)
         self._cancelled_s = self._driver.clock()
         self._give_up()
+
+    def follow(self, ways: Iterable[Line]) -> None:
+        """Go these ways one after the other."""
+        self._steps.extend(ways)
 
     def turn(self) -> None:
         """Cancel what nobody renews, then send what is due."""
@@ -201,7 +221,7 @@ class Jogger:
             self._held.sent_mm += self._held.piece_mm
             self._send(self._held.way.scaled(self._held.piece_mm, self._held.way.feed_mm_min))
 
-    def _send(self, way: Way) -> None:
+    def _send(self, way: Line) -> None:
         self._driver.send(way.line())
         self._driver.flush()
         self._under_way = True

@@ -12,6 +12,7 @@ from CNCStepper.errors import Place, ProgramError
 _ACTING = re.compile(r"[^ \"->@-}]")
 _STORING = re.compile(r"G0*(?:10(?:\.0*)?|28\.10*|30\.10*)(?![\d.])")
 _PAUSE = re.compile(r"M0*[06](?![\d.])")
+_ONLY_PAUSE = re.compile(r"(?:N\d+)?M0+")
 _DWELL = re.compile(r"G0*4(?![\d.])")
 _SECONDS = re.compile(r"P(\d*\.?\d*)")
 
@@ -69,6 +70,11 @@ def needs_idle(text: str) -> bool:
 def pauses(text: str) -> bool:
     """Return whether a line holds M0, or M6, at which grblHAL waits for a new tool."""
     return bool(_PAUSE.search(_plain(text)))
+
+
+def only_pauses(text: str) -> bool:
+    """Return whether a line is an M0 and nothing else, so that a sender can make the pause itself."""
+    return bool(_ONLY_PAUSE.fullmatch(_plain(text)))
 
 
 def dwell_s(text: str) -> float:

@@ -13,7 +13,7 @@ BYTES: dict[str, dict[str, bytes]] = {
     "feed": {"reset": b"\x90", "10": b"\x91", "-10": b"\x92", "1": b"\x93", "-1": b"\x94"},
     "rapid": {"100": b"\x95", "50": b"\x96", "25": b"\x97", "reset": b"\x95"},
     "spindle": {"reset": b"\x99", "10": b"\x9a", "-10": b"\x9b", "1": b"\x9c", "-1": b"\x9d", "stop": b"\x9e"},
-    "coolant": {"flood": b"\xa0", "mist": b"\xa1"},
+    "coolant": {"flood": b"\xa0", "mist": b"\xa1"},  # each switches it on, or off
 }
 
 

@@ -57,6 +57,11 @@ class PathWatch:
         if not self._path.drop_to(place[:3], self._near_mm):
             self.excursion = self._refusal(place)
 
+    def begin_anew(self, found: Found, sent: int) -> None:
+        """Compare from here on: the machine stands, all lines sent are cut, and its zero may be another one."""
+        if self._path and not self._told:
+            self._path = self._planned(found, sent)
+
     def check(self) -> None:
         """Raise MachineRefusal once a report was off the path."""
         if self.excursion:
@@ -68,13 +73,14 @@ class PathWatch:
         if self._path and (place is None or not self._path.ends_at(place[:3], self._near_mm)):
             raise self._refusal(place)
 
-    def _planned(self, found: Found) -> PlannedPath | None:
+    def _planned(self, found: Found, first: int = 0) -> PlannedPath | None:
         try:
             from CNCStepper.control.planned_path import PlannedPath  # takes a second: when a machine is there only
         except ImportError as error:
             self._warn(str(error))
             return None
-        return PlannedPath(self._job.lines, start_of(self._driver, found), held_words(self._driver, found))
+        start, held = start_of(self._driver, found), held_words(self._driver, found)
+        return PlannedPath(self._job.lines, start, held, first)
 
     def _tell_unknown(self, path: PlannedPath) -> None:
         if path.refused and not self._told:

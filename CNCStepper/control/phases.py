@@ -4,6 +4,7 @@
     running --hold--> holding --Hold:0--> held --resume--> running
     running --Hold at an M0--> paused --resume--> running
     running --Tool--> paused (M6 of grblHAL) --0xA3, resume--> running
+    running --Idle before a line that is waited for--> paused --resume, after any jogs back there--> running
     running --Door--> door --closed (Door:0), resume--> running
     held --reset, a way along the cut--> running --> retreated --another--> running
 
@@ -40,6 +41,7 @@ class Phases:
         self.message = ""
         self.changed_s = float("-inf")
         self._tell = tell
+        self.stands = False  # paused by the sender itself, between two lines, with an idle machine
         self._hold_asked = False
         self._resume_asked = False
 
@@ -50,6 +52,7 @@ class Phases:
 
     def set(self, name: str, message: str = "") -> None:
         """Enter a phase and tell it; nothing happens when it is the present one."""
+        self.stands = False
         if name != self.name:
             self.name, self.message = name, message
             self._tell("phase", f"{name}: {message}" if message else name)
@@ -58,6 +61,11 @@ class Phases:
         """Begin with other lines at a machine that was reset: no wish of before counts."""
         self._hold_asked = self._resume_asked = False
         self.set("running")
+
+    def stand(self, message: str) -> None:
+        """Pause between two lines, until the phase is set anew."""
+        self.set("paused", message)
+        self.stands = True
 
     def obey(self, command: str, driver: Grbl) -> None:
         """Carry out "hold" or "resume"; raises MachineRefusal where nothing that was held can go on."""
@@ -91,7 +99,7 @@ class Phases:
             self._at_door(status, driver)
         elif status.state == "Tool":
             self._at_tool_change(driver, feeder)
-        else:
+        elif not self.stands:
             self._moving(driver)
 
     def _in_hold(self, status: Status, driver: Grbl, feeder: Feeder) -> None:

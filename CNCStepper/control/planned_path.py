@@ -34,18 +34,18 @@ class Stretch:
 class PlannedPath:
     """The stretches of the lines sent so far that may not be done yet.
 
-    start: how the machine stands. held: lines that say what else is in force there. refused: why the way is not known
-    from some line on, or None.
+    start: how the machine stands. held: lines that say what else is in force there. first: the line, from 0, before
+    which it stands. refused: why the way is not known from some line on, or None.
     """
 
-    def __init__(self, lines: Sequence[str], start: Start, held: Sequence[str] = ()):
+    def __init__(self, lines: Sequence[str], start: Start, held: Sequence[str] = (), first: int = 0):
         self._stretches: deque[Stretch] = deque()
         self.refused: ProgramError | None = None
         self._lines = lines
-        self._read = 0
+        self._read = first
         self._interpreter = Interpreter(start)
         self._here = np.array(start.position_mm[:3], float)
-        self._stretches.append(Stretch(-1, self._here[None]))
+        self._stretches.append(Stretch(first - 1, self._here[None]))
         for line in held:
             self._read_line(line)
 

@@ -45,13 +45,13 @@ class ParallelPort:
         try:
             self._file = os.open(path, os.O_RDWR)
         except OSError as error:
-            raise _no_port(path, error) from error
+            raise no_port(path, error) from error
         try:
             ioctl(self._file, CLAIM)
             ioctl(self._file, DATA_DIRECTION, OUTPUT)
         except OSError as error:
             os.close(self._file)
-            raise _no_port(path, error) from error
+            raise no_port(path, error) from error
 
     def write(self, data: int, control: int) -> None:
         """Set both registers, also where they do not change: a trial takes as long as pulses do."""
@@ -127,6 +127,7 @@ def _recording(path: Path) -> BinaryIO:
     return file
 
 
-def _no_port(path: Path, error: OSError) -> LinkError:
+def no_port(path: Path, error: OSError) -> LinkError:
+    """Return the refusal of a parallel port that the system does not let us have."""
     advice = "load the module ppdev, and let your user use the device"
     return LinkError("pulse-port", f"{path} is no parallel port that can be had: {error}", advice=advice)

@@ -3,7 +3,7 @@
 
     connecting --> running <--> holding --> held          `!` and `~`, asked for here or at the machine
         |             |  `--------- leg ----> retreated   back along the cut and forward again (`retrace.py`)
-        |             |  `--> paused (M0), door
+        |             |  `--> paused (M0, or line by line: `stand.py`), door
         |             v
         |          finishing (all acknowledged) --> done (Idle, reported twice)
         `-> refused   `-> stopping --> stopped, failed    hold, Hold:0, soft reset
@@ -21,11 +21,12 @@ from dataclasses import replace
 from pathlib import Path
 
 from CNCStepper.control import connect, halt
+from CNCStepper.control.buttons import quicker
 from CNCStepper.control.command import Command, Inbox
 from CNCStepper.control.feeder import Feeder
-from CNCStepper.control.first_modes import check_modes, mode_differences
+from CNCStepper.control.found import check_found
 from CNCStepper.control.grbl import Answered, Grbl, Received
-from CNCStepper.control.grbl_report import Alarm, Greeting, Status, Vector
+from CNCStepper.control.grbl_report import Alarm, Greeting, Status
 from CNCStepper.control.journal.kept import Journals, Keeping, NoJournal
 from CNCStepper.control.journal.led import Led
 from CNCStepper.control.moment import moment
@@ -33,10 +34,11 @@ from CNCStepper.control.outcome import DONE, FAILED, REFUSED, STOPPED, Outcome, 
 from CNCStepper.control.overrides import override_byte
 from CNCStepper.control.path_watch import PathWatch
 from CNCStepper.control.phases import RETREATED, Phases
-from CNCStepper.control.readiness import check_offsets, check_settings, check_zero, differences, offset_differences
+from CNCStepper.control.readiness import check_zero
 from CNCStepper.control.remaining import Remaining
 from CNCStepper.control.retrace import LAST, Retrace, check_place, stand_reset
 from CNCStepper.control.send_job import SendJob
+from CNCStepper.control.stand import Stand
 from CNCStepper.control.timing import Timing
 from CNCStepper.control.watch import Watch
 from CNCStepper.errors import CNCStepperError, LinkError, MachineRefusal
@@ -75,7 +77,7 @@ class JobRun:
         self.job = job
         self.driver: Grbl | None = None  # before it is connected
         self._inbox = inbox
-        self._timing = timing
+        self._timing = quicker(timing, job.inputs)
         self._clock = clock
         self._tell = tell
         self._refuse = refuse
@@ -84,8 +86,10 @@ class JobRun:
         self._feeder = Feeder(job, self._journal)
         self._remaining = Remaining(job.plan)
         self._phases = Phases(tell)
-        self._watch = Watch(timing)
+        self._watch = Watch(self._timing)
+        self._stand = Stand(self._timing, tell, refuse)
         self._retrace = Retrace(job)
+        self._by_line = job.by_line
         self._path: PathWatch | None = None  # before the first line
         self._begin_s = clock()
         self._idle_reports = 0
@@ -100,26 +104,24 @@ class JobRun:
             acknowledged=max(0, before + self._feeder.acknowledged),
             total=before + self._feeder.total,
             file=self.job.file,
-            file_line=self._file_line(self._feeder.acknowledged),
-            file_line_sent=self._file_line(self._feeder.sent),
+            file_line=self.job.last_line(self._feeder.acknowledged),
+            file_line_sent=self.job.last_line(self._feeder.sent),
             elapsed_s=self._clock() - self._begin_s,
             remaining_s=self._remaining.remaining_s,
             done=self._remaining.done,
         )
 
-    def _file_line(self, count: int) -> int:
-        """Return the file's line of the last of so many lines, 0 for none."""
-        return self.job.place(count - 1).line if count else 0
-
     def count(self, received: list[Received]) -> None:
         """Hear what came, also while the machine is brought to rest: count the answers to the job's lines."""
         self._journal.hear(received)
         for report in received:
-            if isinstance(report, Answered):
+            if isinstance(report, Greeting) and self._phases.stands:
+                self._trouble.append(report)  # also one that comes while a zero is set
+            elif isinstance(report, Answered):
                 self._feeder.take(report)
                 if message := self.job.messages.get(report.sent.index):
                     self._tell("message", message)
-            elif isinstance(report, Status) and self._path:
+            elif isinstance(report, Status) and self._path and not self._stand.is_off_path:
                 self._path.take(report, self._feeder.acknowledged, self._feeder.sent)
 
     def run(self, connected: Callable[[], connect.Found]) -> Outcome:
@@ -140,10 +142,10 @@ class JobRun:
             check_zero(self.job.zero_confirmed)
             self.job.check()
             found = connected()
-            self._compare(found)
             assert self.driver
+            check_found(self.job, self.driver, found, self._tell)
             self._new_journal.begin(self.job, self.driver, found)
-            self._retrace.begin(self._met, found)
+            self._retrace.begin(self.driver, found)
             self._path = PathWatch(self.job, self.driver, found, self._tell)
         except Stopped:
             return self._outcome(STOPPED, "stopped before the first line was sent", True)
@@ -152,33 +154,6 @@ class JobRun:
             return self._outcome(REFUSED, str(error), seen is not None and seen.state != "Alarm", error)
         self._phases.set("running")
         return None
-
-    def _compare(self, found: connect.Found) -> None:
-        assert self.driver
-        self.job.check_lengths(found.firmware, self.driver.window)
-        for number in sorted(set(self.job.expected) - set(found.settings)):
-            self._tell("warning", f"the controller does not report ${number}: it was not compared")
-        moved, modes = self._moved_offsets(found), self._left_modes(found)
-        for difference in [*differences(found.settings, self.job.expected), *moved, *modes]:
-            self._tell("warning", str(difference))
-        if not self.job.allow_differences:
-            check_settings(found.settings, self.job.expected)
-            check_offsets(moved)
-            check_modes(modes)
-
-    def _moved_offsets(self, found: connect.Found) -> list[str]:
-        return offset_differences(self._offsets_mm(found), found.modes, self.job.work_offsets_mm, self.job.work_system)
-
-    def _left_modes(self, found: connect.Found) -> list[str]:
-        return mode_differences(found.modes, self._offsets_mm(found), self.job.lines)
-
-    def _offsets_mm(self, found: connect.Found) -> dict[str, Vector | None]:
-        return {name: self._met.mm(offset) for name, offset in found.offsets.items()}
-
-    @property
-    def _met(self) -> Grbl:
-        assert self.driver
-        return self.driver
 
     # --- streaming -----------------------------------------------------------------------------
 
@@ -201,6 +176,9 @@ class JobRun:
 
     def _turn(self, driver: Grbl) -> None:
         """Feed, ask, listen and obey once; at most until the next `?` is due."""
+        for report in self._trouble:
+            if isinstance(report, Greeting):
+                raise connect.restart_refusal(report)
         idle = self._watch.idle(driver, self._phases.changed_s)
         self._watch.check(
             driver, idle and self._phases.feeding, self._feeder.dwell_s(driver), self._feeder.place_at_work()
@@ -209,9 +187,18 @@ class JobRun:
         if self._phases.feeding and self._feeder.feed(driver, idle):
             self._watch.heard_s = self._clock()
         every_s = self._timing.poll_s if self._phases.name == "running" else self._timing.quick_poll_s
-        for report in driver.receive(self._watch.poll(driver, every_s)):
+        for report in driver.receive(min(self._watch.poll(driver, every_s), self._stand.turn())):
             self._take(driver, report)
         self._obey(driver)
+        if self._phases.stands and self._stand.is_left(driver):
+            self._leave_stand(driver)
+
+    def _leave_stand(self, driver: Grbl) -> None:
+        if self._path and self._stand.is_off_path:
+            self._path.begin_anew(connect.look_again(driver, self._timing), self._feeder.sent)
+        self._stand.end()
+        self._feeder.leave_stand()
+        self._phases.set("running")
 
     def _keep_journal(self, driver: Grbl, idle: bool) -> None:
         """Write what is due; a job of which no further line can be put on the disk is held."""
@@ -226,7 +213,9 @@ class JobRun:
     def _take(self, driver: Grbl, report: Received) -> None:
         if isinstance(report, Answered):
             self._watch.heard_s = self._clock()
-            if report.error:
+            if report.sent.index < 0:
+                self._stand.answered(report)
+            elif report.error:
                 raise self._feeder.refusal(report, driver.firmware)
         elif isinstance(report, (Alarm, Greeting)):
             self._trouble.append(report)
@@ -234,23 +223,28 @@ class JobRun:
                 raise connect.alarm_refusal(report, driver.firmware)
             raise connect.restart_refusal(report)
         elif isinstance(report, Status):
-            self._retrace.note(driver, self._feeder, self._phases.name)
+            if not self._stand.is_off_path:
+                self._retrace.note(driver, self._feeder, self._phases.name)
             self._phases.take(driver, self._feeder)
             self._count_idle(driver)
-            self._remaining.take(
-                self._phases.name,
-                self._clock() - self._begin_s,
-                self._file_line(self._feeder.acknowledged),
-                self._feeder.acknowledged,
-                self._feeder.total,
-            )
+            elapsed_s, acknowledged = self._clock() - self._begin_s, self._feeder.acknowledged
+            line = self.job.last_line(acknowledged)
+            self._remaining.take(self._phases.name, elapsed_s, line, acknowledged, self._feeder.total)
 
     def _count_idle(self, driver: Grbl) -> None:
         if self._feeder.complete and self._phases.feeding:
             self._phases.set("finishing")
-        finished = self._phases.name == "finishing" and self._watch.idle(driver, self._phases.changed_s)
+        message = self._feeder.stand_message(driver) if self._phases.name == "running" else None
+        awaited = self._phases.name == "finishing" or message is not None
+        finished = awaited and self._watch.idle(driver, self._phases.changed_s)
         self._idle_reports = self._idle_reports + 1 if finished else 0
-        if self._idle_reports == IDLE_REPORTS and self._retrace.ends_leg():
+        if self._idle_reports < IDLE_REPORTS:
+            return
+        if message is not None:
+            self._idle_reports = 0
+            self._stand.begin(driver, self._feeder.sent)
+            self._phases.stand(message)
+        elif self._retrace.ends_leg():
             self._idle_reports = 0
             self._phases.set(RETREATED, LAST)
 
@@ -266,11 +260,12 @@ class JobRun:
                 self._refuse(command, error)
 
     def _do(self, command: Command, driver: Grbl) -> None:
-        if command.name == "tell_place":
-            self._retrace.tell(driver, self._phases.name, Path(command.values["file"]))
-            self._tell("place", command.values["file"])
-        elif command.name == "retrace":
-            self._go_along(driver, Path(command.values["file"]))
+        if command.name in ("tell_place", "retrace"):
+            self._go_back(driver, command)
+        elif command.name == "by_line":
+            self._by_line = self._feeder.by_line = command.values["on"]
+        elif self._phases.stands and command.name in self._stand.commands:
+            self._stand.do(command)
         elif command.name in ("hold", "resume"):
             self._phases.obey(command.name, driver)
         elif command.name == "override":
@@ -278,15 +273,27 @@ class JobRun:
         elif command.name != "jog_cancel":  # a button let go has nothing to say here
             raise MachineRefusal("job-runs", "a job runs", advice="wait until it has ended, or stop it")
 
+    def _go_back(self, driver: Grbl, command: Command) -> None:
+        """Tell a client where the machine stands on its path, or go along the leg that it has made of that."""
+        self._stand.check_way_back()
+        file = Path(command.values["file"])
+        if command.name == "retrace":
+            self._go_along(driver, file)
+        else:
+            self._retrace.tell(driver, self._phases.name, file)
+            self._tell("place", str(file))
+
     def _go_along(self, driver: Grbl, file: Path) -> None:
         """Let a machine that stands go along a leg; what is refused after its reset leaves it there, spindle off."""
         leg = self._retrace.read(file, self._phases.name)
         leg.job.check()
+        self._stand.end()
+        self._phases.stands = False  # the greeting that comes now was asked for
         found = stand_reset(driver, self._timing)
         self._phases.set(RETREATED, LAST)
         self.job, before = leg.job, self.job
         try:
-            self._compare(found)
+            check_found(self.job, driver, found, self._tell)
             check_place(driver, leg)
         except CNCStepperError:
             self.job = before
@@ -296,6 +303,7 @@ class JobRun:
         rest = self._retrace.lines_before if leg.is_rest else None
         self._journal = Led.from_now(self._journal, self._feeder.sent, self._feeder.acknowledged, rest)
         self._feeder, self._idle_reports = Feeder(leg.job, self._journal), 0
+        self._feeder.by_line = self._by_line and leg.is_rest
         self._phases.run_anew()
 
     # --- the end -------------------------------------------------------------------------------

@@ -25,6 +25,8 @@ class SendJob:
     machine, program_sha256, certificate_sha256: for the journal, empty where there is none.
     retrace: what a way back along the cut is proven with (dialect, start, machine: `job.certify`); empty: not known.
     plan: lines of the file in rising order, each with the planned time by its end, s; empty: not known.
+    by_line: wait before each line until somebody resumes. inputs: the machine's own buttons, as `machine.inputs.Input`
+    has them.
     """
 
     port: str
@@ -43,6 +45,8 @@ class SendJob:
     certificate_sha256: str = ""
     retrace: Mapping[str, Any] = field(default_factory=dict)
     plan: Sequence[Sequence[float]] = ()
+    by_line: bool = False
+    inputs: Sequence[Mapping[str, Any]] = ()
 
     def __post_init__(self) -> None:
         if len(self.file_lines) not in (0, len(self.lines)):
@@ -57,6 +61,10 @@ class SendJob:
     def place(self, index: int) -> Place:
         """Return where wire line `index` (from 0) stands in the file."""
         return Place(self.file, int(self.file_lines[index]) if len(self.file_lines) else index + 1)
+
+    def last_line(self, count: int) -> int:
+        """Return the file's line of the last of so many wire lines, 0 for none."""
+        return self.place(count - 1).line if count else 0
 
     def check(self) -> None:
         """Check every line before any is sent; raises ProgramError naming the file's line and column."""
@@ -83,6 +91,7 @@ class SendJob:
             "messages": {str(index): text for index, text in self.messages.items()},
             "expected": {str(number): value for number, value in self.expected.items()},
             "work_offsets_mm": {name: list(offset) for name, offset in self.work_offsets_mm.items()},
+            "inputs": [dict(entry) for entry in self.inputs],
         }
 
     def to_json(self) -> str:

@@ -7,6 +7,8 @@ import time
 from collections.abc import Callable
 
 from CNCStepper.control import connect
+from CNCStepper.control.button import buttons_of
+from CNCStepper.control.buttons import Buttons
 from CNCStepper.control.command import JOB_COMMANDS, Command, Inbox
 from CNCStepper.control.grbl import Grbl, Received
 from CNCStepper.control.journal.kept import Journals
@@ -47,6 +49,7 @@ class Sender:
         self._inbox = Inbox(clock)
         self._early: list[Command] = []  # asked while connecting
         self._connecting = True
+        self._buttons = Buttons(self._inbox.put, tell, clock)
         self._run = JobRun(
             job, self._inbox, timing=self._timing, clock=clock, tell=tell, refuse=refuse, journal=journal
         )
@@ -76,6 +79,7 @@ class Sender:
         try:
             return self._run.run(self._connected)
         finally:
+            self._buttons.close()
             if self._inbox.link:
                 self._inbox.link.close()
 
@@ -85,6 +89,7 @@ class Sender:
         found = connect.meet(driver, self._timing)
         if found.greeted:
             self._tell("warning", "the controller restarted when its port was opened; it counts from where it stands")
+        self._buttons.wire(buttons_of(self.job.inputs))
         self._connecting = False
         for command in self._early:
             self._inbox.put(command)
@@ -93,6 +98,7 @@ class Sender:
     def _listen(self, received: list[Received]) -> None:
         """Count and tell what came; while connecting, obey a stop too, all else waits for the first line."""
         self._run.count(received)
+        self._buttons.hear(received)
         tell_words(received, self._tell)
         if self._connecting:
             for command in self._inbox.take():

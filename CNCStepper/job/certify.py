@@ -38,7 +38,18 @@ if TYPE_CHECKING:
 
 FIGURES = ("blocks", "moves", "cut_length_mm", "air_length_mm", "rapid_length_mm", "pierces", "removed_volume_mm3")
 VERDICT = ("gouge_mm", "left_over_mm")
-SENT = ("lines", "file", "file_lines", "messages", "expected", "work_offsets_mm", "work_system", "retrace", "plan")
+SENT = (
+    "lines",
+    "file",
+    "file_lines",
+    "messages",
+    "expected",
+    "work_offsets_mm",
+    "work_system",
+    "retrace",
+    "plan",
+    "inputs",
+)
 Read = TypeVar("Read")
 _PLAY = TypeAdapter(Play)
 ANY_TOOL = "any"  # the number of a tool that stands for every number
@@ -159,6 +170,7 @@ def send_job(
         machine=machine.name if machine else "",
         retrace=_retrace(machine, start or Start(), dialect) if machine else {},
         plan=plan,
+        inputs=[entry.model_dump(mode="json") for entry in machine.input] if machine else (),
     )
 
 
@@ -185,8 +197,8 @@ def _places(start: Start, lines: Sequence[str]) -> dict[str, tuple[float, ...]]:
 
 
 def machine_digest(machine: Machine) -> str:
-    """Return the fingerprint of a whole machine profile."""
-    return digest_of(machine.model_dump(mode="json"))
+    """Return the fingerprint of a machine profile without its buttons, which change no proof."""
+    return digest_of(machine.model_dump(mode="json", exclude={"input"}))
 
 
 def stock_digest(stock: Stock | None) -> str:

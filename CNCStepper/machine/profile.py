@@ -15,6 +15,7 @@ from pydantic import BaseModel, ConfigDict, Field, ValidationError, model_valida
 
 from CNCStepper.errors import JobError, Place
 from CNCStepper.machine.drive import Drive
+from CNCStepper.machine.inputs import Input, check_apart
 from CNCStepper.machine.refusal import refusal_of
 from CNCStepper.machine.signals import Signals
 from CNCStepper.machine.waits import Waits
@@ -173,7 +174,7 @@ class Machine(_Checked):
 
     tool_change: "pause" (retract, M5, a message, M0), "split" (a file a tool) or "m6". tool_length: what is done about
     the length of a new tool: "touch_off" (the operator sets the Z zero with it), "table" (its length offset: G43 H, or
-    G43.1 Z) or "none" (all tools stand out equally far).
+    G43.1 Z) or "none" (all tools stand out equally far). input: the machine's own buttons.
     """
 
     name: str
@@ -186,6 +187,12 @@ class Machine(_Checked):
     outputs: Outputs = Outputs()
     retreat: Retreat = Retreat()
     signals: Signals = Signals()
+    input: tuple[Input, ...] = ()
+
+    @model_validator(mode="after")
+    def _inputs_are_apart(self) -> Machine:
+        check_apart(self.input)
+        return self
 
     @model_validator(mode="after")
     def _has_three_axes(self) -> Machine:

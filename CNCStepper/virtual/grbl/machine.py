@@ -28,6 +28,7 @@ from CNCStepper.virtual.grbl.codes import (
     refused,
 )
 from CNCStepper.virtual.grbl.firmware import GRBL, Firmware
+from CNCStepper.virtual.grbl.input_pins import DOOR, InputPins
 from CNCStepper.virtual.grbl.line_reader import TOO_LONG, LineReader, RxRing
 from CNCStepper.virtual.grbl.memory import Memory
 from CNCStepper.virtual.grbl.overrides import Overrides
@@ -69,6 +70,7 @@ class Grbl:
         self.reader = LineReader(firmware)
         self.axes = Axes(self.memory.settings)
         self.probe = Probe(probe_height_mm)
+        self.inputs = InputPins()
         self.time_s = 0.0
         self.program_s = 0.0  # stands still while the machine is held
         self.state = State.ALARM if homing else State.IDLE
@@ -120,12 +122,14 @@ class Grbl:
         """Return the first field of the status report."""
         if self.state is State.HOLD:
             return f"Hold:{0 if self.suspension.stopped else 1}"
-        return f"Door:{self.suspension.door_phase}" if self.state is State.DOOR else self.state.value
+        if self.state is State.DOOR:
+            return f"Door:{self.suspension.door_phase(ajar=DOOR in self.inputs.held)}"
+        return self.state.value
 
     def pins(self) -> str:
         """Return the input pins that are on, as the status report names them."""
-        pressed = "".join(self.axes.pressed_switches()) if self._has_switches else ""
-        return ("P" if self.probe.touches(self.axes) else "") + pressed
+        on = set(self.axes.pressed_switches()) if self._has_switches else set()
+        return self.inputs.letters(on | ({"P"} if self.probe.touches(self.axes) else set()))
 
     def start_cycle(self) -> None:
         """Begin to move where moves wait and nothing speaks against it."""
@@ -163,6 +167,12 @@ class Grbl:
         if code in LIMIT_ALARMS:
             self.send("[MSG:Reset to continue]")
             self.critical = True
+
+    def reach_limit(self) -> None:
+        """A limit switch is on: where they are watched ($21), stop and lock until a reset."""
+        watched = self.memory.settings.on(HARD_LIMITS) and self.state is not State.HOME
+        if watched and not self.critical:
+            self.fail(ALARM_HARD_LIMIT)
 
     def stop_at_once(self) -> None:
         """Stop the motors without a ramp, switch everything off and forget all moves."""
@@ -352,9 +362,8 @@ class Grbl:
             self.finish_cycle()
 
     def _look_at_switches(self) -> None:
-        watched = self.memory.settings.on(HARD_LIMITS) and self.state is not State.HOME
-        if watched and not self.critical and any(self.axes.pressed_switches()):
-            self.fail(ALARM_HARD_LIMIT)
+        if any(self.axes.pressed_switches()):
+            self.reach_limit()
 
     def _stand_still(self) -> Waiting:
         while True:

@@ -23,6 +23,7 @@ class Probe:
 
     def __init__(self, height_mm: float | None):
         self.height_mm = height_mm
+        self.held = False  # by hand
         self.begin()
 
     def begin(self) -> None:
@@ -35,7 +36,7 @@ class Probe:
 
     def touches(self, axes: Axes) -> bool:
         """Return whether the pin is closed."""
-        return self.height_mm is not None and axes.position_mm[Z] <= self.height_mm
+        return self.held or (self.height_mm is not None and axes.position_mm[Z] <= self.height_mm)
 
     def watch(self, axes: Axes) -> None:
         """Note the place where the pin changes, and bring the move to its stop there."""

@@ -41,7 +41,10 @@ NOBODY_CAME_S = 30.0  # after which a server that serves until it is left ends
 
 
 class Server:
-    """Runs a board behind a port until `stop` is called or, with `until_left`, its client has left or none came."""
+    """Runs a board behind a port until `stop` is called or, with `until_left`, its client has left or none came.
+
+    each_step: called between two steps of the board.
+    """
 
     def __init__(
         self,
@@ -50,12 +53,14 @@ class Server:
         speed: float = 1.0,
         trace: Trace | None = None,
         until_left: bool = False,
+        each_step: Callable[[], None] = lambda: None,
     ):
         self._link = link
         self._port = port
         self._speed = speed
         self._trace = trace
         self._until_left = until_left
+        self._each_step = each_step
         self._stopping = False
         self._step_s = min(max(STEP_S * speed, SHORTEST_STEP_S), LONGEST_STEP_S)
 
@@ -96,6 +101,7 @@ class Server:
             self._link.advance(step_s)
             due_s -= step_s
             self._exchange(0.0)
+            self._each_step()
         return due_s
 
     def _exchange(self, timeout_s: float) -> None:
@@ -125,6 +131,7 @@ def serve(
     ready: Callable[[str], None] | None = None,
     faults: FaultPlan | None = None,
     told: Callable[[Fault, float], None] = lambda fault, time_s: None,
+    visit: Callable[[Grbl], Callable[[], None]] = lambda board: _nothing,
 ) -> None:
     """Be a board on `machine` until SIGTERM or SIGINT comes.
 
@@ -135,23 +142,29 @@ def serve(
     for the path of the axes. homing: $22=1, locked at power-up. probe_height_mm: machine height of a
     probe plate. firmware: what it greets, answers and refuses as. ready: called with the address (path,
     or socket://HOST:PORT) once clients may come. faults: what goes wrong on the way; told hears of each as it
-    happens, with the simulated time in s.
+    happens, with the simulated time in s. visit: gets the board and returns what is called between two of its
+    steps, for a hand at its pins.
     Raises LinkError when the port cannot be opened or a value makes no sense; nothing is left behind.
     """
     _check(speed, baud, pty, tcp)
     with contextlib.ExitStack() as stack:
         _compile(machine)
         board = Grbl(machine, homing=homing, probe_height_mm=probe_height_mm, firmware=firmware)
+        each_step = visit(board)
         record = stack.enter_context(contextlib.closing(Trace(trace, board))) if trace else None
         port: Port = PtyPort(str(pty)) if pty else _tcp_port(str(tcp))
         stack.callback(port.close)
         line = Link(board, baud)
         link = FaultyLink(line, faults, outside=kill_sender, told=told) if faults else line
-        server = Server(link, port, speed, record, until_left)
+        server = Server(link, port, speed, record, until_left, each_step)
         stack.enter_context(_stopped_by_signals(server))
         if ready:
             ready(port.address)
         server.run()
+
+
+def _nothing() -> None:
+    """Nobody is at the board."""
 
 
 def _compile(machine: Machine) -> None:

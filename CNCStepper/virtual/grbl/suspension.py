@@ -11,6 +11,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from CNCStepper.virtual.grbl.input_pins import DOOR
 from CNCStepper.virtual.grbl.spindle import OFF
 from CNCStepper.virtual.grbl.states import State
 
@@ -18,7 +19,7 @@ if TYPE_CHECKING:
     from CNCStepper.virtual.grbl.machine import Grbl
 
 SPINDLE_RETURNS_S, COOLANT_RETURNS_S = 4.0, 1.0  # waits after the outputs are on again
-DOOR_READY, DOOR_STOPPING, DOOR_RESTORING = 0, 2, 3
+DOOR_READY, DOOR_AJAR, DOOR_STOPPING, DOOR_RESTORING = 0, 1, 2, 3
 
 
 @dataclass
@@ -32,12 +33,13 @@ class Suspension:
     spindle_stopped: bool = False  # by override 0x9E, comes back on resume
     restoring_s: float | None = None
 
-    @property
-    def door_phase(self) -> int:
-        """The digit of the Door state."""
+    def door_phase(self, ajar: bool) -> int:
+        """Return the digit of the Door state."""
         if self.restoring_s is not None:
             return DOOR_RESTORING
-        return DOOR_READY if self.stopped else DOOR_STOPPING
+        if not self.stopped:
+            return DOOR_STOPPING
+        return DOOR_AJAR if ajar else DOOR_READY
 
     def hold(self, machine: Grbl) -> None:
         """Slow down to a stop; moves of a jog are given up."""
@@ -60,6 +62,8 @@ class Suspension:
     def resume(self, machine: Grbl) -> None:
         """Go on, once stopped; after a door the outputs come back first."""
         if not self.stopped or machine.state is State.SLEEP or self.restoring_s is not None:
+            return
+        if machine.state is State.DOOR and DOOR in machine.inputs.held:
             return
         if machine.state is State.DOOR:
             self.restoring_s = self._switch_on(machine)

@@ -152,6 +152,7 @@ RULES = {
         later("Overrides work only while the machine is idle or cutting."),
     ),
 }
+AT_PAUSE = {"jog": ("Idle", "Jog"), "zero": ("Idle",), "hold": ("Jog",)}  # the machine states in which these work then
 NO_HOMING = later("This machine has no homing switches set up ($22=0).")
 
 
@@ -162,7 +163,8 @@ def why_not(control: str, moment: Moment) -> str:
     if control == "home" and moment.homing is False:
         return NO_HOMING
     rule = RULES[control]
-    return "" if moment.phase in rule.phases else rule.why_not
+    at_pause = moment.phase == "paused" and moment.machine_state in AT_PAUSE.get(control, ())
+    return "" if at_pause or moment.phase in rule.phases else rule.why_not
 
 
 def why_not_connect(moment: Moment, port: str) -> str:

@@ -296,8 +296,8 @@ def test_pause_of_the_program_shows_its_message_and_waits():
 
     bench.on_phase["paused: put in tool 2"] = at_pause
     assert bench.run().done
-    assert seen == [(["G1X1", "M0"], 2)]  # nothing follows the pause before it is over
-    assert bench.controller.lines == lines
+    assert seen == [(["G1X1"], 1)]  # the sender stands there itself, and nothing follows before it is over
+    assert bench.controller.lines == ["G1X1", "G1X2"]
 
 
 def test_message_before_the_lines_that_lead_to_a_pause_is_shown_at_the_pause():

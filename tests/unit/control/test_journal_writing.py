@@ -13,12 +13,14 @@ import pytest
 from fake_controller import FakeClock, FakeController, FakeLink
 
 from CNCStepper.control.connect import Found
+from CNCStepper.control.feeder import Feeder
 from CNCStepper.control.grbl import Grbl
 from CNCStepper.control.grbl_report import Status
 from CNCStepper.control.journal import journal_file
 from CNCStepper.control.journal.ahead import FIRST, LEAST, MOST, Ahead
 from CNCStepper.control.journal.journal import MENDED, Journal
 from CNCStepper.control.journal.journal_file import JournalFile
+from CNCStepper.control.journal.kept import NoJournal
 from CNCStepper.control.journal.story import read_story
 from CNCStepper.control.outcome import DONE, FAILED, REFUSED, STOPPED
 from CNCStepper.control.send_job import SendJob
@@ -110,6 +112,40 @@ def test_every_line_is_on_the_disk_before_it_is_sent(tmp_path):
     bench.controller.actions = {number: lambda number=number: look(number) for number in range(len(LINES))}
     assert bench.run().done
     assert len({story.may_be_sent for story in stories}) > 3 and max(story.finished for story in stories) > 100
+
+
+def test_a_pause_that_is_not_sent_waits_for_the_disk_and_counts_as_cut(tmp_path):
+    clock = FakeClock()
+    journal = NoJournal()
+    journal.permitted = 1
+    driver = Grbl(FakeLink(FakeController(clock), clock), clock)
+    feeder = Feeder(SendJob("fake", ("M0", "G1X1")), journal)
+    assert feeder.stand_message(driver) == "" and feeder.feed(driver, True) == 0
+    journal.permitted = 0
+    feeder.leave_stand()
+    assert feeder.feed(driver, True) == feeder.sent == feeder.acknowledged == 0 and feeder.stand_message(driver) is None
+    journal.permitted = 1
+    assert feeder.feed(driver, True) == feeder.sent == feeder.acknowledged == 1 and not driver.unanswered
+
+
+def test_interval_is_true_around_a_pause(tmp_path):
+    lines = (*LINES[:100], "M0", *LINES[101:])
+    bench = Bench(tmp_path, lines)
+    stories = []
+
+    def look():
+        status = bench.sender.status()
+        stories.append((bench.story(), status.sent, status.acknowledged))
+        bench.sender.resume()
+
+    bench.on_text["paused"] = look
+    bench.controller.actions[200] = lambda: stories.append((bench.story(), 201, 201))
+    assert bench.run().done and len(stories) == 2
+    assert stories[0][1:] == (100, 100)
+    for story, sent, acknowledged in stories:
+        assert story.may_be_sent >= sent and story.finished <= acknowledged
+    assert stories[1][0].finished >= 101  # all before the pause, and the pause
+    assert bench.story().finished == len(lines)
 
 
 def test_a_job_that_is_stopped_tells_its_interval_and_its_reason(tmp_path):

@@ -248,3 +248,66 @@ def test_changed_leg_is_refused_and_the_machine_stays_held(tmp_path: Path) -> No
     assert cut.run(person).done
     assert [error.code for error in cut.refused] == ["certificate-changed"]
     assert cut.length_mm == pytest.approx(along_mm(Way(path_of(SQUARE)), Place(7, 1.0)), abs=CORNERS_MM)
+
+
+PAUSED = SQUARE.replace("X-5\nY-5\nG0 Z-2", "X-5\nM0\nY-5\nG0 Z-2")
+
+
+def jogged(cut: Cut):
+    """Jog at a stand and wait for the end of it."""
+    cut.sender.ask(Command("jog", {"x_mm": 2.0, "y_mm": 0.0, "z_mm": 0.0, "feed_mm_min": 2000.0}))
+    yield lambda: cut.sender.status().machine_state == "Jog"
+    yield lambda: cut.sender.status().machine_state == "Idle"
+
+
+def test_way_back_begins_at_a_pause_too_and_the_rest_pauses_there_again(tmp_path: Path) -> None:
+    cut, phases = Cut(tmp_path, PAUSED), []
+
+    def person():
+        yield cut.arrived
+        held = yield from found_by(cut)
+        yield from cut.go(held.along(held.back_by(3.0)))
+        yield cut.arrived
+        phases.append(cut.phase)
+        yield from cut.go((yield from found_by(cut)).rest())
+        yield cut.arrived
+        phases.append(cut.phase)
+        yield from jogged(cut)
+        cut.sender.resume()
+
+    outcome = cut.run(person)
+    assert outcome.done, outcome.text
+    assert phases == ["retreated", "paused"] and not cut.refused
+
+
+def test_way_back_is_refused_where_the_machine_was_jogged_off_the_path(tmp_path: Path) -> None:
+    cut = Cut(tmp_path, PAUSED)
+
+    def person():
+        yield cut.arrived
+        yield from jogged(cut)
+        cut.sender.ask(Command("tell_place", {"file": str(tmp_path / "x.json")}))
+        yield lambda: bool(cut.refused)
+        cut.sender.resume()
+        yield lambda: cut.trace[-1][1] > -18.0 and cut.trace[-1][0] > -6.0
+        yield from cut.hold()
+        held = yield from found_by(cut)
+        yield from cut.go(held.rest())
+
+    outcome = cut.run(person)
+    assert outcome.done, outcome.text
+    assert [error.code for error in cut.refused] == ["retreat-jogged"]
+
+
+def test_way_back_is_refused_once_the_zero_was_set_at_a_pause(tmp_path: Path) -> None:
+    cut = Cut(tmp_path, PAUSED)
+
+    def person():
+        yield cut.arrived
+        cut.sender.ask(Command("set_zero", {"axes": "X"}))
+        cut.sender.ask(Command("tell_place", {"file": str(tmp_path / "x.json")}))
+        yield lambda: bool(cut.refused)
+        cut.sender.stop()
+
+    assert cut.run(person).kind == "stopped"
+    assert [error.code for error in cut.refused] == ["retreat-zero"]

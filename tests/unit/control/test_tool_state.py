@@ -46,6 +46,19 @@ def test_job_stopped_at_a_tool_change_keeps_its_position(visit):
     assert visit.outcomes[0].kind == "stopped" and visit.outcomes[0].position_known
 
 
+def test_tool_change_is_sent_and_a_bare_pause_is_not(visit):
+    def person():
+        visit.job("G21G90G94", "M6", "M0", "G1X-4F1500")
+        for count in (0, 1):
+            yield lambda count=count: visit.phase == "paused" and len(visit.table.sent(b"\xa3")) == count
+            visit.ask("resume")
+        yield visit.ended()
+
+    visit.receive(person)
+    lines = b"".join(data for _, data in visit.table.written)
+    assert visit.outcomes[0].done and b"M6\n" in lines and b"M0\n" not in lines
+
+
 def test_typed_tool_change_is_resumed_too(visit):
     def person():
         visit.ask("set_zero", axes="XYZ")

@@ -60,6 +60,14 @@ def test_a_control_works_exactly_in_its_phases(phase: str, expected: set[str]) -
     assert works(phase) == expected
 
 
+@pytest.mark.parametrize(
+    ("machine_state", "expected"), [("Idle", {"jog", "zero"}), ("Jog", {"jog", "hold"}), ("Hold:0", set())]
+)
+def test_at_a_pause_an_idle_machine_is_jogged_and_zeroed(machine_state: str, expected: set[str]) -> None:
+    can = {control for control in ("jog", "zero", "hold") if not why_not(control, Moment("paused", machine_state))}
+    assert can == expected
+
+
 def test_without_a_controller_the_reason_is_the_connection() -> None:
     assert why_not("hold", Moment()) == NOT_CONNECTED
 

@@ -1,0 +1,186 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Where a sender stands between two lines of a job: the machine is idle, so that it can be jogged and its zero be set.
+
+grbl refuses jogs and keeps G10 waiting while it is held, as it is at an M0. So the sender sends no M0: it waits until
+all before it is cut, and goes on when it is told. The lines that follow were proven from where the program stood; so
+whoever jogged away is first taken back there, in work coordinates, for a new zero moves the program with it:
+
+    over  ┌───────────────┐   at the height of the higher one
+    up    │               │   down, slowly
+          o jogged to     x where the program stood
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+
+from CNCStepper.control import acts
+from CNCStepper.control.command import Command
+from CNCStepper.control.grbl import Answered, Grbl
+from CNCStepper.control.grbl_report import Vector
+from CNCStepper.control.jogger import Jogger, Way, check_in_time
+from CNCStepper.control.timing import Timing
+from CNCStepper.errors import CNCStepperError, MachineRefusal
+
+OVER_MM_MIN, DOWN_MM_MIN = 1000.0, 100.0
+THERE_MM = 0.005  # what is reported is rounded
+
+
+@dataclass(frozen=True)
+class To:
+    """A straight jog to a work position; an axis that is None stays."""
+
+    place_mm: tuple[float | None, float | None, float | None]
+    feed_mm_min: float
+
+    def line(self) -> str:
+        """Return the jog command of grbl 1.1."""
+        words = zip("XYZ", self.place_mm, strict=True)
+        return f"$J=G90G21{''.join(f'{axis}{mm:.4f}' for axis, mm in words if mm is not None)}F{self.feed_mm_min:.1f}"
+
+
+def way_back(here_mm: Vector, there_mm: Vector) -> Iterator[To]:
+    """Yield the jogs from one work position to another: up, over, down; none where it is that place."""
+    top_mm = max(here_mm[2], there_mm[2])
+    if top_mm - here_mm[2] > THERE_MM:
+        yield To((None, None, top_mm), OVER_MM_MIN)
+    if any(abs(a - b) > THERE_MM for a, b in zip(here_mm[:2], there_mm[:2], strict=True)):
+        yield To((there_mm[0], there_mm[1], None), OVER_MM_MIN)
+    if top_mm - there_mm[2] > THERE_MM:
+        yield To((None, None, there_mm[2]), DOWN_MM_MIN)
+
+
+class Stand:
+    """What a person does at one stand of a job, until it is left.
+
+    tell, refuse: hear what happens, as of a `JobRun`. commands: those that `do` takes. is_off_path: the machine may
+    have left the program's path, or its work zero be another one.
+    """
+
+    commands = ("resume", "hold", "jog", "jog_on", "jog_cancel", "set_zero")
+
+    def __init__(
+        self, timing: Timing, tell: Callable[[str, str], None], refuse: Callable[[Command, CNCStepperError], None]
+    ):
+        self.is_off_path = False
+        self._zero_set = False  # at this stand or one before
+        self._timing = timing
+        self._tell = tell
+        self._refuse = refuse
+        self._driver: Grbl | None = None
+        self._jogger: Jogger | None = None
+        self._index = -1  # of the line that is waited before
+        self._place_mm: Vector | None = None
+        self._resume_asked = False
+        self._going_back = False
+        self._changed_s = 0.0  # what the machine said before shows another moment
+
+    def begin(self, driver: Grbl, index: int) -> None:
+        """Stand before the job's line `index`; a stand that was only disturbed keeps its place."""
+        if index != self._index:
+            self._index, self._place_mm = index, driver.wpos_mm
+        self._driver, self._resume_asked, self._going_back = driver, False, False
+        self._jogger = Jogger(driver, self._give_up, self._tell)
+
+    def end(self) -> None:
+        """Leave the stand: the machine is on the path."""
+        self._index, self._jogger, self.is_off_path = -1, None, False
+
+    def check_way_back(self) -> None:
+        """Raise MachineRefusal where the way back along the cut does not begin here, or was cut from another zero."""
+        if self._zero_set:
+            what = "the work zero was set at a pause, so the way back along the cut is not known"
+            raise MachineRefusal("retreat-zero", what, advice="go on, or stop the job")
+        if self.is_off_path:
+            what = "the machine was jogged away from where the program paused"
+            raise MachineRefusal("retreat-jogged", what, advice="resume first, which takes it back there")
+
+    def turn(self) -> float:
+        """Send what is due of jogs; return how long the next turn may be away."""
+        if self._jogger is None:
+            return float("inf")
+        self._jogger.turn()
+        return self._jogger.wait_s
+
+    def answered(self, answer: Answered) -> None:
+        """Take the answer to a line that is none of the job's."""
+        if self._driver and self._jogger:
+            self._changed_s = self._driver.clock()
+            self._jogger.answered(answer)
+
+    def do(self, command: Command) -> None:
+        """Carry out one of `commands`; raises MachineRefusal when it cannot be done now."""
+        assert self._driver and self._jogger
+        check_in_time(command, self._driver.clock())
+        if command.name in ("hold", "jog_cancel"):
+            self._cancel(self._driver, self._jogger)
+        elif self._resume_asked:
+            raise _busy("the job is about to go on")
+        elif command.name == "jog":
+            self.is_off_path = True
+            self._jogger.step(Way(**command.values))
+        elif command.name == "jog_on":
+            self.is_off_path = True
+            values = dict(command.values)
+            self._jogger.keep(values.pop("press"), Way(**values))
+        elif self._jogger.active:
+            raise _busy("the machine jogs")
+        elif command.name == "set_zero":
+            self._set_zero(self._driver, **command.values)
+        else:
+            self._resume_asked = True
+
+    def is_left(self, driver: Grbl) -> bool:
+        """Take whoever resumed back to the place; return whether the machine stands there, so that the job goes on."""
+        seen = driver.status
+        if not self._resume_asked or seen is None or driver.status_asked_s <= self._changed_s:
+            return False
+        if seen.state != "Idle" or (self._jogger and self._jogger.active):
+            return False
+        ways = self._ways(driver)
+        if not ways:
+            self._resume_asked = False
+        elif self._going_back:
+            self._give_up(_not_there())
+        else:
+            self._go_back(driver, ways)
+        return not ways
+
+    # --- inside --------------------------------------------------------------------------------
+
+    def _ways(self, driver: Grbl) -> list[To]:
+        here_mm, there_mm = driver.wpos_mm, self._place_mm
+        return [] if here_mm is None or there_mm is None else list(way_back(here_mm, there_mm))
+
+    def _go_back(self, driver: Grbl, ways: list[To]) -> None:
+        assert self._jogger
+        self._tell("message", "back to where the program paused: up, over, down")
+        self._going_back, self._changed_s = True, driver.clock()
+        self._jogger.follow(ways)
+
+    def _set_zero(self, driver: Grbl, axes: str) -> None:
+        self.is_off_path = self._zero_set = True
+        system = acts.set_zero(driver, axes, self._timing)
+        self._changed_s = driver.clock()
+        self._tell("message", f"zero of {axes.upper()} set in {system}")
+
+    def _cancel(self, driver: Grbl, jogger: Jogger) -> None:
+        self._resume_asked = self._going_back = False
+        self._changed_s = driver.clock()
+        if jogger.active or (driver.status and driver.status.state == "Jog"):
+            jogger.cancel()
+
+    def _give_up(self, error: MachineRefusal) -> None:
+        command = Command("resume" if self._resume_asked else "jog")
+        self._resume_asked = self._going_back = False
+        self._refuse(command, error)
+
+
+def _busy(what: str) -> MachineRefusal:
+    return MachineRefusal("machine-busy", what, advice="wait until it stands, or hold it")
+
+
+def _not_there() -> MachineRefusal:
+    advice = "resume again, or set the zero so that the way there lies within the travel"
+    return MachineRefusal("not-there", "the machine is not where the program paused", advice=advice)

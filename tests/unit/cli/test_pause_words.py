@@ -1,0 +1,62 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What may be answered while a job stands."""
+
+from __future__ import annotations
+
+import pytest
+from rich.progress import Progress
+
+from CNCStepper.cli.pause_words import GO_ON, STOP, is_end, read_answer
+from CNCStepper.cli.watch import _Watch
+from CNCStepper.control.command import JOB_COMMANDS, read_command
+from CNCStepper.control.outcome import SenderStatus
+
+
+@pytest.mark.parametrize(
+    ("text", "wishes"),
+    [
+        ("", GO_ON),
+        ("  ", GO_ON),
+        ("S", STOP),
+        ("no", STOP),
+        ("all", [("by_line", {"on": False}), ("resume", {})]),
+        ("zero z", [("set_zero", {"axes": "Z"})]),
+        ("Zero XYZ", [("set_zero", {"axes": "XYZ"})]),
+        ("z-0.1", [("jog", {"x_mm": 0.0, "y_mm": 0.0, "z_mm": -0.1, "feed_mm_min": 500.0})]),
+        ("X10 y-.5f100", [("jog", {"x_mm": 10.0, "y_mm": -0.5, "z_mm": 0.0, "feed_mm_min": 100.0})]),
+    ],
+)
+def test_answer_is_read(text, wishes):
+    assert read_answer(text) == wishes
+    for name, values in wishes:
+        read_command({"command": name, **values}, JOB_COMMANDS)
+
+
+@pytest.mark.parametrize(
+    "text", ["y", "yes", "x", "f100", "x1 x2", "x5000", "x1f0", "x1f-5", "zero", "zero a", "go", "1", "x--1"]
+)
+def test_anything_else_moves_nothing(text):
+    with pytest.raises(ValueError, match="is no"):
+        read_answer(text)
+
+
+def test_only_going_on_and_stopping_end_a_stand():
+    assert is_end(read_answer("")) and is_end(read_answer("s")) and is_end(read_answer("all"))
+    assert not is_end(read_answer("x1")) and not is_end(read_answer("zero z"))
+
+
+@pytest.mark.parametrize(
+    ("phase", "state", "jogs", "goes_back"),
+    [
+        ("held", "Hold:0", False, True),
+        ("paused", "Hold:0", False, True),
+        ("paused", "Idle", True, True),
+        ("door", "Door:0", False, False),
+    ],
+)
+def test_question_names_what_can_be_done_at_a_stand(monkeypatch, phase, state, jogs, goes_back):
+    asked = []
+    monkeypatch.setattr("click.prompt", lambda text, **given: asked.append(text) or STOP)
+    _Watch(None, Progress(), False, False)._asked(SenderStatus(phase=phase, machine_state=state))
+    assert "Enter goes on, s stops" in asked[0]
+    assert ("z-0.1 jogs" in asked[0]) == jogs and ("`cncstepper back` goes back" in asked[0]) == goes_back
