@@ -1951,6 +1951,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Controller's buffer: {0} blocks and {1} bytes free</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Convert units…</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2240,6 +2244,10 @@
         </message>
         <message>
             <source>Fit to drawing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Flood</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2867,6 +2875,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Mist</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Motor angle</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3004,6 +3016,10 @@
         </message>
         <message>
             <source>Of the written program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Off</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4959,7 +4975,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>{0} of {1} lines, line {2} of the file</source>
+            <source>{0} of {1} lines, line {2} of the file, sent to line {3}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5062,6 +5078,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>'{0}' moves as only the controller knows</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>'{0}' names no axes</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5110,7 +5130,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Bluetooth could not be started</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>CNCStepper certificate</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>CNCStepper journal</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5290,6 +5318,18 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>O-words are nested too deeply</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>O-words work only in a macro of the controller</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>O-words work only in a macro on the controller's card</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>O1234 ends with M99</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5318,11 +5358,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>SetThreadExecutionState was refused</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>T selects an extruder: pause with M0 where the tool is to be changed</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>[ is missing after {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>`$` lists what the controller knows</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>`cncstepper check` checks a program without the machine</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5339,6 +5391,10 @@
         </message>
         <message>
             <source>a P or L value is missing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a `%` stands where no file begins or ends</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5363,6 +5419,10 @@
         </message>
         <message>
             <source>a comment may not hold another one</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a control pin was active at start</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5407,6 +5467,10 @@
         </message>
         <message>
             <source>a cylinder is as long in X as in Y</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a device on the Modbus does not answer as it should</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5470,11 +5534,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a limit switch is pressed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a limit switch is pressed; only homing is allowed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a limit switch stayed pressed after homing</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>a limit switch was hit</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a limit switch was hit while probing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a limit switch was pressed before homing, and which one is not clear</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5514,11 +5594,31 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a line that runs by itself at every start moves without anybody who looks</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a machine is cutting</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a macro has stopped with an error of its own</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a mesh and no line</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a message could not be sent</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a mill that does not cut over its centre ({0}) goes down into stock too steeply</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a motor driver reports a fault</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5534,6 +5634,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a parameter could not be set</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a part must have a length</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5546,6 +5650,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a pin in the configuration is wrong</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a point is too far away</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5555,6 +5663,14 @@
         </message>
         <message>
             <source>a probe takes no feed per turn</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a program for {0} cannot be restarted in its middle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a program on the controller stopped at an error</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5602,6 +5718,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a single axis may not be homed here</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a spline moves X and Y only</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5627,6 +5747,10 @@
         </message>
         <message>
             <source>a tool bit is one tool</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a tool change is pending, and this command must wait for its end</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5658,11 +5782,31 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a value in the expression does not fit its operation</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a value in the expression is too large or too small</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a value is larger than the controller allows</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a value is missing</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>a value is negative where only positive ones are allowed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a value is outside of its range</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a value is zero or negative where only positive ones are allowed</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5675,6 +5819,10 @@
         </message>
         <message>
             <source>a word does not begin with a letter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a word has a value that it cannot have</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5806,11 +5954,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>an axis is missing: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>an expression begins with [</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>an incremental move needs a known position</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>an input and output expander failed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>an input and output expander was reset</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>an input was active at start</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5838,6 +6002,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>another connection is using the controller</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>another task is open in the task panel</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5850,7 +6018,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>ask for it again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>ask for the right to use it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>ask for the way back again</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5907,6 +6083,10 @@
         </message>
         <message>
             <source>axis.{0}.jerk_mm_s3 is missing: ramp = "s_curve" needs it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>back along the cut: go on back, forward, or resume from here</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5978,6 +6158,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>change the tool, then resume</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>change to tool {0}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5990,6 +6174,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>check both switches, then home again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>check cable and baud rate</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5999,6 +6187,14 @@
         </message>
         <message>
             <source>check cable, power and other programs on this port</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>check its cable and settings, then home the machine</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>check its cable and supply, then home the machine</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6046,6 +6242,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>check the switches, and max_travel_mm in its configuration</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>check the switches, and travel $130 to $132</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6067,6 +6267,10 @@
         </message>
         <message>
             <source>choose a folder that exists and that you may write to</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>choose a line that was cut after the last tool change and before this one</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6106,6 +6310,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>choose an earlier line</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>choose an earlier place</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>choose another</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6131,6 +6343,10 @@
         </message>
         <message>
             <source>choose the right machine profile, or correct the settings</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>clear the cause, then reset the controller</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6186,6 +6402,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>close the other connection, a web page or a pendant</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>close the other program that holds it</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6234,6 +6454,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>correct its configuration file, then restart the controller</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>correct its spelling or take it out; known {0}are: {1}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6254,7 +6478,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>correct that program, then home the machine</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>correct that value</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>correct the O-words of the macro</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>correct the P word, or the board's settings</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6278,11 +6514,31 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>correct the expression in that line</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>correct the file's name</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>correct the folder's name</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>correct the homing settings ($22 to $27, $44 to $46)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>correct the jog command</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>correct the number</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>correct the parameter in that line</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6310,7 +6566,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>correct work zero or program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>correct work zero or program, then unlock with $X; the position is kept</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>counter-clockwise (M4)</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6339,6 +6603,10 @@
         </message>
         <message>
             <source>cut it before, or hold the piece by tabs</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>cuts {0} mm before the place again</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6438,7 +6706,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>end the tool change and resume, or reset it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>end the tool change, then resume</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>enter by a helix or ramp, or in the middle of a hole drilled before</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>entered here, the program does not stand alone: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>entered here, the program would do something else than when it is run whole</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>enters line {0} at {1}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6510,6 +6798,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>free the machine from the switch, then home it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>free the probe, reset, then home the machine</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>full circles became two arcs</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6558,7 +6854,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>give a greater height</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>give a line</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>give a start position of X, Y and Z</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>give a value that the setting allows</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6614,6 +6922,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>give one of them</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>give parameters {0} to {1} with the start state, or use G53</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6623,6 +6935,10 @@
         </message>
         <message>
             <source>give the arc's centre with I and J</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>give the height</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6666,7 +6982,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>give the work zero and the position, or choose a place after the next rapid</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>give the work zero to have the travel checked</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>give them different homing passes ($44 to $46)</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6675,6 +6999,26 @@
         </message>
         <message>
             <source>give {0}, or a pattern of circles</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>given up: the controller was reset or is locked</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>go back along the cut while a job is held</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>go on with `cncstepper back --resume`</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>goes down at {0} mm/min</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>goes up to Z {0} first, then over the place</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6706,6 +7050,22 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>hold it first</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>home all axes with $H</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>home it, or set the zero of all axes again, before it is sent a program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>home the machine</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>home the machine ($H), or unlock it ($X) if its position is surely right</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6715,6 +7075,22 @@
         </message>
         <message>
             <source>home the machine before its next move</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>home the machine or set its zero again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>home the machine, or move it off the switch by hand</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>home the machine, or set the zero of all its axes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>home the machine, or unlock it if it stands where it should</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6734,6 +7110,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>homing is set up wrongly</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>homing was interrupted by a reset</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6747,6 +7127,10 @@
         </message>
         <message>
             <source>in the language of {0} no play can be taken up</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>in the operation {0}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6771,6 +7155,10 @@
         </message>
         <message>
             <source>is read as a line of its own, in a whole program, where the dialect has subroutines</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>it cuts upwards on a helix, as thread mills do, and is entered at its begin, line {0}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6810,7 +7198,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>it is within a way into the cut, which begins at line {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>it should be *{0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>it would forget the settings: write the settings that are to change one by one</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6822,7 +7218,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>its operations are: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>its shape '{0}' is none of {1}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>jog again if it is still wanted</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6838,7 +7242,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>laser mode needs a spindle of the kind Laser</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>laser mode needs a variable spindle output</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>laser mode: 1 is on, 0 off</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6874,6 +7286,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>leave that setting out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>leave the N words out</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6887,6 +7303,10 @@
         </message>
         <message>
             <source>leave them out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>leaves the spindle off, as the program has it there</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6938,11 +7358,51 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>line {0} here is its line {1}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>line {0} is run from its begin</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>line {0} makes several moves and is run from its begin</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>line {0} of the journal is damaged</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>line {0} of the journal is not the one that was written there</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>line {0} to {1}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>lines with / are {0}: no switch deletes them any more</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>load the module ppdev, and let your user use the device</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>log in again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>log in as a user who may do it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>log in first</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>look at cable, shielding and grounding; the part may be cut where it should not be</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6954,7 +7414,51 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>look the code up in the controller's documentation</source>
+            <source>look at motors and drivers, reset, then home the machine</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>look at motors and drivers, then reset the controller</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>look at spindle and inverter, reset, then home the machine</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>look at spindle and inverter, then home the machine</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>look at the Bluetooth settings</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>look at the controller's file system, then try again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>look at the machine, and restart the program by hand</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>look at the memory card, then try again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>look at the network of the controller</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>look at what it says, and correct that line</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>look the number up in the documentation of the controller's version</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>look whether the file is whole</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6971,6 +7475,10 @@
         </message>
         <message>
             <source>lower the feed here, or the axis' rate and acceleration in controller and profile</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>lower the feed of that line</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7022,6 +7530,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>make room on the disk of {0}, and see that you may write there; then send again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>make spacing_mm larger</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7066,6 +7578,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>material stays in {0} gap(s) between walls that are narrower than the tool, the deepest one before X{1} Y{2}; a smaller tool takes it away</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>measure the width of its cut, or leave kerf_mm out</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7102,11 +7618,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>mount it first</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>move one of the corners</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>move other axes before</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>move the machine off it, then home</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>move the machine off the switch, reset, then home it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7146,6 +7674,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>name a line that was cut before this one</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>name a new file, or one that pulses were recorded in</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7166,7 +7698,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>name the machine (--machine)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>named parameters are not part of this dialect</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>no axis is set up for homing</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7186,11 +7726,31 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>no file system is mounted</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>no input may be read</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>no job is held</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>no memory card is mounted</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>no modes are kept here</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>no move of line {0} lies on the way back</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>no operation, or more than one, is called '{0}'</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7207,6 +7767,10 @@
         </message>
         <message>
             <source>no rapid leads to this way, and backwards it does not begin where the one before ends</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>no rapid of the program says at what height the tool may cross the work</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7282,6 +7846,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>not known on {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>not the numbers of a curve: {0}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7294,7 +7862,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>nothing has been cut yet, so there is no way back</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>nothing is cut before this place</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>nothing is held any more</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>nothing is known that could be asked so</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>nothing is left to cut from this place on</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7307,6 +7891,10 @@
         </message>
         <message>
             <source>nothing moves</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>nothing moves at line {0} or after it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7355,6 +7943,10 @@
         </message>
         <message>
             <source>only the first control point goes without X and Y</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>only {0} kB are free</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7450,6 +8042,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>positions are not compared with the path any more: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>prepare the program again</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7494,6 +8090,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>put the card in, then mount it with $FM</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>pyserial is not installed</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7503,6 +8103,14 @@
         </message>
         <message>
             <source>raise F, or turn the spindle slower</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>raise pulloff_mm in its configuration, or check the switch</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>raise the R word of the drilling cycle</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7534,6 +8142,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>read the controller's start-up messages ($SS) and correct its configuration</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>read the message that the macro gives</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>read the program as a whole</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7542,7 +8158,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>release buttons, door and emergency stop, then restart the controller</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>release buttons, door, switches and emergency stop, then home the machine</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>release it, reset the controller, then home the machine</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>release the emergency stop, then reset the controller</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>remove it; only plain ASCII without ? ! ~ may be sent</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>remove the lines with `%`</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7558,7 +8194,47 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>restart at another place, or send the whole program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>restart at the begin of its operation, or send the whole program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>restart earlier, or make a new part</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>restart of {0} at line {1}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>restart the controller</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>restarts are written for grbl, grblHAL, FluidNC, LinuxCNC and Mach: convert it, or run it whole</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>resume once it stands</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>resume what it was doing, or reset it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>resume, and hold at a later move</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>resume, and hold once the machine moves</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>resume, or stop and restart the program</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7586,11 +8262,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>say it with M61 Q and the tool's number</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>say which time it is run</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>scale all axes alike</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>scale all axes alike, or write feeds a minute (G94)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>see its log, and the machine</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7610,7 +8298,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>send it again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>send the file anew</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>send the program without O-words</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>send the wanted words by hand or reset the controller, look at the work zero, and send again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>send the whole program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>set $0 to 2 or more</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7642,6 +8350,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>set the machine's settings again, then home it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>set the zero on the stock, then confirm it (--zero-confirmed)</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7655,6 +8367,10 @@
         </message>
         <message>
             <source>set up a program of that name on the machine</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>sets G92 as it was: {0}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7734,6 +8450,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>starts the spindle at {0} rpm, {1}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>stepover_mm (ae)</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7751,6 +8471,10 @@
         </message>
         <message>
             <source>steps_per_mm is {0}, but the drive gives {1}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>stop the job: steps may be lost, or the machine was moved by hand</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7774,11 +8498,31 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>switch it off and on again; if it stays, look at its wiring</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>switch it off with M5 before it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>switch it on with M3 and S before it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>switch the machine off, or unlock and home it afterwards at the machine itself</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>switch the spindle on before that line</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>switches the beam on at S{0} once it is down</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>switches the coolant on</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7834,7 +8578,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the O-word cannot be read</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the O-word is unknown</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the P word is larger than the controller allows</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7894,6 +8646,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the auxiliary port does not exist or is in use</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the axes are X (radial) and Z (axial)</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7903,6 +8659,10 @@
         </message>
         <message>
             <source>the bore leaves the tool no room for a helix</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the canned cycle is begun anew, at line {0}: G91 is in force</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7970,7 +8730,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the configuration is not valid</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the console does not pass on {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the contour goes through the stock and sets a piece free that no tab holds</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the controller does not accept the password</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the controller does not allow this to this user</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7998,7 +8774,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the controller does not say whether it reports in mm or in inches</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the controller does not tell its state</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the controller has just started</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the controller has no memory left for O-words</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the controller has not kept its position through the reset at standstill</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8046,7 +8838,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the controller wants to know who you are</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the controller was reset before it could do that</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the controller was reset while moving</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the controller's own test at power-up failed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the controller's permanent memory failed</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8190,6 +8998,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the emergency stop is active</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the emergency stop was pressed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the entry arc of the compensation is not larger than the tool's radius</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8198,7 +9014,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the expression cannot be read</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the expression divides by 0</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the expression divides by zero</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the expression has an operation that is not known</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8210,11 +9038,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the expression's result is not a finite number</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the factor must be above 0</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>the feed asks more of {0} than its highest rate</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the feed is higher than the machine's axes can go</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8226,11 +9062,51 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the file cannot be created</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the file cannot be deleted</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the file cannot be opened</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the file cannot be read</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the file cannot be read: {0}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the file cannot be renamed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the file could not be handed out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the file could not be taken over</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the file does not exist</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the file ended</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the file holds no object</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the file is empty</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8239,6 +9115,34 @@
         </message>
         <message>
             <source>the file is too large for the editor</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the file system can only be read</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the file system cannot be formatted</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the file system cannot be mounted</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the file system is busy</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the folder cannot be deleted</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the folder cannot be opened</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the folder does not exist</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8251,6 +9155,10 @@
         </message>
         <message>
             <source>the heights do not fit their box</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the highest spindle speed, which every S is scaled by</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8274,6 +9182,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the job was sent without a machine profile, so no way back can be checked</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the job's machine profile cannot be read: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the job's own program has changed since this one was edited</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8290,11 +9206,39 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the jog was cancelled</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the jog was stopped: its button was not heard of for {0} s</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>the jogs before this one are not done yet</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the journal cannot be read: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the journal cannot be written ({0}): the job goes on to {1} and is held there; make room on the disk of {2}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the journal could not be ended ({0}): it will tell of a killed job</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the journal is written again: a job that was held for it can be resumed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the journal lacks its beginning, or is none</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the journal of the job cannot be written: {0}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8326,6 +9270,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the line before is not done yet</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the line does not end where it began</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8335,6 +9283,10 @@
         </message>
         <message>
             <source>the line does not fit the buffer of {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the line ended too early</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8350,7 +9302,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the line is longer than grbl can read</source>
+            <source>the line is longer than {0} can read</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8418,6 +9370,18 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the machine does not stand</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the machine does not stand on the way of the lines that it has</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the machine does not stand where the way back begins</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the machine has no {0} coolant</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8446,7 +9410,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the machine is not on the program's path: a line was damaged on its way</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the machine is still slowing down</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the machine jogs only while it is idle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the machine must be homed before it may move</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the machine must be homed first</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8454,7 +9434,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the machine was stopped at once</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the machine's position is unknown</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the machine's position is unknown: look that spindle and outputs are off, then home it or set its zero again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the machine's position is unknown: only homing, jog and unlock are accepted</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the memory card cannot be mounted</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8475,6 +9471,14 @@
         </message>
         <message>
             <source>the move leaves the travel of {0} by {1} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the moves that are taken as done cut into the wanted part</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the moves that are taken as done leave material that should be removed</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8510,6 +9514,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the overlap is only {0} mm: the cut begins there</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the parameters of the file are not in the order of their numbers</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8522,6 +9530,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the path is entered above the height that is given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the path mode may not be changed</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8531,6 +9543,10 @@
         </message>
         <message>
             <source>the pins of the machine are not known to this reader</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the place of a restart is a line, an operation, a contour or a point</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8547,6 +9563,10 @@
         </message>
         <message>
             <source>the play of the axes cannot be taken up within this line</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the play of the axes is taken up in the lines sent, so the way back is not that of the motors</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8579,6 +9599,10 @@
         </message>
         <message>
             <source>the probe touched nothing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the probe touched something where nothing was to be touched</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8627,6 +9651,10 @@
         </message>
         <message>
             <source>the program cuts along no way at one height</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the program cuts nothing</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8758,6 +9786,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the retract plane lies below the bottom of the hole</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the rim of the {0} tool is slow for the material</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8798,6 +9830,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the second limit switch of a self-squaring axis was not found</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the sender failed by a fault of its own</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8814,6 +9850,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the session does not answer</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the session has ended: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the session refused {0}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8827,6 +9871,18 @@
         </message>
         <message>
             <source>the session's log</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the setting cannot have this value</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the setting could not be stored</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the setting's value is out of its range</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8850,11 +9906,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the spindle does not do as it is told</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the spindle does not reach its speed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the spindle does not turn, but the motion goes by its turns</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the spindle is switched on at S0, since no speed was said before</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>the spindle runs while the tool is changed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the spindle speed is out of the spindle's range</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8866,7 +9938,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the state of the stored settings cannot be read</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the step pulse is shorter than 2 microseconds</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the step pulse is shorter than 3 microseconds</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the step pulse is too short</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8902,6 +9986,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the target lies outside of the machine's travel</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the text is not found, or is the same already</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8927,6 +10015,10 @@
         </message>
         <message>
             <source>the tool</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the tool changer does not know which tool it holds</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8986,6 +10078,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the tool number is too large, or the tool table has no such tool</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the tool offset may not be changed</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8994,7 +10090,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the tool was taken back along the cut, so the program's lines are no longer at the controller</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the tool's radius is compensated along this way (G41, G42)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the tool's radius is compensated: it begins at line {0}, with G41 or G42</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9026,6 +10130,18 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the way along the cut cannot be sent as it was written</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the way back cannot be read: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the way back does not lead there</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the way would be bent otherwise</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9035,6 +10151,10 @@
         </message>
         <message>
             <source>the words of {0} are not edited</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the work system is locked</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9074,7 +10194,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>then runs {0} lines of the program as they are; all before them is taken as cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>there is no command '{0}'</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>there is no contour {0}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9178,6 +10306,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>there was nothing to read</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>this build of the controller has no such setting</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>this client is detached</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9190,7 +10326,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>this computer may fall asleep while the machine cuts ({0}): switch its sleep off</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>this is no certificate</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>this is not allowed while an emergency stop or a limit is active</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>this is switched off in the controller's configuration</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9219,6 +10367,18 @@
         </message>
         <message>
             <source>this reader knows no pockets</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>this setting can only be read</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>this setting cannot be changed while the controller runs</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>threads can be cut only in the plane ZX</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9302,6 +10462,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>turning (G7, G95, G96) is in force here: no entry is written for a lathe</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>two arcs of the profile have one centre</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9311,6 +10475,10 @@
         </message>
         <message>
             <source>two lines of the profile are parallel</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>two self-squaring axes cannot be homed at the same time</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9326,11 +10494,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>two words of the line contradict each other</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>undo that, choose another drawing, or choose none</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>unknown keys {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>unlock it in the settings, or use another work system</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9426,6 +10602,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>use a speed between $31 and $30</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>use a thread mill with one tooth, given as an engraver with a large tip_diameter_mm or as flat</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9435,6 +10615,10 @@
         </message>
         <message>
             <source>use a tool number up to 255</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>use a tool that the table has</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9490,6 +10674,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>wait a moment, then try again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>wait longer, hold or stop it</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9499,6 +10687,10 @@
         </message>
         <message>
             <source>wait until it has finished, or stop it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>wait until it has started</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9515,6 +10707,14 @@
         </message>
         <message>
             <source>wait until the jog has ended</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>wait until the typed line is done, or stop it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>wait, hold or stop it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9546,7 +10746,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>where a probe stops only the controller knows</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>where the tool stands along {0} is not known here, and turning needs both coordinates</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>where the tool stands here is not known</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>where this move began is not known, so there is no way back along it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9555,6 +10767,18 @@
         </message>
         <message>
             <source>where this way begins is not known</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>which run of line {0} is meant is not clear</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>with tool {0} in the spindle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>with {0} of its move done</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9615,6 +10839,10 @@
         </message>
         <message>
             <source>write G18 before</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write G18 before that line</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9831,6 +11059,10 @@
         </message>
         <message>
             <source>write them on two lines</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write to another one</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10098,6 +11330,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{0} lists no such alarm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} lists no such error</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{0} may not be assigned</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10115,6 +11355,10 @@
         </message>
         <message>
             <source>{0} mm ({1} mm²) at X{2} Y{3}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} mm away</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10307,6 +11551,10 @@
         </message>
         <message>
             <source>{0} waits at the bottom and needs dwell_s</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} was refused</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

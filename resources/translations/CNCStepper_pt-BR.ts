@@ -1951,6 +1951,10 @@
             <translation>Controlador</translation>
         </message>
         <message>
+            <source>Controller's buffer: {0} blocks and {1} bytes free</source>
+            <translation>Memória do controlador: {0} blocos e {1} bytes livres</translation>
+        </message>
+        <message>
             <source>Convert units…</source>
             <translation>Converter unidades…</translation>
         </message>
@@ -2241,6 +2245,10 @@
         <message>
             <source>Fit to drawing</source>
             <translation>Ajustar ao desenho</translation>
+        </message>
+        <message>
+            <source>Flood</source>
+            <translation>Jorro</translation>
         </message>
         <message>
             <source>Flute length</source>
@@ -2867,6 +2875,10 @@
             <translation>Espelhar…</translation>
         </message>
         <message>
+            <source>Mist</source>
+            <translation>Névoa</translation>
+        </message>
+        <message>
             <source>Motor angle</source>
             <translation>Ângulo do motor</translation>
         </message>
@@ -3005,6 +3017,10 @@
         <message>
             <source>Of the written program</source>
             <translation>Do programa gerado</translation>
+        </message>
+        <message>
+            <source>Off</source>
+            <translation>Desligada</translation>
         </message>
         <message>
             <source>On which side of the lines the tool runs</source>
@@ -4959,8 +4975,8 @@
             <translation>{0} de {1}</translation>
         </message>
         <message>
-            <source>{0} of {1} lines, line {2} of the file</source>
-            <translation>{0} de {1} linhas, linha {2} do arquivo</translation>
+            <source>{0} of {1} lines, line {2} of the file, sent to line {3}</source>
+            <translation>{0} de {1} linhas, linha {2} do arquivo, enviado até a linha {3}</translation>
         </message>
         <message>
             <source>{0} replaced</source>
@@ -5062,6 +5078,10 @@
             <translation>'{0}' não é uma ferramenta</translation>
         </message>
         <message>
+            <source>'{0}' moves as only the controller knows</source>
+            <translation>'{0}' move como só o controlador sabe</translation>
+        </message>
+        <message>
             <source>'{0}' names no axes</source>
             <translation>'{0}' não indica eixos</translation>
         </message>
@@ -5110,8 +5130,16 @@
             <translation>ATAN precisa de um segundo valor</translation>
         </message>
         <message>
+            <source>Bluetooth could not be started</source>
+            <translation>o Bluetooth não pôde ser iniciado</translation>
+        </message>
+        <message>
             <source>CNCStepper certificate</source>
             <translation>certificado do CNCStepper</translation>
+        </message>
+        <message>
+            <source>CNCStepper journal</source>
+            <translation>CNCStepper journal</translation>
         </message>
         <message>
             <source>D of {0} is the number of a tool</source>
@@ -5290,6 +5318,18 @@
             <translation>o Marlin leria G91 ou G90: omita-a</translation>
         </message>
         <message>
+            <source>O-words are nested too deeply</source>
+            <translation>há palavras O aninhadas demais</translation>
+        </message>
+        <message>
+            <source>O-words work only in a macro of the controller</source>
+            <translation>palavras O só funcionam em uma macro do controlador</translation>
+        </message>
+        <message>
+            <source>O-words work only in a macro on the controller's card</source>
+            <translation>palavras O só funcionam em uma macro no cartão do controlador</translation>
+        </message>
+        <message>
             <source>O1234 ends with M99</source>
             <translation>O1234 termina com M99</translation>
         </message>
@@ -5318,12 +5358,24 @@
             <translation>Reset to continue</translation>
         </message>
         <message>
+            <source>SetThreadExecutionState was refused</source>
+            <translation>SetThreadExecutionState foi recusado</translation>
+        </message>
+        <message>
             <source>T selects an extruder: pause with M0 where the tool is to be changed</source>
             <translation>T seleciona um extrusor: faça uma pausa com M0 onde a ferramenta deve ser trocada</translation>
         </message>
         <message>
             <source>[ is missing after {0}</source>
             <translation>falta [ depois de {0}</translation>
+        </message>
+        <message>
+            <source>`$` lists what the controller knows</source>
+            <translation>`$` lista o que o controlador conhece</translation>
+        </message>
+        <message>
+            <source>`cncstepper check` checks a program without the machine</source>
+            <translation>`cncstepper check` verifica um programa sem a máquina</translation>
         </message>
         <message>
             <source>a G code has one decimal at most</source>
@@ -5340,6 +5392,10 @@
         <message>
             <source>a P or L value is missing</source>
             <translation>falta um valor P ou L</translation>
+        </message>
+        <message>
+            <source>a `%` stands where no file begins or ends</source>
+            <translation>há um `%` onde nenhum arquivo começa nem termina</translation>
         </message>
         <message>
             <source>a bulge is not that of an arc in mm</source>
@@ -5364,6 +5420,10 @@
         <message>
             <source>a comment may not hold another one</source>
             <translation>um comentário não pode conter outro</translation>
+        </message>
+        <message>
+            <source>a control pin was active at start</source>
+            <translation>um pino de controle estava ativo na partida</translation>
         </message>
         <message>
             <source>a control point needs a weight P above 0</source>
@@ -5408,6 +5468,10 @@
         <message>
             <source>a cylinder is as long in X as in Y</source>
             <translation>um cilindro é tão comprido em X quanto em Y</translation>
+        </message>
+        <message>
+            <source>a device on the Modbus does not answer as it should</source>
+            <translation>um dispositivo no Modbus não responde como devia</translation>
         </message>
         <message>
             <source>a difference of {0} mm</source>
@@ -5470,12 +5534,28 @@
             <translation>uma entrada ou saída do tipo 'line' precisa de length_mm e não de radius_mm</translation>
         </message>
         <message>
+            <source>a limit switch is pressed</source>
+            <translation>um fim de curso está acionado</translation>
+        </message>
+        <message>
+            <source>a limit switch is pressed; only homing is allowed</source>
+            <translation>um fim de curso está acionado; só o referenciamento é permitido</translation>
+        </message>
+        <message>
             <source>a limit switch stayed pressed after homing</source>
             <translation>um fim de curso ficou acionado depois do referenciamento</translation>
         </message>
         <message>
             <source>a limit switch was hit</source>
             <translation>um fim de curso foi atingido</translation>
+        </message>
+        <message>
+            <source>a limit switch was hit while probing</source>
+            <translation>um fim de curso foi atingido durante a apalpação</translation>
+        </message>
+        <message>
+            <source>a limit switch was pressed before homing, and which one is not clear</source>
+            <translation>um fim de curso estava acionado antes do referenciamento, e não se sabe qual</translation>
         </message>
         <message>
             <source>a line does not fit the controller's buffer</source>
@@ -5514,12 +5594,32 @@
             <translation>uma linha que começa com $ é um ajuste ou comando para o controlador, não faz parte de um programa</translation>
         </message>
         <message>
+            <source>a line that runs by itself at every start moves without anybody who looks</source>
+            <translation>uma linha que roda sozinha a cada partida move a máquina sem ninguém olhando</translation>
+        </message>
+        <message>
+            <source>a machine is cutting</source>
+            <translation>uma máquina está cortando</translation>
+        </message>
+        <message>
+            <source>a macro has stopped with an error of its own</source>
+            <translation>uma macro parou com um erro próprio</translation>
+        </message>
+        <message>
             <source>a mesh and no line</source>
             <translation>uma malha e não uma linha</translation>
         </message>
         <message>
+            <source>a message could not be sent</source>
+            <translation>uma mensagem não pôde ser enviada</translation>
+        </message>
+        <message>
             <source>a mill that does not cut over its centre ({0}) goes down into stock too steeply</source>
             <translation>uma fresa sem corte no centro ({0}) desce no material com inclinação demais</translation>
+        </message>
+        <message>
+            <source>a motor driver reports a fault</source>
+            <translation>um driver de motor acusa falha</translation>
         </message>
         <message>
             <source>a move would end outside the travel (soft limit)</source>
@@ -5534,6 +5634,10 @@
             <translation>um número sem letra antes dele</translation>
         </message>
         <message>
+            <source>a parameter could not be set</source>
+            <translation>um parâmetro não pôde ser definido</translation>
+        </message>
+        <message>
             <source>a part must have a length</source>
             <translation>um trecho tem de ter comprimento</translation>
         </message>
@@ -5546,6 +5650,10 @@
             <translation>um percurso é espelhado em X ou Y</translation>
         </message>
         <message>
+            <source>a pin in the configuration is wrong</source>
+            <translation>um pino da configuração está errado</translation>
+        </message>
+        <message>
             <source>a point is too far away</source>
             <translation>um ponto está longe demais</translation>
         </message>
@@ -5556,6 +5664,14 @@
         <message>
             <source>a probe takes no feed per turn</source>
             <translation>uma apalpação não aceita avanço por rotação</translation>
+        </message>
+        <message>
+            <source>a program for {0} cannot be restarted in its middle</source>
+            <translation>um programa para {0} não pode ser retomado no meio</translation>
+        </message>
+        <message>
+            <source>a program on the controller stopped at an error</source>
+            <translation>um programa no controlador parou em um erro</translation>
         </message>
         <message>
             <source>a program with subroutines, loops or branches is not rewritten</source>
@@ -5602,6 +5718,10 @@
             <translation>uma forma do padrão não é um círculo</translation>
         </message>
         <message>
+            <source>a single axis may not be homed here</source>
+            <translation>aqui não se pode referenciar um só eixo</translation>
+        </message>
+        <message>
             <source>a spline moves X and Y only</source>
             <translation>uma spline só move X e Y</translation>
         </message>
@@ -5628,6 +5748,10 @@
         <message>
             <source>a tool bit is one tool</source>
             <translation>um arquivo .fctb é uma só ferramenta</translation>
+        </message>
+        <message>
+            <source>a tool change is pending, and this command must wait for its end</source>
+            <translation>há uma troca de ferramenta pendente, e este comando precisa esperar o fim dela</translation>
         </message>
         <message>
             <source>a tool length lies along Z only</source>
@@ -5658,12 +5782,32 @@
             <translation>uma transformação não pode achatar a curva</translation>
         </message>
         <message>
+            <source>a value in the expression does not fit its operation</source>
+            <translation>um valor da expressão não serve para a operação</translation>
+        </message>
+        <message>
+            <source>a value in the expression is too large or too small</source>
+            <translation>um valor da expressão é grande ou pequeno demais</translation>
+        </message>
+        <message>
+            <source>a value is larger than the controller allows</source>
+            <translation>um valor é maior do que o controlador permite</translation>
+        </message>
+        <message>
             <source>a value is missing</source>
             <translation>falta um valor</translation>
         </message>
         <message>
             <source>a value is negative where only positive ones are allowed</source>
             <translation>um valor é negativo onde só positivos são permitidos</translation>
+        </message>
+        <message>
+            <source>a value is outside of its range</source>
+            <translation>um valor está fora da faixa</translation>
+        </message>
+        <message>
+            <source>a value is zero or negative where only positive ones are allowed</source>
+            <translation>um valor é zero ou negativo onde só se permitem positivos</translation>
         </message>
         <message>
             <source>a whole number</source>
@@ -5676,6 +5820,10 @@
         <message>
             <source>a word does not begin with a letter</source>
             <translation>uma palavra não começa com letra</translation>
+        </message>
+        <message>
+            <source>a word has a value that it cannot have</source>
+            <translation>uma palavra tem um valor que não pode ter</translation>
         </message>
         <message>
             <source>a word is a letter and a number</source>
@@ -5806,12 +5954,28 @@
             <translation>um arco aceita R ou um centro, não os dois</translation>
         </message>
         <message>
+            <source>an axis is missing: {0}</source>
+            <translation>falta um eixo: {0}</translation>
+        </message>
+        <message>
             <source>an expression begins with [</source>
             <translation>uma expressão começa com [</translation>
         </message>
         <message>
             <source>an incremental move needs a known position</source>
             <translation>um movimento incremental precisa de uma posição conhecida</translation>
+        </message>
+        <message>
+            <source>an input and output expander failed</source>
+            <translation>um expansor de entradas e saídas falhou</translation>
+        </message>
+        <message>
+            <source>an input and output expander was reset</source>
+            <translation>um expansor de entradas e saídas foi reiniciado</translation>
+        </message>
+        <message>
+            <source>an input was active at start</source>
+            <translation>uma entrada estava ativa na partida</translation>
         </message>
         <message>
             <source>an inverse-time feed needs a known position</source>
@@ -5838,6 +6002,10 @@
             <translation>um contorno ou uma ilha está aberto</translation>
         </message>
         <message>
+            <source>another connection is using the controller</source>
+            <translation>outra conexão está usando o controlador</translation>
+        </message>
+        <message>
             <source>another task is open in the task panel</source>
             <translation>outra tarefa está aberta no painel de tarefas</translation>
         </message>
@@ -5850,8 +6018,16 @@
             <translation>arcos fora do plano XY</translation>
         </message>
         <message>
+            <source>ask for it again</source>
+            <translation>peça-o de novo</translation>
+        </message>
+        <message>
             <source>ask for the right to use it</source>
             <translation>peça permissão para usá-la</translation>
+        </message>
+        <message>
+            <source>ask for the way back again</source>
+            <translation>peça o caminho de volta de novo</translation>
         </message>
         <message>
             <source>assign it before</source>
@@ -5908,6 +6084,10 @@
         <message>
             <source>axis.{0}.jerk_mm_s3 is missing: ramp = "s_curve" needs it</source>
             <translation>falta axis.{0}.jerk_mm_s3: ramp = "s_curve" precisa dele</translation>
+        </message>
+        <message>
+            <source>back along the cut: go on back, forward, or resume from here</source>
+            <translation>de volta ao longo do corte: continue para trás, para a frente, ou retome daqui</translation>
         </message>
         <message>
             <source>backlash_mm must be below the travel of the axis</source>
@@ -5978,6 +6158,10 @@
             <translation>troque a ferramenta em uma pausa M0 ou divida o programa nas trocas de ferramenta</translation>
         </message>
         <message>
+            <source>change the tool, then resume</source>
+            <translation>troque a ferramenta e continue</translation>
+        </message>
+        <message>
             <source>change to tool {0}</source>
             <translation>troque para a ferramenta {0}</translation>
         </message>
@@ -5990,6 +6174,10 @@
             <translation>verifique os dois fins de curso</translation>
         </message>
         <message>
+            <source>check both switches, then home again</source>
+            <translation>verifique os dois fins de curso e referencie de novo</translation>
+        </message>
+        <message>
             <source>check cable and baud rate</source>
             <translation>verifique o cabo e a taxa (baud)</translation>
         </message>
@@ -6000,6 +6188,14 @@
         <message>
             <source>check cable, power and other programs on this port</source>
             <translation>verifique cabo, alimentação e outros programas nesta porta</translation>
+        </message>
+        <message>
+            <source>check its cable and settings, then home the machine</source>
+            <translation>verifique o cabo e as configurações dele e referencie a máquina</translation>
+        </message>
+        <message>
+            <source>check its cable and supply, then home the machine</source>
+            <translation>verifique o cabo e a alimentação dele e referencie a máquina</translation>
         </message>
         <message>
             <source>check its supply and cable</source>
@@ -6046,6 +6242,10 @@
             <translation>verifique o programa de novo e envie-o com o certificado que isso gera</translation>
         </message>
         <message>
+            <source>check the switches, and max_travel_mm in its configuration</source>
+            <translation>verifique os fins de curso e max_travel_mm na configuração</translation>
+        </message>
+        <message>
             <source>check the switches, and travel $130 to $132</source>
             <translation>verifique os fins de curso e os cursos $130 a $132</translation>
         </message>
@@ -6068,6 +6268,10 @@
         <message>
             <source>choose a folder that exists and that you may write to</source>
             <translation>escolha uma pasta que exista e em que você possa gravar</translation>
+        </message>
+        <message>
+            <source>choose a line that was cut after the last tool change and before this one</source>
+            <translation>escolha uma linha cortada depois da última troca de ferramenta e antes desta</translation>
         </message>
         <message>
             <source>choose a sketch with circles or points, or give the places by numbers</source>
@@ -6106,6 +6310,14 @@
             <translation>escolha uma ferramenta de no máximo {0} mm de diâmetro</translation>
         </message>
         <message>
+            <source>choose an earlier line</source>
+            <translation>escolha uma linha anterior</translation>
+        </message>
+        <message>
+            <source>choose an earlier place</source>
+            <translation>escolha um ponto anterior</translation>
+        </message>
+        <message>
             <source>choose another</source>
             <translation>escolha outro</translation>
         </message>
@@ -6132,6 +6344,10 @@
         <message>
             <source>choose the right machine profile, or correct the settings</source>
             <translation>escolha o perfil de máquina certo, ou corrija as configurações</translation>
+        </message>
+        <message>
+            <source>clear the cause, then reset the controller</source>
+            <translation>elimine a causa e reinicie o controlador</translation>
         </message>
         <message>
             <source>clearance_mm must not be below retract_mm</source>
@@ -6186,6 +6402,10 @@
             <translation>feche a porta e retome</translation>
         </message>
         <message>
+            <source>close the other connection, a web page or a pendant</source>
+            <translation>feche a outra conexão, uma página da web ou um controle manual</translation>
+        </message>
+        <message>
             <source>close the other program that holds it</source>
             <translation>feche o outro programa que a ocupa</translation>
         </message>
@@ -6234,6 +6454,10 @@
             <translation>corrija R ou {0}</translation>
         </message>
         <message>
+            <source>correct its configuration file, then restart the controller</source>
+            <translation>corrija o arquivo de configuração e reinicie o controlador</translation>
+        </message>
+        <message>
             <source>correct its spelling or take it out; known {0}are: {1}</source>
             <translation>corrija a grafia ou retire; as conhecidas {0}são: {1}</translation>
         </message>
@@ -6254,8 +6478,20 @@
             <translation>corrija antes aquele</translation>
         </message>
         <message>
+            <source>correct that program, then home the machine</source>
+            <translation>corrija esse programa e referencie a máquina</translation>
+        </message>
+        <message>
             <source>correct that value</source>
             <translation>corrija esse valor</translation>
+        </message>
+        <message>
+            <source>correct the O-words of the macro</source>
+            <translation>corrija as palavras O da macro</translation>
+        </message>
+        <message>
+            <source>correct the P word, or the board's settings</source>
+            <translation>corrija a palavra P ou as configurações da placa</translation>
         </message>
         <message>
             <source>correct the centre or the end point</source>
@@ -6278,12 +6514,32 @@
             <translation>corrija a expressão</translation>
         </message>
         <message>
+            <source>correct the expression in that line</source>
+            <translation>corrija a expressão dessa linha</translation>
+        </message>
+        <message>
+            <source>correct the file's name</source>
+            <translation>corrija o nome do arquivo</translation>
+        </message>
+        <message>
+            <source>correct the folder's name</source>
+            <translation>corrija o nome da pasta</translation>
+        </message>
+        <message>
+            <source>correct the homing settings ($22 to $27, $44 to $46)</source>
+            <translation>corrija as configurações de referenciamento ($22 a $27, $44 a $46)</translation>
+        </message>
+        <message>
             <source>correct the jog command</source>
             <translation>corrija o comando de jog</translation>
         </message>
         <message>
             <source>correct the number</source>
             <translation>corrija o número</translation>
+        </message>
+        <message>
+            <source>correct the parameter in that line</source>
+            <translation>corrija o parâmetro dessa linha</translation>
         </message>
         <message>
             <source>correct the path</source>
@@ -6310,8 +6566,16 @@
             <translation>corrija a palavra anterior</translation>
         </message>
         <message>
+            <source>correct work zero or program</source>
+            <translation>corrija o zero-peça ou o programa</translation>
+        </message>
+        <message>
             <source>correct work zero or program, then unlock with $X; the position is kept</source>
             <translation>corrija o zero-peça ou o programa e destrave com $X; a posição se mantém</translation>
+        </message>
+        <message>
+            <source>counter-clockwise (M4)</source>
+            <translation>anti-horário (M4)</translation>
         </message>
         <message>
             <source>curve {0} has no length</source>
@@ -6340,6 +6604,10 @@
         <message>
             <source>cut it before, or hold the piece by tabs</source>
             <translation>corte antes, ou segure a peça com pontes</translation>
+        </message>
+        <message>
+            <source>cuts {0} mm before the place again</source>
+            <translation>corta de novo {0} mm antes do ponto</translation>
         </message>
         <message>
             <source>define it, or put its file beside the program</source>
@@ -6438,8 +6706,28 @@
             <translation>feche outros programas, ou diminua max_rate_mm_min no perfil da máquina</translation>
         </message>
         <message>
+            <source>end the tool change and resume, or reset it</source>
+            <translation>termine a troca de ferramenta e continue, ou reinicie-a</translation>
+        </message>
+        <message>
+            <source>end the tool change, then resume</source>
+            <translation>termine a troca de ferramenta e continue</translation>
+        </message>
+        <message>
             <source>enter by a helix or ramp, or in the middle of a hole drilled before</source>
             <translation>entre em hélice ou rampa, ou no meio de um furo já aberto</translation>
+        </message>
+        <message>
+            <source>entered here, the program does not stand alone: {0}</source>
+            <translation>retomado aqui, o programa não se sustenta sozinho: {0}</translation>
+        </message>
+        <message>
+            <source>entered here, the program would do something else than when it is run whole</source>
+            <translation>retomado aqui, o programa faria algo diferente do que faz quando executado inteiro</translation>
+        </message>
+        <message>
+            <source>enters line {0} at {1}</source>
+            <translation>entra na linha {0} em {1}</translation>
         </message>
         <message>
             <source>entry "plunge"</source>
@@ -6510,6 +6798,14 @@
             <translation>flute_length_mm não pode passar de length_mm</translation>
         </message>
         <message>
+            <source>free the machine from the switch, then home it</source>
+            <translation>solte a máquina do fim de curso e referencie-a</translation>
+        </message>
+        <message>
+            <source>free the probe, reset, then home the machine</source>
+            <translation>solte o apalpador, reinicie e referencie a máquina</translation>
+        </message>
+        <message>
             <source>full circles became two arcs</source>
             <translation>círculos completos viraram dois arcos</translation>
         </message>
@@ -6558,8 +6854,20 @@
             <translation>dê um número finito</translation>
         </message>
         <message>
+            <source>give a greater height</source>
+            <translation>informe uma altura maior</translation>
+        </message>
+        <message>
+            <source>give a line</source>
+            <translation>informe uma linha</translation>
+        </message>
+        <message>
             <source>give a start position of X, Y and Z</source>
             <translation>dê uma posição inicial de X, Y e Z</translation>
+        </message>
+        <message>
+            <source>give a value that the setting allows</source>
+            <translation>dê um valor que a configuração permita</translation>
         </message>
         <message>
             <source>give a way of 0.0001 mm or more and a feed above 0</source>
@@ -6614,6 +6922,10 @@
             <translation>informe {0} dela</translation>
         </message>
         <message>
+            <source>give one of them</source>
+            <translation>informe um deles</translation>
+        </message>
+        <message>
             <source>give parameters {0} to {1} with the start state, or use G53</source>
             <translation>dê os parâmetros {0} a {1} com o estado inicial ou use G53</translation>
         </message>
@@ -6624,6 +6936,10 @@
         <message>
             <source>give the arc's centre with I and J</source>
             <translation>dê o centro do arco com I e J</translation>
+        </message>
+        <message>
+            <source>give the height</source>
+            <translation>informe a altura</translation>
         </message>
         <message>
             <source>give the path of a TOML job file</source>
@@ -6666,8 +6982,16 @@
             <translation>dê a ferramenta com o estado inicial</translation>
         </message>
         <message>
+            <source>give the work zero and the position, or choose a place after the next rapid</source>
+            <translation>informe o zero da peça e a posição, ou escolha um ponto depois do próximo avanço rápido</translation>
+        </message>
+        <message>
             <source>give the work zero to have the travel checked</source>
             <translation>informe o zero-peça para que o curso seja verificado</translation>
+        </message>
+        <message>
+            <source>give them different homing passes ($44 to $46)</source>
+            <translation>dê a eles passadas de referenciamento diferentes ($44 a $46)</translation>
         </message>
         <message>
             <source>give two opposite corners of a rectangle, or three and more of a polygon in their order</source>
@@ -6676,6 +7000,26 @@
         <message>
             <source>give {0}, or a pattern of circles</source>
             <translation>dê {0} ou um padrão de círculos</translation>
+        </message>
+        <message>
+            <source>given up: the controller was reset or is locked</source>
+            <translation>abandonado: o controlador foi reiniciado ou está travado</translation>
+        </message>
+        <message>
+            <source>go back along the cut while a job is held</source>
+            <translation>volte ao longo do corte enquanto um trabalho está retido</translation>
+        </message>
+        <message>
+            <source>go on with `cncstepper back --resume`</source>
+            <translation>continue com `cncstepper back --resume`</translation>
+        </message>
+        <message>
+            <source>goes down at {0} mm/min</source>
+            <translation>desce a {0} mm/min</translation>
+        </message>
+        <message>
+            <source>goes up to Z {0} first, then over the place</source>
+            <translation>sobe primeiro até Z {0}, depois vai para cima do ponto</translation>
         </message>
         <message>
             <source>grbl follows the exact path always: leave the word out or write G61</source>
@@ -6706,6 +7050,22 @@
             <translation>as alturas diferem em {0} mm</translation>
         </message>
         <message>
+            <source>hold it first</source>
+            <translation>retenha-o primeiro</translation>
+        </message>
+        <message>
+            <source>home all axes with $H</source>
+            <translation>referencie todos os eixos com $H</translation>
+        </message>
+        <message>
+            <source>home it, or set the zero of all axes again, before it is sent a program</source>
+            <translation>referencie-a, ou defina de novo o zero de todos os eixos, antes de enviar um programa</translation>
+        </message>
+        <message>
+            <source>home the machine</source>
+            <translation>referencie a máquina</translation>
+        </message>
+        <message>
             <source>home the machine ($H), or unlock it ($X) if its position is surely right</source>
             <translation>referencie a máquina ($H), ou destrave-a ($X) se a posição está certa com certeza</translation>
         </message>
@@ -6716,6 +7076,22 @@
         <message>
             <source>home the machine before its next move</source>
             <translation>referencie a máquina antes do próximo movimento</translation>
+        </message>
+        <message>
+            <source>home the machine or set its zero again</source>
+            <translation>referencie a máquina ou defina seu zero de novo</translation>
+        </message>
+        <message>
+            <source>home the machine, or move it off the switch by hand</source>
+            <translation>referencie a máquina, ou afaste-a do fim de curso à mão</translation>
+        </message>
+        <message>
+            <source>home the machine, or set the zero of all its axes</source>
+            <translation>referencie a máquina, ou defina o zero de todos os eixos</translation>
+        </message>
+        <message>
+            <source>home the machine, or unlock it if it stands where it should</source>
+            <translation>referencie a máquina, ou destrave-a se está onde deve</translation>
         </message>
         <message>
             <source>home the machine, or unlock it with $X</source>
@@ -6734,6 +7110,10 @@
             <translation>o referenciamento não está habilitado</translation>
         </message>
         <message>
+            <source>homing is set up wrongly</source>
+            <translation>o referenciamento está mal configurado</translation>
+        </message>
+        <message>
             <source>homing was interrupted by a reset</source>
             <translation>o referenciamento foi interrompido por um reset</translation>
         </message>
@@ -6748,6 +7128,10 @@
         <message>
             <source>in the language of {0} no play can be taken up</source>
             <translation>na linguagem de {0} não há como compensar a folga</translation>
+        </message>
+        <message>
+            <source>in the operation {0}</source>
+            <translation>na operação {0}</translation>
         </message>
         <message>
             <source>incremental coordinates became absolute</source>
@@ -6772,6 +7156,10 @@
         <message>
             <source>is read as a line of its own, in a whole program, where the dialect has subroutines</source>
             <translation>é lido em uma linha própria, em um programa inteiro, onde o dialeto tem sub-rotinas</translation>
+        </message>
+        <message>
+            <source>it cuts upwards on a helix, as thread mills do, and is entered at its begin, line {0}</source>
+            <translation>o corte sobe em hélice, como fazem as fresas de roscar, e é retomado no seu início, linha {0}</translation>
         </message>
         <message>
             <source>it ended with an error</source>
@@ -6810,8 +7198,16 @@
             <translation>é um só programa</translation>
         </message>
         <message>
+            <source>it is within a way into the cut, which begins at line {0}</source>
+            <translation>está dentro de uma entrada no corte, que começa na linha {0}</translation>
+        </message>
+        <message>
             <source>it should be *{0}</source>
             <translation>deveria ser *{0}</translation>
+        </message>
+        <message>
+            <source>it would forget the settings: write the settings that are to change one by one</source>
+            <translation>ele esqueceria as configurações: escreva uma a uma as que devem mudar</translation>
         </message>
         <message>
             <source>its file '{0}' is neither here nor in ../Bit</source>
@@ -6822,8 +7218,16 @@
             <translation>o seu número passa de {0}</translation>
         </message>
         <message>
+            <source>its operations are: {0}</source>
+            <translation>as operações dele são: {0}</translation>
+        </message>
+        <message>
             <source>its shape '{0}' is none of {1}</source>
             <translation>a sua forma '{0}' não é nenhuma de {1}</translation>
+        </message>
+        <message>
+            <source>jog again if it is still wanted</source>
+            <translation>mova de novo se ainda for preciso</translation>
         </message>
         <message>
             <source>jog less far</source>
@@ -6838,8 +7242,16 @@
             <translation>cortes grandes estão sendo preparados, uma vez após a instalação</translation>
         </message>
         <message>
+            <source>laser mode needs a spindle of the kind Laser</source>
+            <translation>o modo laser exige um spindle do tipo Laser</translation>
+        </message>
+        <message>
             <source>laser mode needs a variable spindle output</source>
             <translation>o modo laser exige saída de spindle variável</translation>
+        </message>
+        <message>
+            <source>laser mode: 1 is on, 0 off</source>
+            <translation>modo laser: 1 ligado, 0 desligado</translation>
         </message>
         <message>
             <source>lay the work in its axes</source>
@@ -6874,6 +7286,10 @@
             <translation>deixe nele uma elipse, desenhada como elipse e não como B-spline</translation>
         </message>
         <message>
+            <source>leave that setting out</source>
+            <translation>deixe essa configuração de fora</translation>
+        </message>
+        <message>
             <source>leave the N words out</source>
             <translation>omita as palavras N</translation>
         </message>
@@ -6888,6 +7304,10 @@
         <message>
             <source>leave them out</source>
             <translation>deixe-os de fora</translation>
+        </message>
+        <message>
+            <source>leaves the spindle off, as the program has it there</source>
+            <translation>deixa o fuso desligado, como o programa o tem ali</translation>
         </message>
         <message>
             <source>left out: G61.1, the machine may round the corners</source>
@@ -6938,12 +7358,52 @@
             <translation>os números de linha começam em 0 ou acima e crescem</translation>
         </message>
         <message>
+            <source>line {0} here is its line {1}</source>
+            <translation>a linha {0} aqui é a linha {1} dele</translation>
+        </message>
+        <message>
+            <source>line {0} is run from its begin</source>
+            <translation>a linha {0} é executada desde o início</translation>
+        </message>
+        <message>
+            <source>line {0} makes several moves and is run from its begin</source>
+            <translation>a linha {0} faz vários movimentos e é executada desde o início</translation>
+        </message>
+        <message>
+            <source>line {0} of the journal is damaged</source>
+            <translation>a linha {0} do diário está danificada</translation>
+        </message>
+        <message>
+            <source>line {0} of the journal is not the one that was written there</source>
+            <translation>a linha {0} do diário não é a que foi gravada ali</translation>
+        </message>
+        <message>
+            <source>line {0} to {1}</source>
+            <translation>linha {0} a {1}</translation>
+        </message>
+        <message>
             <source>lines with / are {0}: no switch deletes them any more</source>
             <translation>linhas com / estão {0}: nenhuma chave as omite mais</translation>
         </message>
         <message>
             <source>load the module ppdev, and let your user use the device</source>
             <translation>carregue o módulo ppdev e dê ao seu usuário acesso ao dispositivo</translation>
+        </message>
+        <message>
+            <source>log in again</source>
+            <translation>entre de novo</translation>
+        </message>
+        <message>
+            <source>log in as a user who may do it</source>
+            <translation>entre como um usuário que possa fazê-lo</translation>
+        </message>
+        <message>
+            <source>log in first</source>
+            <translation>entre antes</translation>
+        </message>
+        <message>
+            <source>look at cable, shielding and grounding; the part may be cut where it should not be</source>
+            <translation>verifique cabo, blindagem e aterramento; a peça pode estar cortada onde não devia</translation>
         </message>
         <message>
             <source>look at its case, or look in comments too</source>
@@ -6954,8 +7414,52 @@
             <translation>examine os fins de curso</translation>
         </message>
         <message>
-            <source>look the code up in the controller's documentation</source>
-            <translation>procure o código na documentação do controlador</translation>
+            <source>look at motors and drivers, reset, then home the machine</source>
+            <translation>verifique motores e drivers, reinicie e referencie a máquina</translation>
+        </message>
+        <message>
+            <source>look at motors and drivers, then reset the controller</source>
+            <translation>verifique motores e drivers e reinicie o controlador</translation>
+        </message>
+        <message>
+            <source>look at spindle and inverter, reset, then home the machine</source>
+            <translation>verifique spindle e inversor, reinicie e referencie a máquina</translation>
+        </message>
+        <message>
+            <source>look at spindle and inverter, then home the machine</source>
+            <translation>verifique spindle e inversor e referencie a máquina</translation>
+        </message>
+        <message>
+            <source>look at the Bluetooth settings</source>
+            <translation>verifique as configurações de Bluetooth</translation>
+        </message>
+        <message>
+            <source>look at the controller's file system, then try again</source>
+            <translation>verifique o sistema de arquivos do controlador e tente de novo</translation>
+        </message>
+        <message>
+            <source>look at the machine, and restart the program by hand</source>
+            <translation>olhe a máquina e reinicie o programa à mão</translation>
+        </message>
+        <message>
+            <source>look at the memory card, then try again</source>
+            <translation>verifique o cartão de memória e tente de novo</translation>
+        </message>
+        <message>
+            <source>look at the network of the controller</source>
+            <translation>verifique a rede do controlador</translation>
+        </message>
+        <message>
+            <source>look at what it says, and correct that line</source>
+            <translation>veja o que ele diz e corrija essa linha</translation>
+        </message>
+        <message>
+            <source>look the number up in the documentation of the controller's version</source>
+            <translation>procure o número na documentação da versão do controlador</translation>
+        </message>
+        <message>
+            <source>look whether the file is whole</source>
+            <translation>veja se o arquivo está completo</translation>
         </message>
         <message>
             <source>lower F, or turn the spindle faster</source>
@@ -6972,6 +7476,10 @@
         <message>
             <source>lower the feed here, or the axis' rate and acceleration in controller and profile</source>
             <translation>diminua o avanço aqui, ou a velocidade e a aceleração do eixo no controlador e no perfil</translation>
+        </message>
+        <message>
+            <source>lower the feed of that line</source>
+            <translation>diminua o avanço dessa linha</translation>
         </message>
         <message>
             <source>lower the feed, or turn the spindle faster</source>
@@ -7022,6 +7530,10 @@
             <translation>aumente resolution_mm</translation>
         </message>
         <message>
+            <source>make room on the disk of {0}, and see that you may write there; then send again</source>
+            <translation>libere espaço no disco de {0} e verifique se você pode gravar ali; depois envie de novo</translation>
+        </message>
+        <message>
             <source>make spacing_mm larger</source>
             <translation>aumente spacing_mm</translation>
         </message>
@@ -7066,6 +7578,10 @@
             <translation>sobra material onde deveria ser removido{0}</translation>
         </message>
         <message>
+            <source>material stays in {0} gap(s) between walls that are narrower than the tool, the deepest one before X{1} Y{2}; a smaller tool takes it away</source>
+            <translation>fica material em {0} fresta(s) entre paredes mais estreita(s) que a ferramenta, a mais funda diante de X{1} Y{2}; uma ferramenta menor o remove</translation>
+        </message>
+        <message>
             <source>measure the width of its cut, or leave kerf_mm out</source>
             <translation>meça a largura do corte dela, ou omita kerf_mm</translation>
         </message>
@@ -7102,12 +7618,24 @@
             <translation>modo de movimento: nenhum</translation>
         </message>
         <message>
+            <source>mount it first</source>
+            <translation>monte-o antes</translation>
+        </message>
+        <message>
             <source>move one of the corners</source>
             <translation>mova um dos cantos</translation>
         </message>
         <message>
             <source>move other axes before</source>
             <translation>mova os outros eixos antes</translation>
+        </message>
+        <message>
+            <source>move the machine off it, then home</source>
+            <translation>afaste a máquina dele e referencie</translation>
+        </message>
+        <message>
+            <source>move the machine off the switch, reset, then home it</source>
+            <translation>afaste a máquina do fim de curso, reinicie e referencie-a</translation>
         </message>
         <message>
             <source>move the shape inwards, or take a larger sheet</source>
@@ -7146,6 +7674,10 @@
             <translation>indique antes X e Y em um rápido acima do bloco</translation>
         </message>
         <message>
+            <source>name a line that was cut before this one</source>
+            <translation>indique uma linha que foi cortada antes desta</translation>
+        </message>
+        <message>
             <source>name a new file, or one that pulses were recorded in</source>
             <translation>indique um arquivo novo, ou um em que já se gravaram pulsos</translation>
         </message>
@@ -7166,8 +7698,16 @@
             <translation>indique o arquivo de dispositivo de uma porta paralela, como /dev/parport0, ou um arquivo onde gravar</translation>
         </message>
         <message>
+            <source>name the machine (--machine)</source>
+            <translation>indique a máquina (--machine)</translation>
+        </message>
+        <message>
             <source>named parameters are not part of this dialect</source>
             <translation>parâmetros com nome não fazem parte deste dialeto</translation>
+        </message>
+        <message>
+            <source>no axis is set up for homing</source>
+            <translation>nenhum eixo está configurado para referenciamento</translation>
         </message>
         <message>
             <source>no closed curves at that distance were found</source>
@@ -7186,12 +7726,32 @@
             <translation>nenhum avanço foi definido</translation>
         </message>
         <message>
+            <source>no file system is mounted</source>
+            <translation>nenhum sistema de arquivos está montado</translation>
+        </message>
+        <message>
             <source>no input may be read</source>
             <translation>nenhuma entrada pode ser lida</translation>
         </message>
         <message>
+            <source>no job is held</source>
+            <translation>nenhum trabalho está retido</translation>
+        </message>
+        <message>
+            <source>no memory card is mounted</source>
+            <translation>nenhum cartão de memória está montado</translation>
+        </message>
+        <message>
             <source>no modes are kept here</source>
             <translation>não há modos guardados aqui</translation>
+        </message>
+        <message>
+            <source>no move of line {0} lies on the way back</source>
+            <translation>nenhum movimento da linha {0} fica no caminho de volta</translation>
+        </message>
+        <message>
+            <source>no operation, or more than one, is called '{0}'</source>
+            <translation>nenhuma operação, ou mais de uma, se chama '{0}'</translation>
         </message>
         <message>
             <source>no output may be set</source>
@@ -7208,6 +7768,10 @@
         <message>
             <source>no rapid leads to this way, and backwards it does not begin where the one before ends</source>
             <translation>nenhum rápido leva a este trecho, e ao contrário ele não começa onde o anterior termina</translation>
+        </message>
+        <message>
+            <source>no rapid of the program says at what height the tool may cross the work</source>
+            <translation>nenhum avanço rápido do programa diz a que altura a ferramenta pode cruzar a peça</translation>
         </message>
         <message>
             <source>no spline may be cut</source>
@@ -7282,6 +7846,10 @@
             <translation>não é finito: {0}</translation>
         </message>
         <message>
+            <source>not known on {0}</source>
+            <translation>não se sabe em {0}</translation>
+        </message>
+        <message>
             <source>not the numbers of a curve: {0}</source>
             <translation>não são os números de uma curva: {0}</translation>
         </message>
@@ -7294,8 +7862,24 @@
             <translation>nada responde em {0}: {1}</translation>
         </message>
         <message>
+            <source>nothing has been cut yet, so there is no way back</source>
+            <translation>nada foi cortado ainda, portanto não há caminho de volta</translation>
+        </message>
+        <message>
+            <source>nothing is cut before this place</source>
+            <translation>nada é cortado antes deste ponto</translation>
+        </message>
+        <message>
+            <source>nothing is held any more</source>
+            <translation>nada mais está retido</translation>
+        </message>
+        <message>
             <source>nothing is known that could be asked so</source>
             <translation>não se conhece nada que se possa perguntar assim</translation>
+        </message>
+        <message>
+            <source>nothing is left to cut from this place on</source>
+            <translation>não resta nada a cortar a partir deste ponto</translation>
         </message>
         <message>
             <source>nothing may be probed</source>
@@ -7308,6 +7892,10 @@
         <message>
             <source>nothing moves</source>
             <translation>nada se move</translation>
+        </message>
+        <message>
+            <source>nothing moves at line {0} or after it</source>
+            <translation>nada se move na linha {0} nem depois dela</translation>
         </message>
         <message>
             <source>nothing moves in the plane {0}</source>
@@ -7356,6 +7944,10 @@
         <message>
             <source>only the first control point goes without X and Y</source>
             <translation>só o primeiro ponto de controle dispensa X e Y</translation>
+        </message>
+        <message>
+            <source>only {0} kB are free</source>
+            <translation>só há {0} kB livres</translation>
         </message>
         <message>
             <source>only {0} of {1} bytes were taken</source>
@@ -7450,6 +8042,10 @@
             <translation>os pontos não são pares de x e y</translation>
         </message>
         <message>
+            <source>positions are not compared with the path any more: {0}</source>
+            <translation>as posições não são mais comparadas com o percurso: {0}</translation>
+        </message>
+        <message>
             <source>prepare the program again</source>
             <translation>prepare o programa de novo</translation>
         </message>
@@ -7494,6 +8090,10 @@
             <translation>ponha alguns em parâmetros com nome</translation>
         </message>
         <message>
+            <source>put the card in, then mount it with $FM</source>
+            <translation>coloque o cartão e monte-o com $FM</translation>
+        </message>
+        <message>
             <source>pyserial is not installed</source>
             <translation>o pyserial não está instalado</translation>
         </message>
@@ -7504,6 +8104,14 @@
         <message>
             <source>raise F, or turn the spindle slower</source>
             <translation>aumente F, ou diminua a rotação do spindle</translation>
+        </message>
+        <message>
+            <source>raise pulloff_mm in its configuration, or check the switch</source>
+            <translation>aumente pulloff_mm na configuração, ou verifique o fim de curso</translation>
+        </message>
+        <message>
+            <source>raise the R word of the drilling cycle</source>
+            <translation>aumente a palavra R do ciclo de furação</translation>
         </message>
         <message>
             <source>raise the feed, or turn the spindle slower</source>
@@ -7534,6 +8142,14 @@
             <translation>os rápidos usam o avanço em vigor: nenhum F foi dado para eles</translation>
         </message>
         <message>
+            <source>read the controller's start-up messages ($SS) and correct its configuration</source>
+            <translation>leia as mensagens de partida do controlador ($SS) e corrija a configuração</translation>
+        </message>
+        <message>
+            <source>read the message that the macro gives</source>
+            <translation>leia a mensagem que a macro dá</translation>
+        </message>
+        <message>
             <source>read the program as a whole</source>
             <translation>leia o programa inteiro</translation>
         </message>
@@ -7542,8 +8158,28 @@
             <translation>a leitura foi cancelada</translation>
         </message>
         <message>
+            <source>release buttons, door and emergency stop, then restart the controller</source>
+            <translation>solte botões, porta e parada de emergência e reinicie o controlador</translation>
+        </message>
+        <message>
+            <source>release buttons, door, switches and emergency stop, then home the machine</source>
+            <translation>solte botões, porta, fins de curso e parada de emergência e referencie a máquina</translation>
+        </message>
+        <message>
+            <source>release it, reset the controller, then home the machine</source>
+            <translation>solte-a, reinicie o controlador e referencie a máquina</translation>
+        </message>
+        <message>
+            <source>release the emergency stop, then reset the controller</source>
+            <translation>solte a parada de emergência e reinicie o controlador</translation>
+        </message>
+        <message>
             <source>remove it; only plain ASCII without ? ! ~ may be sent</source>
             <translation>remova-o; só ASCII puro sem ? ! ~ pode ser enviado</translation>
+        </message>
+        <message>
+            <source>remove the lines with `%`</source>
+            <translation>retire as linhas com `%`</translation>
         </message>
         <message>
             <source>rename one of them</source>
@@ -7558,8 +8194,48 @@
             <translation>resolution_mm é grossa demais para a ferramenta</translation>
         </message>
         <message>
+            <source>restart at another place, or send the whole program</source>
+            <translation>retome em outro ponto, ou envie o programa inteiro</translation>
+        </message>
+        <message>
+            <source>restart at the begin of its operation, or send the whole program</source>
+            <translation>retome no início da operação, ou envie o programa inteiro</translation>
+        </message>
+        <message>
+            <source>restart earlier, or make a new part</source>
+            <translation>retome mais cedo, ou faça uma nova peça</translation>
+        </message>
+        <message>
+            <source>restart of {0} at line {1}</source>
+            <translation>retomada de {0} na linha {1}</translation>
+        </message>
+        <message>
+            <source>restart the controller</source>
+            <translation>reinicie o controlador</translation>
+        </message>
+        <message>
+            <source>restarts are written for grbl, grblHAL, FluidNC, LinuxCNC and Mach: convert it, or run it whole</source>
+            <translation>retomadas são escritas para grbl, grblHAL, FluidNC, LinuxCNC e Mach: converta-o, ou execute-o inteiro</translation>
+        </message>
+        <message>
+            <source>resume once it stands</source>
+            <translation>continue quando ela estiver parada</translation>
+        </message>
+        <message>
             <source>resume what it was doing, or reset it</source>
             <translation>retome o que fazia, ou reinicie-a</translation>
+        </message>
+        <message>
+            <source>resume, and hold at a later move</source>
+            <translation>retome, e retenha num movimento posterior</translation>
+        </message>
+        <message>
+            <source>resume, and hold once the machine moves</source>
+            <translation>retome, e retenha quando a máquina se mover</translation>
+        </message>
+        <message>
+            <source>resume, or stop and restart the program</source>
+            <translation>retome, ou pare e reinicie o programa</translation>
         </message>
         <message>
             <source>retract mode set to old_z</source>
@@ -7586,12 +8262,24 @@
             <translation>salve-o como arquivo</translation>
         </message>
         <message>
+            <source>say it with M61 Q and the tool's number</source>
+            <translation>informe-a com M61 Q e o número da ferramenta</translation>
+        </message>
+        <message>
+            <source>say which time it is run</source>
+            <translation>diga em qual das vezes em que ela é executada</translation>
+        </message>
+        <message>
             <source>scale all axes alike</source>
             <translation>use a mesma escala em todos os eixos</translation>
         </message>
         <message>
             <source>scale all axes alike, or write feeds a minute (G94)</source>
             <translation>use a mesma escala em todos os eixos ou escreva avanços por minuto (G94)</translation>
+        </message>
+        <message>
+            <source>see its log, and the machine</source>
+            <translation>veja seu registro, e a máquina</translation>
         </message>
         <message>
             <source>see its log, report it</source>
@@ -7610,8 +8298,28 @@
             <translation>envie outro</translation>
         </message>
         <message>
+            <source>send it again</source>
+            <translation>envie de novo</translation>
+        </message>
+        <message>
+            <source>send the file anew</source>
+            <translation>envie o arquivo de novo</translation>
+        </message>
+        <message>
+            <source>send the program without O-words</source>
+            <translation>envie o programa sem palavras O</translation>
+        </message>
+        <message>
             <source>send the wanted words by hand or reset the controller, look at the work zero, and send again</source>
             <translation>envie à mão as palavras pedidas ou reinicie o controlador, verifique o zero-peça e envie de novo</translation>
+        </message>
+        <message>
+            <source>send the whole program</source>
+            <translation>envie o programa inteiro</translation>
+        </message>
+        <message>
+            <source>set $0 to 2 or more</source>
+            <translation>ponha $0 em 2 ou mais</translation>
         </message>
         <message>
             <source>set $0 to 3 or more</source>
@@ -7642,6 +8350,10 @@
             <translation>refaça as configurações da máquina</translation>
         </message>
         <message>
+            <source>set the machine's settings again, then home it</source>
+            <translation>configure a máquina de novo e referencie-a</translation>
+        </message>
+        <message>
             <source>set the zero on the stock, then confirm it (--zero-confirmed)</source>
             <translation>defina o zero no bloco e confirme-o (--zero-confirmed)</translation>
         </message>
@@ -7656,6 +8368,10 @@
         <message>
             <source>set up a program of that name on the machine</source>
             <translation>instale na máquina um programa com esse nome</translation>
+        </message>
+        <message>
+            <source>sets G92 as it was: {0}</source>
+            <translation>define G92 como estava: {0}</translation>
         </message>
         <message>
             <source>several turns of an arc became one arc a turn</source>
@@ -7734,6 +8450,10 @@
             <translation>ligue o spindle com M3 e S antes dele</translation>
         </message>
         <message>
+            <source>starts the spindle at {0} rpm, {1}</source>
+            <translation>liga o fuso a {0} rpm, {1}</translation>
+        </message>
+        <message>
             <source>stepover_mm (ae)</source>
             <translation>stepover_mm (ae)</translation>
         </message>
@@ -7752,6 +8472,10 @@
         <message>
             <source>steps_per_mm is {0}, but the drive gives {1}</source>
             <translation>steps_per_mm é {0}, mas o acionamento dá {1}</translation>
+        </message>
+        <message>
+            <source>stop the job: steps may be lost, or the machine was moved by hand</source>
+            <translation>pare o trabalho: passos podem ter-se perdido, ou a máquina foi movida à mão</translation>
         </message>
         <message>
             <source>stop with M5 and M0 before the new tool</source>
@@ -7774,12 +8498,32 @@
             <translation>as sub-rotinas chamam umas às outras fundo demais</translation>
         </message>
         <message>
+            <source>switch it off and on again; if it stays, look at its wiring</source>
+            <translation>desligue e ligue de novo; se continuar, verifique a fiação</translation>
+        </message>
+        <message>
             <source>switch it off with M5 before it</source>
             <translation>desligue-o antes com M5</translation>
         </message>
         <message>
             <source>switch it on with M3 and S before it</source>
             <translation>ligue-o antes com M3 e S</translation>
+        </message>
+        <message>
+            <source>switch the machine off, or unlock and home it afterwards at the machine itself</source>
+            <translation>desligue a máquina, ou depois destrave e referencie na própria máquina</translation>
+        </message>
+        <message>
+            <source>switch the spindle on before that line</source>
+            <translation>ligue o spindle antes dessa linha</translation>
+        </message>
+        <message>
+            <source>switches the beam on at S{0} once it is down</source>
+            <translation>liga o feixe em S{0} depois de descer</translation>
+        </message>
+        <message>
+            <source>switches the coolant on</source>
+            <translation>liga o fluido de corte</translation>
         </message>
         <message>
             <source>table_ms may hold no wait that is longer than the one before it</source>
@@ -7834,8 +8578,16 @@
             <translation>a palavra N deve ser a primeira da linha</translation>
         </message>
         <message>
+            <source>the O-word cannot be read</source>
+            <translation>a palavra O não pode ser lida</translation>
+        </message>
+        <message>
             <source>the O-word is unknown</source>
             <translation>a palavra O é desconhecida</translation>
+        </message>
+        <message>
+            <source>the P word is larger than the controller allows</source>
+            <translation>a palavra P é maior do que o controlador permite</translation>
         </message>
         <message>
             <source>the angle is not known at the zero of the work system</source>
@@ -7894,6 +8646,10 @@
             <translation>o raio do arco não é maior que o da ferramenta</translation>
         </message>
         <message>
+            <source>the auxiliary port does not exist or is in use</source>
+            <translation>a porta auxiliar não existe ou está em uso</translation>
+        </message>
+        <message>
             <source>the axes are X (radial) and Z (axial)</source>
             <translation>os eixos são X (radial) e Z (axial)</translation>
         </message>
@@ -7904,6 +8660,10 @@
         <message>
             <source>the bore leaves the tool no room for a helix</source>
             <translation>o furo não deixa à ferramenta espaço para uma hélice</translation>
+        </message>
+        <message>
+            <source>the canned cycle is begun anew, at line {0}: G91 is in force</source>
+            <translation>o ciclo fixo recomeça na linha {0}: G91 está em vigor</translation>
         </message>
         <message>
             <source>the certificate cannot be read</source>
@@ -7970,8 +8730,24 @@
             <translation>o computador se atrasou com um pulso e parou após {0} escritas no prazo, {1} s depois do início; spindle, feixe e motores estão desligados, e passos podem ter sido perdidos</translation>
         </message>
         <message>
+            <source>the configuration is not valid</source>
+            <translation>a configuração não é válida</translation>
+        </message>
+        <message>
+            <source>the console does not pass on {0}</source>
+            <translation>o console não repassa {0}</translation>
+        </message>
+        <message>
             <source>the contour goes through the stock and sets a piece free that no tab holds</source>
             <translation>o contorno atravessa o bloco e solta um pedaço que nenhuma ponte segura</translation>
+        </message>
+        <message>
+            <source>the controller does not accept the password</source>
+            <translation>o controlador não aceita a senha</translation>
+        </message>
+        <message>
+            <source>the controller does not allow this to this user</source>
+            <translation>o controlador não permite isto a este usuário</translation>
         </message>
         <message>
             <source>the controller does not answer any more</source>
@@ -7998,8 +8774,24 @@
             <translation>o controlador não informa o sistema de coordenadas: {0}</translation>
         </message>
         <message>
+            <source>the controller does not say whether it reports in mm or in inches</source>
+            <translation>o controlador não diz se informa em mm ou em polegadas</translation>
+        </message>
+        <message>
             <source>the controller does not tell its state</source>
             <translation>o controlador não informa o seu estado</translation>
+        </message>
+        <message>
+            <source>the controller has just started</source>
+            <translation>o controlador acabou de iniciar</translation>
+        </message>
+        <message>
+            <source>the controller has no memory left for O-words</source>
+            <translation>o controlador não tem mais memória para palavras O</translation>
+        </message>
+        <message>
+            <source>the controller has not kept its position through the reset at standstill</source>
+            <translation>o controlador não manteve sua posição na reinicialização em repouso</translation>
         </message>
         <message>
             <source>the controller is idle but has not answered '{0}'</source>
@@ -8046,8 +8838,24 @@
             <translation>o controlador dorme e os motores estão desligados: destrave-o, depois referencie ou defina o zero de novo</translation>
         </message>
         <message>
+            <source>the controller wants to know who you are</source>
+            <translation>o controlador quer saber quem é você</translation>
+        </message>
+        <message>
+            <source>the controller was reset before it could do that</source>
+            <translation>o controlador foi reiniciado antes de poder fazer isso</translation>
+        </message>
+        <message>
             <source>the controller was reset while moving</source>
             <translation>o controlador foi reiniciado em movimento</translation>
+        </message>
+        <message>
+            <source>the controller's own test at power-up failed</source>
+            <translation>o teste do próprio controlador ao ligar falhou</translation>
+        </message>
+        <message>
+            <source>the controller's permanent memory failed</source>
+            <translation>a memória permanente do controlador falhou</translation>
         </message>
         <message>
             <source>the converted program would go on after this</source>
@@ -8190,6 +8998,14 @@
             <translation>as pontas da elipse são mais fechadas que a ferramenta, e elipses semelhantes cortariam a parede ali</translation>
         </message>
         <message>
+            <source>the emergency stop is active</source>
+            <translation>a parada de emergência está ativa</translation>
+        </message>
+        <message>
+            <source>the emergency stop was pressed</source>
+            <translation>a parada de emergência foi acionada</translation>
+        </message>
+        <message>
             <source>the entry arc of the compensation is not larger than the tool's radius</source>
             <translation>o arco de entrada da compensação não é maior que o raio da ferramenta</translation>
         </message>
@@ -8198,8 +9014,20 @@
             <translation>o movimento de entrada da compensação não é mais longo que o raio da ferramenta</translation>
         </message>
         <message>
+            <source>the expression cannot be read</source>
+            <translation>a expressão não pode ser lida</translation>
+        </message>
+        <message>
             <source>the expression divides by 0</source>
             <translation>a expressão divide por 0</translation>
+        </message>
+        <message>
+            <source>the expression divides by zero</source>
+            <translation>a expressão divide por zero</translation>
+        </message>
+        <message>
+            <source>the expression has an operation that is not known</source>
+            <translation>a expressão tem uma operação desconhecida</translation>
         </message>
         <message>
             <source>the expression is nested too deep</source>
@@ -8210,12 +9038,20 @@
             <translation>a expressão não está fechada</translation>
         </message>
         <message>
+            <source>the expression's result is not a finite number</source>
+            <translation>o resultado da expressão não é um número finito</translation>
+        </message>
+        <message>
             <source>the factor must be above 0</source>
             <translation>o fator deve ser maior que 0</translation>
         </message>
         <message>
             <source>the feed asks more of {0} than its highest rate</source>
             <translation>o avanço pede de {0} mais que a sua velocidade máxima</translation>
+        </message>
+        <message>
+            <source>the feed is higher than the machine's axes can go</source>
+            <translation>o avanço é maior do que os eixos da máquina conseguem</translation>
         </message>
         <message>
             <source>the feed would be another</source>
@@ -8226,12 +9062,52 @@
             <translation>o avanço seria arredondado para 0</translation>
         </message>
         <message>
+            <source>the file cannot be created</source>
+            <translation>o arquivo não pode ser criado</translation>
+        </message>
+        <message>
+            <source>the file cannot be deleted</source>
+            <translation>o arquivo não pode ser apagado</translation>
+        </message>
+        <message>
+            <source>the file cannot be opened</source>
+            <translation>o arquivo não pode ser aberto</translation>
+        </message>
+        <message>
+            <source>the file cannot be read</source>
+            <translation>o arquivo não pode ser lido</translation>
+        </message>
+        <message>
             <source>the file cannot be read: {0}</source>
             <translation>o arquivo não pode ser lido: {0}</translation>
         </message>
         <message>
+            <source>the file cannot be renamed</source>
+            <translation>o arquivo não pode ser renomeado</translation>
+        </message>
+        <message>
+            <source>the file could not be handed out</source>
+            <translation>o arquivo não pôde ser entregue</translation>
+        </message>
+        <message>
+            <source>the file could not be taken over</source>
+            <translation>o arquivo não pôde ser recebido</translation>
+        </message>
+        <message>
+            <source>the file does not exist</source>
+            <translation>o arquivo não existe</translation>
+        </message>
+        <message>
+            <source>the file ended</source>
+            <translation>o arquivo terminou</translation>
+        </message>
+        <message>
             <source>the file holds no object</source>
             <translation>o arquivo não contém um objeto</translation>
+        </message>
+        <message>
+            <source>the file is empty</source>
+            <translation>o arquivo está vazio</translation>
         </message>
         <message>
             <source>the file is read-only</source>
@@ -8240,6 +9116,34 @@
         <message>
             <source>the file is too large for the editor</source>
             <translation>o arquivo é grande demais para o editor</translation>
+        </message>
+        <message>
+            <source>the file system can only be read</source>
+            <translation>o sistema de arquivos só pode ser lido</translation>
+        </message>
+        <message>
+            <source>the file system cannot be formatted</source>
+            <translation>o sistema de arquivos não pode ser formatado</translation>
+        </message>
+        <message>
+            <source>the file system cannot be mounted</source>
+            <translation>o sistema de arquivos não pode ser montado</translation>
+        </message>
+        <message>
+            <source>the file system is busy</source>
+            <translation>o sistema de arquivos está ocupado</translation>
+        </message>
+        <message>
+            <source>the folder cannot be deleted</source>
+            <translation>a pasta não pode ser apagada</translation>
+        </message>
+        <message>
+            <source>the folder cannot be opened</source>
+            <translation>a pasta não pode ser aberta</translation>
+        </message>
+        <message>
+            <source>the folder does not exist</source>
+            <translation>a pasta não existe</translation>
         </message>
         <message>
             <source>the grid has too many holes</source>
@@ -8252,6 +9156,10 @@
         <message>
             <source>the heights do not fit their box</source>
             <translation>as alturas não cabem na sua caixa</translation>
+        </message>
+        <message>
+            <source>the highest spindle speed, which every S is scaled by</source>
+            <translation>a rotação máxima do spindle, pela qual todo S é escalado</translation>
         </message>
         <message>
             <source>the holder</source>
@@ -8274,6 +9182,14 @@
             <translation>o trabalho foi apagado</translation>
         </message>
         <message>
+            <source>the job was sent without a machine profile, so no way back can be checked</source>
+            <translation>o trabalho foi enviado sem perfil de máquina, portanto nenhum caminho de volta pode ser verificado</translation>
+        </message>
+        <message>
+            <source>the job's machine profile cannot be read: {0}</source>
+            <translation>o perfil de máquina do trabalho não pode ser lido: {0}</translation>
+        </message>
+        <message>
             <source>the job's own program has changed since this one was edited</source>
             <translation>o programa do próprio trabalho mudou desde que este foi editado</translation>
         </message>
@@ -8290,12 +9206,40 @@
             <translation>o movimento manual termina fora do curso da máquina</translation>
         </message>
         <message>
+            <source>the jog was cancelled</source>
+            <translation>o movimento manual foi cancelado</translation>
+        </message>
+        <message>
             <source>the jog was stopped: its button was not heard of for {0} s</source>
             <translation>o movimento manual foi parado: sem notícia do botão por {0} s</translation>
         </message>
         <message>
             <source>the jogs before this one are not done yet</source>
             <translation>os movimentos manuais anteriores ainda não terminaram</translation>
+        </message>
+        <message>
+            <source>the journal cannot be read: {0}</source>
+            <translation>o diário não pode ser lido: {0}</translation>
+        </message>
+        <message>
+            <source>the journal cannot be written ({0}): the job goes on to {1} and is held there; make room on the disk of {2}</source>
+            <translation>o diário não pode ser gravado ({0}): o trabalho segue até {1} e fica retido ali; libere espaço no disco de {2}</translation>
+        </message>
+        <message>
+            <source>the journal could not be ended ({0}): it will tell of a killed job</source>
+            <translation>o diário não pôde ser encerrado ({0}): ele falará de um trabalho interrompido à força</translation>
+        </message>
+        <message>
+            <source>the journal is written again: a job that was held for it can be resumed</source>
+            <translation>o diário voltou a ser gravado: um trabalho que foi retido por causa dele pode ser retomado</translation>
+        </message>
+        <message>
+            <source>the journal lacks its beginning, or is none</source>
+            <translation>falta o começo do diário, ou o arquivo não é um diário</translation>
+        </message>
+        <message>
+            <source>the journal of the job cannot be written: {0}</source>
+            <translation>o diário do trabalho não pode ser gravado: {0}</translation>
         </message>
         <message>
             <source>the kernels are not compiled ahead: {0}</source>
@@ -8326,6 +9270,10 @@
             <translation>a correção de comprimento da ferramenta {0} não é conhecida, vale como 0</translation>
         </message>
         <message>
+            <source>the line before is not done yet</source>
+            <translation>a linha anterior ainda não terminou</translation>
+        </message>
+        <message>
             <source>the line does not end where it began</source>
             <translation>a linha não termina onde começou</translation>
         </message>
@@ -8336,6 +9284,10 @@
         <message>
             <source>the line does not fit the buffer of {0}</source>
             <translation>a linha não cabe no buffer de {0}</translation>
+        </message>
+        <message>
+            <source>the line ended too early</source>
+            <translation>a linha terminou cedo demais</translation>
         </message>
         <message>
             <source>the line has no length</source>
@@ -8350,8 +9302,8 @@
             <translation>a ferramenta não alcança a reta no canto côncavo sem invadir a peça</translation>
         </message>
         <message>
-            <source>the line is longer than grbl can read</source>
-            <translation>a linha é mais longa do que o grbl consegue ler</translation>
+            <source>the line is longer than {0} can read</source>
+            <translation>a linha é mais longa do que {0} consegue ler</translation>
         </message>
         <message>
             <source>the line is too long</source>
@@ -8418,6 +9370,18 @@
             <translation>a máquina não referencia: {0} (error:{1})</translation>
         </message>
         <message>
+            <source>the machine does not stand</source>
+            <translation>a máquina não está parada</translation>
+        </message>
+        <message>
+            <source>the machine does not stand on the way of the lines that it has</source>
+            <translation>a máquina não está no percurso das linhas que recebeu</translation>
+        </message>
+        <message>
+            <source>the machine does not stand where the way back begins</source>
+            <translation>a máquina não está onde o caminho de volta começa</translation>
+        </message>
+        <message>
             <source>the machine has no {0} coolant</source>
             <translation>a máquina não tem refrigeração {0}</translation>
         </message>
@@ -8446,16 +9410,48 @@
             <translation>a máquina não está em alarme</translation>
         </message>
         <message>
+            <source>the machine is not on the program's path: a line was damaged on its way</source>
+            <translation>a máquina não está no caminho do programa: uma linha foi danificada na transmissão</translation>
+        </message>
+        <message>
+            <source>the machine is still slowing down</source>
+            <translation>a máquina ainda está freando</translation>
+        </message>
+        <message>
             <source>the machine jogs only while it is idle</source>
             <translation>o movimento manual só funciona com a máquina pronta</translation>
+        </message>
+        <message>
+            <source>the machine must be homed before it may move</source>
+            <translation>a máquina precisa ser referenciada antes de se mover</translation>
+        </message>
+        <message>
+            <source>the machine must be homed first</source>
+            <translation>a máquina precisa ser referenciada antes</translation>
         </message>
         <message>
             <source>the machine stands, spindle and outputs are off, its position is kept (the reset cleared G92 and tool length)</source>
             <translation>a máquina está parada, spindle e saídas desligados, a posição se mantém (o reset apagou G92 e o comprimento da ferramenta)</translation>
         </message>
         <message>
+            <source>the machine was stopped at once</source>
+            <translation>a máquina foi parada de imediato</translation>
+        </message>
+        <message>
+            <source>the machine's position is unknown</source>
+            <translation>a posição da máquina é desconhecida</translation>
+        </message>
+        <message>
             <source>the machine's position is unknown: look that spindle and outputs are off, then home it or set its zero again</source>
             <translation>a posição da máquina é desconhecida: veja se o spindle e as saídas estão desligados, depois referencie ou defina o zero de novo</translation>
+        </message>
+        <message>
+            <source>the machine's position is unknown: only homing, jog and unlock are accepted</source>
+            <translation>a posição da máquina é desconhecida: só se aceitam referenciamento, movimento manual e destravar</translation>
+        </message>
+        <message>
+            <source>the memory card cannot be mounted</source>
+            <translation>o cartão de memória não pode ser montado</translation>
         </message>
         <message>
             <source>the mill does not cut over its centre: it can neither plunge nor come down beside a tab</source>
@@ -8476,6 +9472,14 @@
         <message>
             <source>the move leaves the travel of {0} by {1} mm</source>
             <translation>o movimento sai do curso de {0} por {1} mm</translation>
+        </message>
+        <message>
+            <source>the moves that are taken as done cut into the wanted part</source>
+            <translation>os movimentos dados como feitos invadem a peça desejada</translation>
+        </message>
+        <message>
+            <source>the moves that are taken as done leave material that should be removed</source>
+            <translation>os movimentos dados como feitos deixam material que deveria ser removido</translation>
         </message>
         <message>
             <source>the name is not closed</source>
@@ -8510,6 +9514,10 @@
             <translation>o sobrecorte é mais longo que o contorno</translation>
         </message>
         <message>
+            <source>the overlap is only {0} mm: the cut begins there</source>
+            <translation>a sobreposição é de apenas {0} mm: o corte começa ali</translation>
+        </message>
+        <message>
             <source>the parameters of the file are not in the order of their numbers</source>
             <translation>os parâmetros do arquivo não estão na ordem de seus números</translation>
         </message>
@@ -8522,6 +9530,10 @@
             <translation>o percurso começa onde a máquina estiver: ele é dado só por distâncias (G91)</translation>
         </message>
         <message>
+            <source>the path is entered above the height that is given</source>
+            <translation>o percurso é retomado acima da altura informada</translation>
+        </message>
+        <message>
             <source>the path mode may not be changed</source>
             <translation>o modo de percurso não pode ser mudado</translation>
         </message>
@@ -8532,6 +9544,10 @@
         <message>
             <source>the pins of the machine are not known to this reader</source>
             <translation>este leitor não conhece os pinos da máquina</translation>
+        </message>
+        <message>
+            <source>the place of a restart is a line, an operation, a contour or a point</source>
+            <translation>o ponto de retomada é uma linha, uma operação, um contorno ou um ponto</translation>
         </message>
         <message>
             <source>the plane may not be changed</source>
@@ -8548,6 +9564,10 @@
         <message>
             <source>the play of the axes cannot be taken up within this line</source>
             <translation>a folga dos eixos não pode ser compensada dentro desta linha</translation>
+        </message>
+        <message>
+            <source>the play of the axes is taken up in the lines sent, so the way back is not that of the motors</source>
+            <translation>a folga dos eixos é compensada nas linhas enviadas, portanto o caminho de volta não é o dos motores</translation>
         </message>
         <message>
             <source>the pocket is too narrow for a {0}</source>
@@ -8580,6 +9600,10 @@
         <message>
             <source>the probe touched nothing</source>
             <translation>o apalpador não tocou em nada</translation>
+        </message>
+        <message>
+            <source>the probe touched something where nothing was to be touched</source>
+            <translation>o apalpador tocou em algo onde nada devia ser tocado</translation>
         </message>
         <message>
             <source>the probe was not in its start state</source>
@@ -8628,6 +9652,10 @@
         <message>
             <source>the program cuts along no way at one height</source>
             <translation>o programa não tem corte em altura constante</translation>
+        </message>
+        <message>
+            <source>the program cuts nothing</source>
+            <translation>o programa não corta nada</translation>
         </message>
         <message>
             <source>the program has no F word</source>
@@ -8758,6 +9786,10 @@
             <translation>o modo de recuo não pode ser mudado</translation>
         </message>
         <message>
+            <source>the retract plane lies below the bottom of the hole</source>
+            <translation>o plano de retração fica abaixo do fundo do furo</translation>
+        </message>
+        <message>
             <source>the rim of the {0} tool is slow for the material</source>
             <translation>a borda da ferramenta {0} é lenta para o material</translation>
         </message>
@@ -8798,6 +9830,10 @@
             <translation>o segundo fim de curso de um eixo duplo não foi encontrado</translation>
         </message>
         <message>
+            <source>the second limit switch of a self-squaring axis was not found</source>
+            <translation>o segundo fim de curso de um eixo com autoesquadro não foi encontrado</translation>
+        </message>
+        <message>
             <source>the sender failed by a fault of its own</source>
             <translation>o envio falhou por um defeito próprio</translation>
         </message>
@@ -8814,6 +9850,14 @@
             <translation>o processo de envio terminou logo</translation>
         </message>
         <message>
+            <source>the session does not answer</source>
+            <translation>a sessão não responde</translation>
+        </message>
+        <message>
+            <source>the session has ended: {0}</source>
+            <translation>a sessão terminou: {0}</translation>
+        </message>
+        <message>
             <source>the session refused {0}</source>
             <translation>a sessão recusou {0}</translation>
         </message>
@@ -8828,6 +9872,18 @@
         <message>
             <source>the session's log</source>
             <translation>o registro da sessão</translation>
+        </message>
+        <message>
+            <source>the setting cannot have this value</source>
+            <translation>a configuração não pode ter este valor</translation>
+        </message>
+        <message>
+            <source>the setting could not be stored</source>
+            <translation>a configuração não pôde ser gravada</translation>
+        </message>
+        <message>
+            <source>the setting's value is out of its range</source>
+            <translation>o valor da configuração está fora da faixa</translation>
         </message>
         <message>
             <source>the settings file of the machine is not known to this reader</source>
@@ -8850,12 +9906,28 @@
             <translation>o spindle não pode girar nesta rotação</translation>
         </message>
         <message>
+            <source>the spindle does not do as it is told</source>
+            <translation>o spindle não obedece</translation>
+        </message>
+        <message>
+            <source>the spindle does not reach its speed</source>
+            <translation>o spindle não atinge a rotação</translation>
+        </message>
+        <message>
+            <source>the spindle does not turn, but the motion goes by its turns</source>
+            <translation>o spindle não gira, mas o movimento depende das voltas dele</translation>
+        </message>
+        <message>
             <source>the spindle is switched on at S0, since no speed was said before</source>
             <translation>o spindle é ligado com S0, pois nenhuma rotação foi indicada antes</translation>
         </message>
         <message>
             <source>the spindle runs while the tool is changed</source>
             <translation>o spindle gira durante a troca de ferramenta</translation>
+        </message>
+        <message>
+            <source>the spindle speed is out of the spindle's range</source>
+            <translation>a rotação está fora da faixa do spindle</translation>
         </message>
         <message>
             <source>the spindle's speed is set by hand</source>
@@ -8866,8 +9938,20 @@
             <translation>o interpretador autônomo só move X Y Z A B C</translation>
         </message>
         <message>
+            <source>the state of the stored settings cannot be read</source>
+            <translation>o estado das configurações gravadas não pode ser lido</translation>
+        </message>
+        <message>
+            <source>the step pulse is shorter than 2 microseconds</source>
+            <translation>o pulso de passo é menor que 2 microssegundos</translation>
+        </message>
+        <message>
             <source>the step pulse is shorter than 3 microseconds</source>
             <translation>o pulso de passo é menor que 3 microssegundos</translation>
+        </message>
+        <message>
+            <source>the step pulse is too short</source>
+            <translation>o pulso de passo é curto demais</translation>
         </message>
         <message>
             <source>the stock needs three lengths above zero</source>
@@ -8902,6 +9986,10 @@
             <translation>as pontes são tão altas quanto o contorno é fundo</translation>
         </message>
         <message>
+            <source>the target lies outside of the machine's travel</source>
+            <translation>o destino fica fora do curso da máquina</translation>
+        </message>
+        <message>
             <source>the text is not found, or is the same already</source>
             <translation>o texto não foi encontrado ou já é o mesmo</translation>
         </message>
@@ -8928,6 +10016,10 @@
         <message>
             <source>the tool</source>
             <translation>a ferramenta</translation>
+        </message>
+        <message>
+            <source>the tool changer does not know which tool it holds</source>
+            <translation>o trocador não sabe qual ferramenta está nele</translation>
         </message>
         <message>
             <source>the tool cuts into the wanted part</source>
@@ -8986,6 +10078,10 @@
             <translation>o número da ferramenta é grande demais</translation>
         </message>
         <message>
+            <source>the tool number is too large, or the tool table has no such tool</source>
+            <translation>o número da ferramenta é grande demais, ou ela não está na tabela de ferramentas</translation>
+        </message>
+        <message>
             <source>the tool offset may not be changed</source>
             <translation>a correção da ferramenta não pode ser mudada</translation>
         </message>
@@ -8994,8 +10090,16 @@
             <translation>a tabela de ferramentas não pode ser lida de novo</translation>
         </message>
         <message>
+            <source>the tool was taken back along the cut, so the program's lines are no longer at the controller</source>
+            <translation>a ferramenta voltou ao longo do corte, portanto as linhas do programa não estão mais no controlador</translation>
+        </message>
+        <message>
             <source>the tool's radius is compensated along this way (G41, G42)</source>
             <translation>o raio da ferramenta é compensado neste trecho (G41, G42)</translation>
+        </message>
+        <message>
+            <source>the tool's radius is compensated: it begins at line {0}, with G41 or G42</source>
+            <translation>o raio da ferramenta está compensado: começa na linha {0}, com G41 ou G42</translation>
         </message>
         <message>
             <source>the tool's radius went into the path, which is right for this tool only</source>
@@ -9026,6 +10130,18 @@
             <translation>a parede pode desviar até {0} mm: uma elipse não é paralela a outra elipse, e a resolução se soma a isso; o método "tolerance" respeita tolerance_mm</translation>
         </message>
         <message>
+            <source>the way along the cut cannot be sent as it was written</source>
+            <translation>o caminho ao longo do corte não pode ser enviado como foi escrito</translation>
+        </message>
+        <message>
+            <source>the way back cannot be read: {0}</source>
+            <translation>o caminho de volta não pode ser lido: {0}</translation>
+        </message>
+        <message>
+            <source>the way back does not lead there</source>
+            <translation>o caminho de volta não leva até lá</translation>
+        </message>
+        <message>
             <source>the way would be bent otherwise</source>
             <translation>o trajeto seria curvado de outro modo</translation>
         </message>
@@ -9036,6 +10152,10 @@
         <message>
             <source>the words of {0} are not edited</source>
             <translation>as palavras de {0} não são editadas</translation>
+        </message>
+        <message>
+            <source>the work system is locked</source>
+            <translation>o sistema de coordenadas está travado</translation>
         </message>
         <message>
             <source>the work systems G59.1 to G59.3 do not exist here</source>
@@ -9074,8 +10194,16 @@
             <translation>a forma da ferramenta {0} não foi informada, por isso é avaliada como fresa reta do mesmo diâmetro</translation>
         </message>
         <message>
+            <source>then runs {0} lines of the program as they are; all before them is taken as cut</source>
+            <translation>depois executa {0} linhas do programa como estão; tudo antes delas é dado como cortado</translation>
+        </message>
+        <message>
             <source>there is no command '{0}'</source>
             <translation>não há comando '{0}'</translation>
+        </message>
+        <message>
+            <source>there is no contour {0}</source>
+            <translation>não existe o contorno {0}</translation>
         </message>
         <message>
             <source>there is no cycle '{0}'</source>
@@ -9178,6 +10306,14 @@
             <translation>não há o que destravar</translation>
         </message>
         <message>
+            <source>there was nothing to read</source>
+            <translation>não havia nada para ler</translation>
+        </message>
+        <message>
+            <source>this build of the controller has no such setting</source>
+            <translation>esta versão do controlador não tem essa configuração</translation>
+        </message>
+        <message>
             <source>this client is detached</source>
             <translation>este cliente está desligado</translation>
         </message>
@@ -9190,8 +10326,20 @@
             <translation>este computador não consegue manter a frequência dos pulsos do programa</translation>
         </message>
         <message>
+            <source>this computer may fall asleep while the machine cuts ({0}): switch its sleep off</source>
+            <translation>este computador pode adormecer enquanto a máquina corta ({0}): desligue a suspensão</translation>
+        </message>
+        <message>
             <source>this is no certificate</source>
             <translation>isto não é um certificado</translation>
+        </message>
+        <message>
+            <source>this is not allowed while an emergency stop or a limit is active</source>
+            <translation>isto não é permitido com parada de emergência ou fim de curso ativo</translation>
+        </message>
+        <message>
+            <source>this is switched off in the controller's configuration</source>
+            <translation>isto está desligado na configuração do controlador</translation>
         </message>
         <message>
             <source>this language is in millimetres</source>
@@ -9220,6 +10368,18 @@
         <message>
             <source>this reader knows no pockets</source>
             <translation>este leitor não conhece posições do magazine</translation>
+        </message>
+        <message>
+            <source>this setting can only be read</source>
+            <translation>esta configuração só pode ser lida</translation>
+        </message>
+        <message>
+            <source>this setting cannot be changed while the controller runs</source>
+            <translation>esta configuração não pode mudar com o controlador em funcionamento</translation>
+        </message>
+        <message>
+            <source>threads can be cut only in the plane ZX</source>
+            <translation>roscas só podem ser cortadas no plano ZX</translation>
         </message>
         <message>
             <source>tip_diameter_mm must be below diameter_mm</source>
@@ -9302,6 +10462,10 @@
             <translation>gire o spindle mais devagar</translation>
         </message>
         <message>
+            <source>turning (G7, G95, G96) is in force here: no entry is written for a lathe</source>
+            <translation>torneamento (G7, G95, G96) está em vigor aqui: nenhuma entrada é escrita para um torno</translation>
+        </message>
+        <message>
             <source>two arcs of the profile have one centre</source>
             <translation>dois arcos do perfil têm o mesmo centro</translation>
         </message>
@@ -9312,6 +10476,10 @@
         <message>
             <source>two lines of the profile are parallel</source>
             <translation>duas retas do perfil são paralelas</translation>
+        </message>
+        <message>
+            <source>two self-squaring axes cannot be homed at the same time</source>
+            <translation>dois eixos com autoesquadro não podem ser referenciados ao mesmo tempo</translation>
         </message>
         <message>
             <source>two shapes have the name '{0}'</source>
@@ -9326,12 +10494,20 @@
             <translation>duas palavras do mesmo grupo modal estão em uma linha</translation>
         </message>
         <message>
+            <source>two words of the line contradict each other</source>
+            <translation>duas palavras da linha se contradizem</translation>
+        </message>
+        <message>
             <source>undo that, choose another drawing, or choose none</source>
             <translation>desfaça isso, escolha outro desenho, ou nenhum</translation>
         </message>
         <message>
             <source>unknown keys {0}</source>
             <translation>chaves desconhecidas {0}</translation>
+        </message>
+        <message>
+            <source>unlock it in the settings, or use another work system</source>
+            <translation>destrave-o nas configurações, ou use outro sistema de coordenadas</translation>
         </message>
         <message>
             <source>up to</source>
@@ -9426,6 +10602,10 @@
             <translation>use uma ferramenta menor ou arredonde o canto</translation>
         </message>
         <message>
+            <source>use a speed between $31 and $30</source>
+            <translation>use uma rotação entre $31 e $30</translation>
+        </message>
+        <message>
             <source>use a thread mill with one tooth, given as an engraver with a large tip_diameter_mm or as flat</source>
             <translation>use uma fresa de rosca de um dente, indicada como engraver com tip_diameter_mm grande ou como flat</translation>
         </message>
@@ -9436,6 +10616,10 @@
         <message>
             <source>use a tool number up to 255</source>
             <translation>use um número de ferramenta até 255</translation>
+        </message>
+        <message>
+            <source>use a tool that the table has</source>
+            <translation>use uma ferramenta que esteja na tabela</translation>
         </message>
         <message>
             <source>use a work offset (G54) instead</source>
@@ -9490,6 +10674,10 @@
             <translation>espere um momento</translation>
         </message>
         <message>
+            <source>wait a moment, then try again</source>
+            <translation>espere um momento e tente de novo</translation>
+        </message>
+        <message>
             <source>wait longer, hold or stop it</source>
             <translation>espere mais, pause ou pare</translation>
         </message>
@@ -9500,6 +10688,10 @@
         <message>
             <source>wait until it has finished, or stop it</source>
             <translation>espere que termine, ou pare-a</translation>
+        </message>
+        <message>
+            <source>wait until it has started</source>
+            <translation>espere até que tenha iniciado</translation>
         </message>
         <message>
             <source>wait until it is homed</source>
@@ -9516,6 +10708,14 @@
         <message>
             <source>wait until the jog has ended</source>
             <translation>espere o fim do movimento manual</translation>
+        </message>
+        <message>
+            <source>wait until the typed line is done, or stop it</source>
+            <translation>espere o fim da linha digitada, ou pare</translation>
+        </message>
+        <message>
+            <source>wait, hold or stop it</source>
+            <translation>espere, pause ou pare</translation>
         </message>
         <message>
             <source>waits need table_ms, or first_ms, change_ms and least_ms, or acceleration_steps_s2 and steps</source>
@@ -9546,8 +10746,20 @@
             <translation>o que foi escolhido de '{0}' não existe mais</translation>
         </message>
         <message>
+            <source>where a probe stops only the controller knows</source>
+            <translation>onde um apalpador para, só o controlador sabe</translation>
+        </message>
+        <message>
             <source>where the tool stands along {0} is not known here, and turning needs both coordinates</source>
             <translation>a posição da ferramenta em {0} não é conhecida aqui, e girar precisa das duas coordenadas</translation>
+        </message>
+        <message>
+            <source>where the tool stands here is not known</source>
+            <translation>não se sabe onde a ferramenta está aqui</translation>
+        </message>
+        <message>
+            <source>where this move began is not known, so there is no way back along it</source>
+            <translation>não se sabe onde este movimento começou, portanto não há caminho de volta por ele</translation>
         </message>
         <message>
             <source>where this rapid begins is not known</source>
@@ -9556,6 +10768,18 @@
         <message>
             <source>where this way begins is not known</source>
             <translation>não se sabe onde este trecho começa</translation>
+        </message>
+        <message>
+            <source>which run of line {0} is meant is not clear</source>
+            <translation>não está claro qual execução da linha {0} se quer</translation>
+        </message>
+        <message>
+            <source>with tool {0} in the spindle</source>
+            <translation>com a ferramenta {0} no fuso</translation>
+        </message>
+        <message>
+            <source>with {0} of its move done</source>
+            <translation>com {0} do movimento já feito</translation>
         </message>
         <message>
             <source>words for the spindle</source>
@@ -9616,6 +10840,10 @@
         <message>
             <source>write G18 before</source>
             <translation>escreva G18 antes</translation>
+        </message>
+        <message>
+            <source>write G18 before that line</source>
+            <translation>escreva G18 antes dessa linha</translation>
         </message>
         <message>
             <source>write G4 P{0} after the spindle starts</source>
@@ -9832,6 +11060,10 @@
         <message>
             <source>write them on two lines</source>
             <translation>escreva-os em duas linhas</translation>
+        </message>
+        <message>
+            <source>write to another one</source>
+            <translation>grave em outro</translation>
         </message>
         <message>
             <source>write with G54 to G59</source>
@@ -10098,6 +11330,14 @@
             <translation>{0} linhas a mais do que o texto tem</translation>
         </message>
         <message>
+            <source>{0} lists no such alarm</source>
+            <translation>{0} não lista esse alarme</translation>
+        </message>
+        <message>
+            <source>{0} lists no such error</source>
+            <translation>{0} não lista esse erro</translation>
+        </message>
+        <message>
             <source>{0} may not be assigned</source>
             <translation>{0} não pode receber um valor</translation>
         </message>
@@ -10116,6 +11356,10 @@
         <message>
             <source>{0} mm ({1} mm²) at X{2} Y{3}</source>
             <translation>{0} mm ({1} mm²) em X{2} Y{3}</translation>
+        </message>
+        <message>
+            <source>{0} mm away</source>
+            <translation>{0} mm de distância</translation>
         </message>
         <message>
             <source>{0} mm deep</source>
@@ -10308,6 +11552,10 @@
         <message>
             <source>{0} waits at the bottom and needs dwell_s</source>
             <translation>{0} espera no fundo e precisa de dwell_s</translation>
+        </message>
+        <message>
+            <source>{0} was refused</source>
+            <translation>{0} foi recusado</translation>
         </message>
         <message>
             <source>{0} while the tool is compensated</source>

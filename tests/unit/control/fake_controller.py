@@ -198,7 +198,7 @@ class FakeController:
         wco = ""
         if self._wco_countdown < 0:
             self._wco_countdown, wco = 5, "|WCO:-100.000,-50.000,-20.000"
-        unit = 25.4 if self.settings[13] else 1.0
+        unit = 25.4 if self.settings.get(13) else 1.0
         place = ",".join(f"{work / unit + zero:.3f}" for work, zero in zip(self.place, (-100, -50, -20), strict=True))
         fields = f"MPos:{place}|FS:500,8000{wco}{self.report_extra}"
         self.say(f"<{state}|{fields}>")

@@ -40,13 +40,15 @@ class SimulatedLink:
         self.sent = bytearray()
         self.at_read: Callable[[float], None] = lambda now_s: None
         self._to_send = bytearray()
-        self._broken = self._woken = False
+        self._broken = self._rung = False
+        self.woken = False
 
     def clock(self) -> float:
         return self.line.board.time_s
 
     def read(self, wait_s: float) -> bytes:
         end_s = self.clock() + wait_s
+        self.woken = False
         while True:
             self._check()
             self.at_read(self.clock())
@@ -54,9 +56,23 @@ class SimulatedLink:
             data = self.line.receive()
             if data:
                 self.heard.append((self.clock(), data))
-            if data or self._woken or self.clock() >= end_s:
-                self._woken = False
+            self._hear_bell()
+            if data or self.woken or self.clock() >= end_s:
                 return data
+
+    def rest(self, wait_s: float) -> None:
+        end_s = self.clock() + wait_s
+        self.woken = False
+        while not self.woken and self.clock() < end_s:
+            self._check()
+            self.pass_time()
+            self._hear_bell()
+
+    def waiting_bytes(self) -> int:
+        return len(self._to_send)
+
+    def leaving_s(self, count: int) -> float:
+        return count * 10 / 115_200
 
     def write(self, data: bytes) -> None:
         self._check()
@@ -64,7 +80,10 @@ class SimulatedLink:
         self._to_send += data
 
     def wake(self) -> None:
-        self._woken = True
+        self._rung = True
+
+    def _hear_bell(self) -> None:
+        self.woken, self._rung = self._rung, False
 
     def close(self) -> None:
         self._to_send.clear()

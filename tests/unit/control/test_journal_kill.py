@@ -20,7 +20,7 @@ from CNCStepper.control.journal.story import KILLED, RUNNING, read_story
 from CNCStepper.control.send_job import SendJob
 from CNCStepper.control.session import SessionClient
 
-KILLS = 20
+KILLS = 8
 LIMIT_S = 60.0
 HEAD = ["G21G90G94", "G10L20P1X0Y0Z0"]
 STEP_MM = 0.1  # a line
