@@ -311,3 +311,21 @@ def test_way_back_is_refused_once_the_zero_was_set_at_a_pause(tmp_path: Path) ->
 
     assert cut.run(person).kind == "stopped"
     assert [error.code for error in cut.refused] == ["retreat-zero"]
+
+
+def test_rest_is_sent_line_by_line_and_the_way_back_is_not(tmp_path: Path) -> None:
+    cut, phases = Cut(tmp_path, SQUARE), []
+
+    def person():
+        yield from held_on_side(cut)
+        cut.sender.ask(Command("by_line", {"on": True}))
+        for part in ("back", "rest"):
+            held = yield from found_by(cut)
+            yield from cut.go(held.along(held.back_by(3.0)) if part == "back" else held.rest())
+            yield cut.arrived
+            phases.append(cut.phase)
+        cut.sender.ask(Command("by_line", {"on": False}))
+        cut.sender.resume()
+
+    outcome = cut.run(person)
+    assert outcome.done and phases == ["retreated", "paused"]
