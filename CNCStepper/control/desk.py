@@ -126,6 +126,7 @@ class Desk:
     def _connect(self, driver: Grbl, idle: Idle) -> None:
         if connect.greeted(connect.wake_up(driver, self._timing, locked=True)):
             self._tell("warning", "the controller restarted when its port was opened; it counts from where it stands")
+            idle.count_from_here()
         self._learn(driver, idle)
         self._connected = True
 

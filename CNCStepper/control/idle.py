@@ -44,6 +44,7 @@ class Idle:
 
     def __init__(self, driver: Grbl, timing: Timing, tell: Tell, refuse: Refuse):
         self.position_known: bool | None = None
+        self._lost = False  # after the machine was met
         self.homed = False
         self._driver = driver
         self._timing = timing
@@ -139,7 +140,13 @@ class Idle:
     def lose_position(self) -> None:
         """From now on the machine's position is unknown until it is homed or all its zeros are set."""
         self.position_known = self.homed = False
+        self._lost = True
         self._zeroed.clear()
+
+    def count_from_here(self) -> None:
+        """Take a controller as it was met: it restarted, and whether its zero is right a person says before a job."""
+        self.lose_position()
+        self._lost = False
 
     def stop(self) -> None:
         """Bring to rest whatever moves: a jog keeps its position, homing loses it."""
@@ -168,8 +175,8 @@ class Idle:
             raise MachineRefusal("machine-busy", "the machine is not at rest", value="jogging", advice=advice)
 
     def check_position(self) -> None:
-        """Raise MachineRefusal while the machine's position is unknown: no program may move it then."""
-        if self.position_known is False:
+        """Raise MachineRefusal when the position was lost after the machine was met: no program may move it."""
+        if self.position_known is False and self._lost:
             raise MachineRefusal(
                 "position-unknown",
                 "the machine's position is unknown",
