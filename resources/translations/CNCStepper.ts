@@ -5054,6 +5054,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>'{0}' is no block that only switches, as M8, M3S9000 or M64P0</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>'{0}' is no kind of sheet that can be written</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5654,6 +5658,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a pin with a number, and only that, has a port: the device file of its parallel port</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a point is too far away</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5874,6 +5882,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>act = "switch" and line belong together</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>add F, or write G94 before</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6086,7 +6098,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>back along the cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>back along the cut: go on back, forward, or resume from here</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>back to where the program paused: up, over, down</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6794,6 +6814,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>flood coolant</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>flute_length_mm must not exceed length_mm</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6934,6 +6958,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>give that button another act</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>give the arc's centre with I and J</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7010,7 +7038,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>go line by line while a job runs</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>go on with `cncstepper back --resume`</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>go on, or stop the job</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7135,6 +7171,10 @@
         </message>
         <message>
             <source>incremental coordinates became absolute</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>input: two inputs are on {0}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7546,6 +7586,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>make the job again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>make the leads or the tool smaller, move the parts apart, or do without leads</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7595,6 +7639,10 @@
         </message>
         <message>
             <source>mini-lathe B</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>mist coolant</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7682,6 +7730,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>name a parallel port (/dev/parport0), or a text file with the numbers of the pins that are high</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>name both axes</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7703,6 +7755,10 @@
         </message>
         <message>
             <source>named parameters are not part of this dialect</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>next is line {0}: {1}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7735,6 +7791,10 @@
         </message>
         <message>
             <source>no job is held</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>no job runs</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7994,6 +8054,18 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>pin '{0}' is no pin of a controller; there are {1}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>pin {0} is no input of a parallel port; inputs are 10, 11, 12, 13 and 15</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>pin {0} of {1}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>pins.{0} is no signal; there are {1}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8174,6 +8246,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>release_line goes with line</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>remove it; only plain ASCII without ? ! ~ may be sent</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8215,6 +8291,14 @@
         </message>
         <message>
             <source>restarts are written for grbl, grblHAL, FluidNC, LinuxCNC and Mach: convert it, or run it whole</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>resume again, or set the zero so that the way there lies within the travel</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>resume first, which takes it back there</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8411,6 +8495,10 @@
         </message>
         <message>
             <source>spacing_mm asks for more than {0} tabs on one contour</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>spindle stop</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8659,6 +8747,10 @@
         </message>
         <message>
             <source>the bore leaves the tool no room for a helix</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the buttons are not heard any more, so the machine is held: {0}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9178,6 +9270,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the job is about to go on</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the job was deleted</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9414,7 +9510,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the machine is not where the program paused</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the machine is still slowing down</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the machine jogs</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9431,6 +9535,10 @@
         </message>
         <message>
             <source>the machine stands, spindle and outputs are off, its position is kept (the reset cleared G92 and tool length)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the machine was jogged away from where the program paused</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10166,6 +10274,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the work zero was set at a pause, so the way back along the cut is not known</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the zero of {0} in {1} was not taken over</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10195,6 +10307,10 @@
         </message>
         <message>
             <source>then runs {0} lines of the program as they are; all before them is taken as cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>there is no act '{0}'</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10286,6 +10402,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>there is no {0} here</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>there is nothing to find</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10331,6 +10451,10 @@
         </message>
         <message>
             <source>this is no certificate</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>this is no input of a machine: {0}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10703,6 +10827,10 @@
         </message>
         <message>
             <source>wait until it is idle; after an alarm home it or unlock it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>wait until it stands, or hold it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11122,6 +11250,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{0} by the button on {1}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{0} by way of a place cannot be turned</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11215,6 +11347,10 @@
         </message>
         <message>
             <source>{0} has no feed: a feed per turn needs F and a spindle that turns</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} has no pins to read: {1}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

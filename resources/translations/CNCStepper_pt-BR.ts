@@ -5054,6 +5054,10 @@
             <translation>'{0}' não pode ser {1}</translation>
         </message>
         <message>
+            <source>'{0}' is no block that only switches, as M8, M3S9000 or M64P0</source>
+            <translation>'{0}' não é um bloco que só comuta, como M8, M3S9000 ou M64P0</translation>
+        </message>
+        <message>
             <source>'{0}' is no kind of sheet that can be written</source>
             <translation>'{0}' não é um tipo de folha que se possa gravar</translation>
         </message>
@@ -5654,6 +5658,10 @@
             <translation>um pino da configuração está errado</translation>
         </message>
         <message>
+            <source>a pin with a number, and only that, has a port: the device file of its parallel port</source>
+            <translation>um pino com número, e só ele, tem port: o arquivo de dispositivo da sua porta paralela</translation>
+        </message>
+        <message>
             <source>a point is too far away</source>
             <translation>um ponto está longe demais</translation>
         </message>
@@ -5874,6 +5882,10 @@
             <translation>acima de {0} mm</translation>
         </message>
         <message>
+            <source>act = "switch" and line belong together</source>
+            <translation>act = "switch" e line andam juntos</translation>
+        </message>
+        <message>
             <source>add F, or write G94 before</source>
             <translation>acrescente F ou escreva G94 antes</translation>
         </message>
@@ -6086,8 +6098,16 @@
             <translation>falta axis.{0}.jerk_mm_s3: ramp = "s_curve" precisa dele</translation>
         </message>
         <message>
+            <source>back along the cut</source>
+            <translation>volta pelo corte</translation>
+        </message>
+        <message>
             <source>back along the cut: go on back, forward, or resume from here</source>
             <translation>de volta ao longo do corte: continue para trás, para a frente, ou retome daqui</translation>
+        </message>
+        <message>
+            <source>back to where the program paused: up, over, down</source>
+            <translation>volta ao ponto em que o programa pausou: sobe, desloca, desce</translation>
         </message>
         <message>
             <source>backlash_mm must be below the travel of the axis</source>
@@ -6794,6 +6814,10 @@
             <translation>ajuste de novo a curva escalada</translation>
         </message>
         <message>
+            <source>flood coolant</source>
+            <translation>refrigeração abundante</translation>
+        </message>
+        <message>
             <source>flute_length_mm must not exceed length_mm</source>
             <translation>flute_length_mm não pode passar de length_mm</translation>
         </message>
@@ -6934,6 +6958,10 @@
             <translation>dê peck_mm ou use G81</translation>
         </message>
         <message>
+            <source>give that button another act</source>
+            <translation>dê outra ação a esse botão</translation>
+        </message>
+        <message>
             <source>give the arc's centre with I and J</source>
             <translation>dê o centro do arco com I e J</translation>
         </message>
@@ -7010,8 +7038,16 @@
             <translation>volte ao longo do corte enquanto um trabalho está retido</translation>
         </message>
         <message>
+            <source>go line by line while a job runs</source>
+            <translation>avance linha por linha enquanto um trabalho está em execução</translation>
+        </message>
+        <message>
             <source>go on with `cncstepper back --resume`</source>
             <translation>continue com `cncstepper back --resume`</translation>
+        </message>
+        <message>
+            <source>go on, or stop the job</source>
+            <translation>continue, ou pare o trabalho</translation>
         </message>
         <message>
             <source>goes down at {0} mm/min</source>
@@ -7136,6 +7172,10 @@
         <message>
             <source>incremental coordinates became absolute</source>
             <translation>coordenadas incrementais viraram absolutas</translation>
+        </message>
+        <message>
+            <source>input: two inputs are on {0}</source>
+            <translation>input: duas entradas estão em {0}</translation>
         </message>
         <message>
             <source>install it for the Python that proves (python -m pip install NAME)</source>
@@ -7546,6 +7586,10 @@
             <translation>diminua o raio de canto</translation>
         </message>
         <message>
+            <source>make the job again</source>
+            <translation>gere o trabalho de novo</translation>
+        </message>
+        <message>
             <source>make the leads or the tool smaller, move the parts apart, or do without leads</source>
             <translation>diminua as entradas e saídas ou a ferramenta, afaste as peças ou fique sem entradas e saídas</translation>
         </message>
@@ -7596,6 +7640,10 @@
         <message>
             <source>mini-lathe B</source>
             <translation>minitorno B</translation>
+        </message>
+        <message>
+            <source>mist coolant</source>
+            <translation>refrigeração por névoa</translation>
         </message>
         <message>
             <source>more of the {0} tool's rim is in the material than it may</source>
@@ -7682,6 +7730,10 @@
             <translation>indique um arquivo novo, ou um em que já se gravaram pulsos</translation>
         </message>
         <message>
+            <source>name a parallel port (/dev/parport0), or a text file with the numbers of the pins that are high</source>
+            <translation>indique uma porta paralela (/dev/parport0), ou um arquivo de texto com os números dos pinos em nível alto</translation>
+        </message>
+        <message>
             <source>name both axes</source>
             <translation>indique os dois eixos</translation>
         </message>
@@ -7704,6 +7756,10 @@
         <message>
             <source>named parameters are not part of this dialect</source>
             <translation>parâmetros com nome não fazem parte deste dialeto</translation>
+        </message>
+        <message>
+            <source>next is line {0}: {1}</source>
+            <translation>a próxima é a linha {0}: {1}</translation>
         </message>
         <message>
             <source>no axis is set up for homing</source>
@@ -7736,6 +7792,10 @@
         <message>
             <source>no job is held</source>
             <translation>nenhum trabalho está retido</translation>
+        </message>
+        <message>
+            <source>no job runs</source>
+            <translation>nenhum trabalho está em execução</translation>
         </message>
         <message>
             <source>no memory card is mounted</source>
@@ -7994,6 +8054,18 @@
             <translation>escolha-o de novo</translation>
         </message>
         <message>
+            <source>pin '{0}' is no pin of a controller; there are {1}</source>
+            <translation>o pino '{0}' não é de um controlador; existem {1}</translation>
+        </message>
+        <message>
+            <source>pin {0} is no input of a parallel port; inputs are 10, 11, 12, 13 and 15</source>
+            <translation>o pino {0} não é entrada de uma porta paralela; as entradas são 10, 11, 12, 13 e 15</translation>
+        </message>
+        <message>
+            <source>pin {0} of {1}</source>
+            <translation>pino {0} de {1}</translation>
+        </message>
+        <message>
             <source>pins.{0} is no signal; there are {1}</source>
             <translation>pins.{0} não é um sinal; existem {1}</translation>
         </message>
@@ -8174,6 +8246,10 @@
             <translation>solte a parada de emergência e reinicie o controlador</translation>
         </message>
         <message>
+            <source>release_line goes with line</source>
+            <translation>release_line acompanha line</translation>
+        </message>
+        <message>
             <source>remove it; only plain ASCII without ? ! ~ may be sent</source>
             <translation>remova-o; só ASCII puro sem ? ! ~ pode ser enviado</translation>
         </message>
@@ -8216,6 +8292,14 @@
         <message>
             <source>restarts are written for grbl, grblHAL, FluidNC, LinuxCNC and Mach: convert it, or run it whole</source>
             <translation>retomadas são escritas para grbl, grblHAL, FluidNC, LinuxCNC e Mach: converta-o, ou execute-o inteiro</translation>
+        </message>
+        <message>
+            <source>resume again, or set the zero so that the way there lies within the travel</source>
+            <translation>retome de novo, ou defina o zero de modo que o caminho fique dentro do curso</translation>
+        </message>
+        <message>
+            <source>resume first, which takes it back there</source>
+            <translation>retome primeiro, o que a leva de volta para lá</translation>
         </message>
         <message>
             <source>resume once it stands</source>
@@ -8412,6 +8496,10 @@
         <message>
             <source>spacing_mm asks for more than {0} tabs on one contour</source>
             <translation>spacing_mm pede mais de {0} pontes em um contorno</translation>
+        </message>
+        <message>
+            <source>spindle stop</source>
+            <translation>parada do fuso</translation>
         </message>
         <message>
             <source>spindle, coolant or tool would be another</source>
@@ -8660,6 +8748,10 @@
         <message>
             <source>the bore leaves the tool no room for a helix</source>
             <translation>o furo não deixa à ferramenta espaço para uma hélice</translation>
+        </message>
+        <message>
+            <source>the buttons are not heard any more, so the machine is held: {0}</source>
+            <translation>os botões não são mais lidos, por isso a máquina fica retida: {0}</translation>
         </message>
         <message>
             <source>the canned cycle is begun anew, at line {0}: G91 is in force</source>
@@ -9178,6 +9270,10 @@
             <translation>o trabalho não tem operações</translation>
         </message>
         <message>
+            <source>the job is about to go on</source>
+            <translation>o trabalho está prestes a continuar</translation>
+        </message>
+        <message>
             <source>the job was deleted</source>
             <translation>o trabalho foi apagado</translation>
         </message>
@@ -9414,8 +9510,16 @@
             <translation>a máquina não está no caminho do programa: uma linha foi danificada na transmissão</translation>
         </message>
         <message>
+            <source>the machine is not where the program paused</source>
+            <translation>a máquina não está onde o programa pausou</translation>
+        </message>
+        <message>
             <source>the machine is still slowing down</source>
             <translation>a máquina ainda está freando</translation>
+        </message>
+        <message>
+            <source>the machine jogs</source>
+            <translation>a máquina está em movimento manual</translation>
         </message>
         <message>
             <source>the machine jogs only while it is idle</source>
@@ -9432,6 +9536,10 @@
         <message>
             <source>the machine stands, spindle and outputs are off, its position is kept (the reset cleared G92 and tool length)</source>
             <translation>a máquina está parada, spindle e saídas desligados, a posição se mantém (o reset apagou G92 e o comprimento da ferramenta)</translation>
+        </message>
+        <message>
+            <source>the machine was jogged away from where the program paused</source>
+            <translation>a máquina foi movida manualmente para longe de onde o programa pausou</translation>
         </message>
         <message>
             <source>the machine was stopped at once</source>
@@ -10166,6 +10274,10 @@
             <translation>o zero-peça não é conhecido, por isso o lugar do programa na mesa é desconhecido</translation>
         </message>
         <message>
+            <source>the work zero was set at a pause, so the way back along the cut is not known</source>
+            <translation>o zero da peça foi definido numa pausa, portanto o caminho de volta ao longo do corte não é conhecido</translation>
+        </message>
+        <message>
             <source>the zero of {0} in {1} was not taken over</source>
             <translation>o zero de {0} em {1} não foi aceito</translation>
         </message>
@@ -10196,6 +10308,10 @@
         <message>
             <source>then runs {0} lines of the program as they are; all before them is taken as cut</source>
             <translation>depois executa {0} linhas do programa como estão; tudo antes delas é dado como cortado</translation>
+        </message>
+        <message>
+            <source>there is no act '{0}'</source>
+            <translation>não existe a ação '{0}'</translation>
         </message>
         <message>
             <source>there is no command '{0}'</source>
@@ -10286,6 +10402,10 @@
             <translation>não existe esse verbo</translation>
         </message>
         <message>
+            <source>there is no {0} here</source>
+            <translation>não há {0} aqui</translation>
+        </message>
+        <message>
             <source>there is nothing to find</source>
             <translation>não há nada a procurar</translation>
         </message>
@@ -10332,6 +10452,10 @@
         <message>
             <source>this is no certificate</source>
             <translation>isto não é um certificado</translation>
+        </message>
+        <message>
+            <source>this is no input of a machine: {0}</source>
+            <translation>isto não é uma entrada de máquina: {0}</translation>
         </message>
         <message>
             <source>this is not allowed while an emergency stop or a limit is active</source>
@@ -10704,6 +10828,10 @@
         <message>
             <source>wait until it is idle; after an alarm home it or unlock it</source>
             <translation>espere até que esteja pronta; depois de um alarme, referencie ou destrave</translation>
+        </message>
+        <message>
+            <source>wait until it stands, or hold it</source>
+            <translation>espere até que pare, ou retenha-a</translation>
         </message>
         <message>
             <source>wait until the jog has ended</source>
@@ -11122,6 +11250,10 @@
             <translation>{0} cega ferramentas de aço rápido de imediato</translation>
         </message>
         <message>
+            <source>{0} by the button on {1}</source>
+            <translation>{0} pelo botão em {1}</translation>
+        </message>
+        <message>
             <source>{0} by way of a place cannot be turned</source>
             <translation>{0} passando por um ponto não pode ser girado</translation>
         </message>
@@ -11216,6 +11348,10 @@
         <message>
             <source>{0} has no feed: a feed per turn needs F and a spindle that turns</source>
             <translation>{0} não tem avanço: um avanço por rotação precisa de F e de um spindle girando</translation>
+        </message>
+        <message>
+            <source>{0} has no pins to read: {1}</source>
+            <translation>{0} não tem pinos para ler: {1}</translation>
         </message>
         <message>
             <source>{0} has no program: {1}</source>
