@@ -144,9 +144,11 @@ if os.name != "nt":
         def ready(trial: Jitter) -> None:
             threading.Timer(0.3, os.kill, (os.getpid(), signal.SIGINT)).start()
 
+        before = signal.signal(signal.SIGINT, signal.default_int_handler)  # a shell's background jobs ignore it
         begun_s = time.monotonic()
         with pytest.raises(KeyboardInterrupt):
             send_pulses([chunk([0, 3600], [1, 2])], 1, tmp_path / "pulses", SLOW, ready)
         while (1, 0) in written(tmp_path / "pulses")[-1:] or not written(tmp_path / "pulses"):
             assert time.monotonic() - begun_s < 60
         assert written(tmp_path / "pulses")[-1] == REST
+        signal.signal(signal.SIGINT, before)
