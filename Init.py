@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """FreeCAD runs this at every start, with and without a window: nothing heavy may be imported here."""
 
-from CNCStepper.workbench import packages
+from CNCStepper.workbench import broken_pipes, packages
 
 packages.make_available()
+broken_pipes.outlive()
