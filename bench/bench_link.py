@@ -3,7 +3,7 @@
 
 Each run is beside what it cannot be faster than: the longer of the line's time for the bytes and the blocks' own
 time. The controller keeps to the line's rate in both directions, to its receive buffer and to its planner's blocks;
-it knows nothing of G-code, so that its own work does not slow the line. The last run is against the virtual grbl.
+it knows nothing of G-code, so that its own work does not slow the line.
 """
 
 from __future__ import annotations
