@@ -101,10 +101,7 @@ def command(
         check_stock(stock, tool, job_path)
     if by_line and resume_pauses:
         raise click.UsageError("--step waits at each line, --resume-pauses at none: give one of them")
-    if despite_certificate and not certificate:
-        raise click.UsageError("--despite-certificate goes with --certificate")
-    if not (certificate or machine or job_path or unchecked):
-        raise click.UsageError("give --certificate, or --machine or --job to have it checked, or --unchecked")
+    _check_proof(bool(certificate), bool(machine or job_path), unchecked, despite_certificate)
     wanted = _Wanted(read_program(program), str(program), machine, stock_of(stock, origin), tool, given.start())
     if job_path:
         wanted = wanted.of_job(*load_job(job_path), is_certified=certificate is not None)
@@ -115,6 +112,14 @@ def command(
     sha256 = digest_of_text(wanted.text)
     job = replace(job, port=port, baud=baud, allow_differences=allow_differences, program_sha256=sha256)
     conclude(watch(confirmed(replace(job, by_line=by_line), zero_confirmed), resume_pauses))
+
+
+def _check_proof(is_certified: bool, can_be_checked: bool, unchecked: bool, despite_certificate: bool) -> None:
+    """Refuse options that leave a program unproven without saying so."""
+    if despite_certificate and not is_certified:
+        raise click.UsageError("--despite-certificate goes with --certificate")
+    if not (is_certified or can_be_checked or unchecked):
+        raise click.UsageError("give --certificate, or --machine or --job to have it checked, or --unchecked")
 
 
 @dataclass(frozen=True)
