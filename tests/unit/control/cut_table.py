@@ -7,6 +7,7 @@ import json
 from collections.abc import Callable
 from dataclasses import replace
 from itertools import count
+from math import dist
 from pathlib import Path
 from typing import Any
 
@@ -19,6 +20,7 @@ from CNCStepper.control.sender import Sender
 from CNCStepper.errors import CNCStepperError
 from CNCStepper.gcode.interpret import interpret
 from CNCStepper.gcode.prepare import prepare
+from CNCStepper.gcode.retreat.way import Place, Way
 from CNCStepper.job.certify import send_job
 from CNCStepper.job.retreat import Held, held
 from CNCStepper.machine.profile import Machine, load_machine
@@ -30,6 +32,8 @@ STANDS = ("held", "paused", "retreated")
 STEP_MM = float(np.hypot.reduce([1 / 80, 1 / 80, 1 / 400]))  # of table-a
 ROUNDING_MM = 0.003  # the chords' tolerance, and the last digit
 FINE_MM, COARSE_MM = 0.0005, 0.05
+CORNERS_MM = 1.5  # by which the length measured may be too short; every pass is longer
+NEAR_MM, TOGETHER = 0.1, 64  # within which the nearest piece of the way is looked for, and for how many points at once
 
 
 class Cut:
@@ -40,6 +44,7 @@ class Cut:
         self.table = Table(**table)
         self.refused: list[CNCStepperError] = []
         self.told: list[tuple[str, str]] = []
+        self.phase = "connecting"
         self._folder = folder
         self._numbers = count()
         self._trace: list[tuple[float, ...]] = [(0.0, 0.0, 0.0)]
@@ -49,7 +54,7 @@ class Cut:
             replace(job, port="table", zero_confirmed=True),
             opener=lambda name, baud: self.table,
             clock=self.table.clock,
-            tell=lambda kind, text: self.told.append((kind, text)),
+            tell=self._hear,
             refuse=lambda command, error: self.refused.append(error),
         )
 
@@ -64,10 +69,6 @@ class Cut:
         return self.sender.run()
 
     @property
-    def phase(self) -> str:
-        return self.sender.status().phase
-
-    @property
     def trace(self) -> np.ndarray:
         """The points at which the machine was, one after another, float64[n, 3]."""
         points = np.array(self._trace)
@@ -76,9 +77,9 @@ class Cut:
     @property
     def length_mm(self) -> float:
         """How far the axes have gone, on a scale at which their single steps do not count."""
-        length_mm, kept = 0.0, np.array(self._trace[0])
-        for point in self.trace:
-            if (far_mm := float(np.linalg.norm(point - kept))) > COARSE_MM:
+        length_mm, kept = 0.0, self._trace[0]
+        for point in self._trace:
+            if (far_mm := dist(point, kept)) > COARSE_MM:
                 length_mm, kept = length_mm + far_mm, point
         return length_mm
 
@@ -105,6 +106,17 @@ class Cut:
     def arrived(self) -> bool:
         return self.phase in (*STANDS, "done")
 
+    def _hear(self, kind: str, text: str) -> None:
+        self.told.append((kind, text))
+        if kind == "phase":
+            self.phase = text.partition(":")[0]
+
+
+def along_mm(way: Way, place: Place) -> float:
+    """Return how far a place lies from the begin of the way."""
+    before = sum(way.move(row).length_mm for row in range(place.row))
+    return before + way.move(place.row).length_mm * place.share
+
 
 def path_of(program: str) -> Toolpath:
     """Return the moves of a program on a machine at its zero."""
@@ -125,12 +137,14 @@ def polyline(path: Toolpath) -> np.ndarray:
 
 
 def worst_distance_mm(points: np.ndarray, line: np.ndarray) -> float:
-    """Return the largest distance of points from a polyline."""
-    begin, way = line[:-1], np.diff(line, axis=0)
-    length = np.maximum((way**2).sum(axis=1), 1e-18)
+    """Return the largest distance of points from a polyline; infinite where all of it is far away."""
+    low, high = np.minimum(line[:-1], line[1:]) - NEAR_MM, np.maximum(line[:-1], line[1:]) + NEAR_MM
     worst = 0.0
-    for some in np.array_split(points, len(points) // 256 + 1):
+    for some in np.array_split(points, len(points) // TOGETHER + 1):
+        near = ((low <= some.max(axis=0)) & (high >= some.min(axis=0))).all(axis=1)
+        begin, way = line[:-1][near], np.diff(line, axis=0)[near]
+        length = np.maximum((way**2).sum(axis=1), 1e-18)
         share = np.clip(((some[:, None] - begin) * way).sum(axis=2) / length, 0.0, 1.0)
-        far = np.linalg.norm(some[:, None] - begin - share[..., None] * way, axis=2).min(axis=1)
+        far = np.linalg.norm(some[:, None] - begin - share[..., None] * way, axis=2).min(axis=1, initial=np.inf)
         worst = max(worst, float(far.max(initial=0.0)))
     return worst
