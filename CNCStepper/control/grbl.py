@@ -62,7 +62,7 @@ class Grbl:
     status: the last answer to `?`. status_asked_s: when it was asked for, by `clock`; a status may
     have been on its way before whatever was written later. mpos_mm, wpos_mm: None until reported, and
     until the controller has said whether it reports in mm or in inches.
-    overrides: feed, rapid and spindle in percent, as last reported.
+    overrides: feed, rapid and spindle in percent, as last reported since the controller started.
     outputs: what was on then, as `Status` has it. planner_blocks: moves that it plans ahead.
     """
 
@@ -218,6 +218,7 @@ class Grbl:
             self.settings[report.number] = report.value
         elif isinstance(report, Greeting):
             self._forget_lines()
+            self.overrides = None
             self._recognise(greeted_by(report.text))
         elif isinstance(report, Feedback):
             self._take_feedback(report)

@@ -7,8 +7,15 @@ a step is one byte.
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
+
+from CNCStepper.control.acts import fresh_status
+from CNCStepper.control.grbl import Grbl
+from CNCStepper.control.timing import Timing
 from CNCStepper.errors import MachineRefusal
 
+NORMAL = (100, 100, 100)  # feed, rapid, spindle: after every reset
+TOLD_STATUSES = 30  # within which a controller tells its overrides; grbl does in every tenth or so
 BYTES: dict[str, dict[str, bytes]] = {
     "feed": {"reset": b"\x90", "10": b"\x91", "-10": b"\x92", "1": b"\x93", "-1": b"\x94"},
     "rapid": {"100": b"\x95", "50": b"\x96", "25": b"\x97", "reset": b"\x95"},
@@ -29,3 +36,42 @@ def override_byte(kind: str, step: str) -> bytes:
         there = ", ".join(f"{name} {' '.join(steps)}" for name, steps in BYTES.items())
         what = f"there is no override {kind} {step}"
         raise MachineRefusal("override", what, advice=f"use one of: {there}") from error
+
+
+def restore(driver: Grbl, percents: Sequence[int], timing: Timing) -> None:
+    """Bring feed, rapid and spindle of a controller that was just reset to these percentages.
+
+    Raises MachineRefusal where it does not tell that they are these.
+    """
+    if tuple(percents) == NORMAL:
+        return
+    for step in _steps(percents):
+        for byte in step:
+            driver.realtime(byte)
+        fresh_status(driver, timing)
+    for _ in range(TOLD_STATUSES):
+        if driver.overrides == tuple(percents):
+            return
+        fresh_status(driver, timing)
+    told = "/".join(map(str, driver.overrides or ()))
+    raise MachineRefusal(
+        "overrides-lost",
+        "the overrides are not what they were before the reset",
+        value=f"{told} %",
+        limit=f"{'/'.join(map(str, percents))} %",
+        advice="set them by hand, then try again",
+    )
+
+
+def _steps(percents: Sequence[int]) -> Iterator[list[bytes]]:
+    """Yield the bytes that lead from NORMAL to these percentages; those of one step are all different."""
+    columns = [*_changes("feed", percents[0]), [BYTES["rapid"][str(percents[1])]], *_changes("spindle", percents[2])]
+    for number in range(max(map(len, columns))):
+        yield [column[number] for column in columns if number < len(column)]
+
+
+def _changes(kind: str, percent: int) -> Iterator[list[bytes]]:
+    """Yield the tens and the ones that make a percentage of NORMAL."""
+    sign = "-" if percent < 100 else ""
+    for size, count in zip((10, 1), divmod(abs(percent - 100), 10), strict=True):
+        yield [BYTES[kind][f"{sign}{size}"]] * count

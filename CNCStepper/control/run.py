@@ -31,7 +31,7 @@ from CNCStepper.control.journal.kept import Journals, Keeping, NoJournal
 from CNCStepper.control.journal.led import Led
 from CNCStepper.control.moment import moment
 from CNCStepper.control.outcome import DONE, FAILED, REFUSED, STOPPED, Outcome, SenderStatus
-from CNCStepper.control.overrides import override_byte
+from CNCStepper.control.overrides import NORMAL, override_byte, restore
 from CNCStepper.control.path_watch import PathWatch
 from CNCStepper.control.phases import RETREATED, Phases
 from CNCStepper.control.readiness import check_zero
@@ -289,12 +289,14 @@ class JobRun:
         leg.job.check()
         self._stand.end()
         self._phases.stands = False  # the greeting that comes now was asked for
+        overrides = driver.overrides or NORMAL
         found = stand_reset(driver, self._timing)
         self._phases.set(RETREATED, LAST)
         self.job, before = leg.job, self.job
         try:
             check_found(self.job, driver, found, self._tell)
             check_place(driver, leg)
+            restore(driver, overrides, self._timing)
         except CNCStepperError:
             self.job = before
             raise

@@ -215,3 +215,40 @@ def test_rest_is_sent_line_by_line_and_the_way_back_is_not(tmp_path: Path) -> No
 
     outcome = cut.run(person)
     assert outcome.done and phases == ["retreated", "paused"]
+
+
+def test_overrides_are_what_they_were_before_each_reset(tmp_path: Path) -> None:
+    cut, seen = Cut(tmp_path, SQUARE), []
+
+    def person():
+        for kind, step, times in (("feed", "-10", 4), ("feed", "1", 3), ("rapid", "25", 1), ("spindle", "10", 2)):
+            for _ in range(times):
+                cut.sender.ask(Command("override", {"kind": kind, "step": step}))
+                yield 0.3
+        yield from held_on_side(cut)
+        for part in ("back", "rest"):
+            held = yield from found_by(cut)
+            yield from cut.go(held.along(held.back_by(3.0)) if part == "back" else held.rest())
+            overrides = cut.table.board.overrides
+            seen.append((overrides.feed, overrides.rapid, overrides.spindle))
+            yield cut.arrived
+
+    assert cut.run(person).done and not cut.refused
+    assert seen == [(63, 25, 120)] * 2
+
+
+def test_cut_does_not_go_on_at_other_overrides(tmp_path: Path) -> None:
+    cut = Cut(tmp_path, SQUARE)
+
+    def person():
+        cut.sender.ask(Command("override", {"kind": "feed", "step": "-10"}))
+        yield from held_on_side(cut)
+        held = yield from found_by(cut)
+        write, cut.table.write = cut.table.write, lambda data: write(data.replace(b"\x92", b""))
+        yield from cut.go(held.rest())
+        assert cut.phase == "retreated" and cut.table.board.overrides.feed == 100
+        cut.table.write = write
+        cut.sender.stop()
+
+    assert cut.run(person).kind == "stopped"
+    assert [error.code for error in cut.refused] == ["overrides-lost"]
