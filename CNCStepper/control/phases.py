@@ -77,11 +77,14 @@ class Phases:
                 self.set("holding")
         elif self.feeding:
             self._tell("warning", "there is nothing to resume: the machine is not held")
-        elif self.name == RETREATED:
-            what = "the tool was taken back along the cut, so the program's lines are no longer at the controller"
-            raise MachineRefusal("retreated", what, advice="go on with `cncstepper back --resume`")
         else:
             self._resume_asked = True
+
+    def check_no_jog(self, command: str) -> None:
+        """Raise MachineRefusal for a jog in a hold, in which no controller takes one."""
+        if command in ("jog", "jog_on") and self.name in ("held", "paused"):
+            advice = "jog with `cncstepper jog`: it lets the controller give up its lines first"
+            raise MachineRefusal("held-jog", "the controller takes no jog while it is held", advice=advice)
 
     def take(self, driver: Grbl, feeder: Feeder) -> None:
         """Follow the status just received; raises MachineRefusal on a state in which no job can go on."""

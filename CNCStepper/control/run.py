@@ -246,7 +246,7 @@ class JobRun:
             self._phases.stand(message)
         elif self._retrace.ends_leg():
             self._idle_reports = 0
-            self._phases.set(RETREATED, LAST)
+            self._stand_back(driver)
 
     def _obey(self, driver: Grbl) -> None:
         for command in self._inbox.take():
@@ -271,6 +271,7 @@ class JobRun:
         elif command.name == "override":
             driver.realtime(override_byte(**command.values))
         elif command.name != "jog_cancel":  # a button let go has nothing to say here
+            self._phases.check_no_jog(command.name)
             raise MachineRefusal("job-runs", "a job runs", advice="wait until it has ended, or stop it")
 
     def _go_back(self, driver: Grbl, command: Command) -> None:
@@ -287,11 +288,10 @@ class JobRun:
         """Let a machine that stands go along a leg; what is refused after its reset leaves it there, spindle off."""
         leg = self._retrace.read(file, self._phases.name)
         leg.job.check()
-        self._stand.end()
         self._phases.stands = False  # the greeting that comes now was asked for
         overrides = driver.overrides or NORMAL
         found = stand_reset(driver, self._timing)
-        self._phases.set(RETREATED, LAST)
+        self._stand_back(driver)
         self.job, before = leg.job, self.job
         try:
             check_found(self.job, driver, found, self._tell)
@@ -300,6 +300,7 @@ class JobRun:
         except CNCStepperError:
             self.job = before
             raise
+        self._stand.end()
         self._retrace.start(leg)
         self._path = PathWatch(leg.job, driver, found, self._tell)
         rest = self._retrace.lines_before if leg.is_rest else None
@@ -307,6 +308,12 @@ class JobRun:
         self._feeder, self._idle_reports = Feeder(leg.job, self._journal), 0
         self._feeder.by_line = self._by_line and leg.is_rest
         self._phases.run_anew()
+
+    def _stand_back(self, driver: Grbl) -> None:
+        """Wait for the next leg: the machine is idle, so that it can be jogged."""
+        self._phases.set(RETREATED, LAST)
+        self._stand.begin(driver, self._feeder.sent, leads_on=False)
+        self._phases.stands = True
 
     # --- the end -------------------------------------------------------------------------------
 

@@ -3,16 +3,16 @@
 
 grbl refuses jogs and keeps G10 waiting while it is held, as it is at an M0. So the sender sends no M0: it waits until
 all before it is cut, and goes on when it is told. The lines that follow were proven from where the program stood; so
-whoever jogged away is first taken back there, in work coordinates, for a new zero moves the program with it:
+whoever jogged away is first taken back there (`gcode/retreat/over.py`), in work coordinates, for a new zero moves the
+program with it.
 
-    over  ┌───────────────┐   at the height of the higher one
-    up    │               │   down, slowly
-          o jogged to     x where the program stood
+So does a sender that was led along its cut: its lines are gone with a reset, so the machine is idle. The way from there
+goes on with is its client's, who takes whoever jogged back to the cut.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from dataclasses import dataclass
 
 from CNCStepper.control import acts
@@ -22,16 +22,14 @@ from CNCStepper.control.grbl_report import Vector
 from CNCStepper.control.jogger import Jogger, Way, check_in_time
 from CNCStepper.control.timing import Timing
 from CNCStepper.errors import CNCStepperError, MachineRefusal
-
-OVER_MM_MIN, DOWN_MM_MIN = 1000.0, 100.0
-THERE_MM = 0.005  # what is reported is rounded
+from CNCStepper.gcode.retreat.over import Axes, over
 
 
 @dataclass(frozen=True)
 class To:
     """A straight jog to a work position; an axis that is None stays."""
 
-    place_mm: tuple[float | None, float | None, float | None]
+    place_mm: Axes
     feed_mm_min: float
 
     def line(self) -> str:
@@ -40,15 +38,9 @@ class To:
         return f"$J=G90G21{''.join(f'{axis}{mm:.4f}' for axis, mm in words if mm is not None)}F{self.feed_mm_min:.1f}"
 
 
-def way_back(here_mm: Vector, there_mm: Vector) -> Iterator[To]:
-    """Yield the jogs from one work position to another: up, over, down; none where it is that place."""
-    top_mm = max(here_mm[2], there_mm[2])
-    if top_mm - here_mm[2] > THERE_MM:
-        yield To((None, None, top_mm), OVER_MM_MIN)
-    if any(abs(a - b) > THERE_MM for a, b in zip(here_mm[:2], there_mm[:2], strict=True)):
-        yield To((there_mm[0], there_mm[1], None), OVER_MM_MIN)
-    if top_mm - there_mm[2] > THERE_MM:
-        yield To((None, None, there_mm[2]), DOWN_MM_MIN)
+def way_back(here_mm: Vector, there_mm: Vector) -> list[To]:
+    """Return the jogs from one work position to another: up, over, down; none where it is that place."""
+    return [To(place_mm, feed_mm_min) for place_mm, feed_mm_min in over(here_mm, there_mm)]
 
 
 class Stand:
@@ -74,10 +66,15 @@ class Stand:
         self._place_mm: Vector | None = None
         self._resume_asked = False
         self._going_back = False
+        self._leads_on = True
         self._changed_s = 0.0  # what the machine said before shows another moment
 
-    def begin(self, driver: Grbl, index: int) -> None:
-        """Stand before the job's line `index`; a stand that was only disturbed keeps its place."""
+    def begin(self, driver: Grbl, index: int, leads_on: bool = True) -> None:
+        """Stand before the job's line `index`; a stand that was only disturbed keeps its place.
+
+        leads_on: whether the job goes on from here; else only a client can lead it on, from the zero that was cut from.
+        """
+        self._leads_on = leads_on
         if index != self._index:
             self._index, self._place_mm = index, driver.wpos_mm
         self._driver, self._resume_asked, self._going_back = driver, False, False
@@ -92,9 +89,11 @@ class Stand:
         if self._zero_set:
             what = "the work zero was set at a pause, so the way back along the cut is not known"
             raise MachineRefusal("retreat-zero", what, advice="go on, or stop the job")
-        if self.is_off_path:
+        if self.is_off_path and self._leads_on:
             what = "the machine was jogged away from where the program paused"
             raise MachineRefusal("retreat-jogged", what, advice="resume first, which takes it back there")
+        if self._jogger and self._jogger.active:
+            raise _busy("the machine jogs")
 
     def turn(self) -> float:
         """Send what is due of jogs; return how long the next turn may be away."""
@@ -115,6 +114,8 @@ class Stand:
         check_in_time(command, self._driver.clock())
         if command.name in ("hold", "jog_cancel"):
             self._cancel(self._driver, self._jogger)
+        elif not self._leads_on and command.name in ("resume", "set_zero"):
+            raise _led(command.name)
         elif self._resume_asked:
             raise _busy("the job is about to go on")
         elif command.name == "jog":
@@ -151,7 +152,7 @@ class Stand:
 
     def _ways(self, driver: Grbl) -> list[To]:
         here_mm, there_mm = driver.wpos_mm, self._place_mm
-        return [] if here_mm is None or there_mm is None else list(way_back(here_mm, there_mm))
+        return [] if here_mm is None or there_mm is None else way_back(here_mm, there_mm)
 
     def _go_back(self, driver: Grbl, ways: list[To]) -> None:
         assert self._jogger
@@ -179,6 +180,14 @@ class Stand:
 
 def _busy(what: str) -> MachineRefusal:
     return MachineRefusal("machine-busy", what, advice="wait until it stands, or hold it")
+
+
+def _led(name: str) -> MachineRefusal:
+    if name == "resume":
+        what = "the program's lines are no longer at the controller, which was reset"
+        return MachineRefusal("retreated", what, advice="go on with `cncstepper back --resume`")
+    what = "the work zero cannot be set here: what lies behind was cut from another one"
+    return MachineRefusal("retreat-zero", what, advice="go on, or stop the job")
 
 
 def _not_there() -> MachineRefusal:

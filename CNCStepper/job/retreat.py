@@ -11,6 +11,7 @@ from __future__ import annotations
 import json
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from math import dist
 from typing import Any
 
 from CNCStepper.control.retrace import REST
@@ -21,7 +22,7 @@ from CNCStepper.gcode.first_motion import bare_first_move
 from CNCStepper.gcode.model import Model
 from CNCStepper.gcode.parameters import offset_number
 from CNCStepper.gcode.retreat.find import Found, Seen, find
-from CNCStepper.gcode.retreat.text import Part, head_lines, modes_line, way_lines
+from CNCStepper.gcode.retreat.text import Part, head_lines, modes_line, output_lines, over_lines, way_lines
 from CNCStepper.gcode.retreat.way import Place, Way
 from CNCStepper.gcode.stored import stored_point
 from CNCStepper.gcode.wire_lines import WireLines
@@ -32,7 +33,7 @@ from CNCStepper.job.start_file import start_from
 from CNCStepper.machine.profile import Machine
 from CNCStepper.state import WORK_SYSTEMS, ZERO3, State
 
-BACK, FORWARD = "back", "forward"
+BACK, FORWARD, ASIDE = "back", "forward", "aside"
 
 
 @dataclass(frozen=True)
@@ -86,19 +87,12 @@ class Held:
 
     def along(self, target: Place) -> dict[str, Any]:
         """Return the leg to another place, proven; raises JobError where the checks refuse it."""
-        keeps = self.ground.machine.keeps_outputs_back
-        lines, parts = self._lines_to(target, keeps)
-        heads = len(lines) - len(parts)
-        content = {
-            "kind": BACK if target < self.place else FORWARD,
-            "heads": heads,
-            "parts": parts,
-            "then": None,
-            "file_lines": self._file_lines(heads, parts),
-            "messages": {},
-            "end": target,
-        }
-        return self._proven(lines, content)
+        kind = BACK if target < self.place else FORWARD
+        return self._leg(kind, target, self.ground.machine.keeps_outputs_back)
+
+    def aside(self) -> dict[str, Any]:
+        """Return the leg that goes nowhere, outputs off: after it the machine is idle and can be jogged."""
+        return self._leg(ASIDE, self.place, outputs=False)
 
     def rest(self) -> dict[str, Any]:
         """Return the leg that cuts from here to the end, proven; raises JobError where the checks refuse it."""
@@ -122,11 +116,39 @@ class Held:
         }
         return self._proven(lines, content)
 
+    def _leg(self, kind: str, target: Place, outputs: bool) -> dict[str, Any]:
+        """Return a leg after which the machine waits, proven."""
+        lines, parts = self._lines_to(target, outputs)
+        heads = len(lines) - len(parts)
+        content = {
+            "kind": kind,
+            "heads": heads,
+            "parts": parts,
+            "then": None,
+            "file_lines": self._file_lines(heads, parts),
+            "messages": {},
+            "end": target,
+        }
+        return self._proven(lines, content)
+
     def _lines_to(self, target: Place, outputs: bool) -> tuple[list[str], list[Part]]:
+        """Return the lines to another place, and the parts of the way that those after the head are."""
         state = self._state(self.place)
-        head = head_lines(state, self.position_mm, outputs, self.ground.machine.spindle.spin_up_s)
+        on = output_lines(state, self.ground.machine.spindle.spin_up_s) if outputs else []
+        first = [*on, *self._over(state)] if self.ground.machine.keeps_outputs_back else [*self._over(state), *on]
         lines, parts = way_lines(self.way, self.place, target, state)
-        return head + lines, parts
+        return head_lines(state, self.position_mm) + first + lines, [self._here] * len(first) + parts
+
+    def _over(self, state: State) -> list[str]:
+        """Return the lines back to the way for a machine that was jogged off it; none where it stands on it."""
+        there_mm = self.way.move(self.place.row).at(self.place.share)
+        if dist(self.position_mm, there_mm) <= self.ground.controller.tolerance_mm:
+            return []
+        return over_lines(self.position_mm, there_mm, self.way.top_mm, state)
+
+    @property
+    def _here(self) -> Part:
+        return self.place.row, self.place.share, self.place.share
 
     def _state(self, place: Place) -> State:
         return self.way.toolpath.states[int(self.way.toolpath.table().state[place.row])]

@@ -4,6 +4,7 @@
 G21G90G17G94G54      what a reset leaves, said once more
 G43.1Z5  G92X3Y0Z0   the tool's length and G92, which a reset takes away
 M3S8000  G4P3        what is to be on, and the time that it needs
+G1Z... G1X... G1Z... up, over and down to the way, where somebody has jogged off it
 G1X... F...          from where the machine stands to the way, less than a step, then along it
 G20G91F30            modes again in which the program's own lines go on
 """
@@ -16,6 +17,7 @@ from math import ceil, tau
 from CNCStepper.gcode.codes import MOTION_NAMES, PLANE_CODES, UNIT_CODES
 from CNCStepper.gcode.edit.numbers import number_text
 from CNCStepper.gcode.retreat.move import Move, Point
+from CNCStepper.gcode.retreat.over import over
 from CNCStepper.gcode.retreat.way import Place, Way
 from CNCStepper.gcode.saved_modes import FEED_MODES, SPINDLE
 from CNCStepper.state import State
@@ -31,22 +33,31 @@ MODES = "G21G90G17G94"
 Part = tuple[int, float, float]  # row, from share, to share
 
 
-def head_lines(state: State, position_mm: Point, outputs: bool, spin_up_s: float) -> list[str]:
-    """Return the lines that bring a state back at a machine that was reset at `position_mm`.
-
-    outputs: whether spindle, beam and coolant are to be as the state has them; else they stay off.
-    """
+def head_lines(state: State, position_mm: Point) -> list[str]:
+    """Return the lines that bring modes, tool length and G92 back at a machine that was reset at `position_mm`."""
     lines = [MODES + state.work_system]
     if state.tool_length_mm:
         lines.append(f"G43.1Z{_number(state.tool_length_mm)}")
     if any(state.g92_mm):
         lines.append("G92" + _point(position_mm, state))
-    if outputs:
-        lines += [name for name, on in (("M7", state.mist), ("M8", state.flood)) if on]
-        if state.spindle_turns:
-            lines.append(f"{SPINDLE[state.spindle]}S{_number(state.spindle_rpm)}")
-            lines += [f"G4P{_number(spin_up_s)}"] * (spin_up_s > 0)
     return lines
+
+
+def output_lines(state: State, spin_up_s: float) -> list[str]:
+    """Return the lines that switch spindle, beam and coolant on as a state has them."""
+    lines = [name for name, on in (("M7", state.mist), ("M8", state.flood)) if on]
+    if state.spindle_turns:
+        lines.append(f"{SPINDLE[state.spindle]}S{_number(state.spindle_rpm)}")
+        lines += [f"G4P{_number(spin_up_s)}"] * (spin_up_s > 0)
+    return lines
+
+
+def over_lines(here_mm: Point, there_mm: Point, top_mm: float, state: State) -> list[str]:
+    """Return the lines that take a machine that was jogged away back: up, over, and slowly down."""
+    return [
+        f"G1{_point(place_mm, state)}F{_number(feed_mm_min)}"
+        for place_mm, feed_mm_min in over(here_mm, there_mm, top_mm)
+    ]
 
 
 def way_lines(way: Way, begin: Place, end: Place, state: State) -> tuple[list[str], list[Part]]:
@@ -107,11 +118,10 @@ def _line(move: Move, state: State) -> str:
     return PLANE_CODES[move.plane] + words + "".join(f"{letter}{_number(arm)}" for letter, arm in arms) + feed
 
 
-def _point(point_mm: Iterable[float], state: State) -> str:
-    """Return the words of a point of the machine in work coordinates."""
-    return "".join(
-        axis + _number(value - offset) for axis, value, offset in zip(AXES, point_mm, state.offset_mm, strict=False)
-    )
+def _point(point_mm: Iterable[float | None], state: State) -> str:
+    """Return the words of a point of the machine in work coordinates; an axis that is None has none."""
+    axes = zip(AXES, point_mm, state.offset_mm, strict=False)
+    return "".join(axis + _number(value - offset) for axis, value, offset in axes if value is not None)
 
 
 def _number(value: float) -> str:

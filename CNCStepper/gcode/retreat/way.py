@@ -47,6 +47,11 @@ class Way:
         """The line of the text of each row, int32[n], rising."""
         return self._table.line
 
+    @property
+    def top_mm(self) -> float:
+        """The greatest height of Z that it leads to, in mm; -inf where none is known."""
+        return float(np.nanmax(self._table.end[:, 2], initial=-inf))
+
     @cached_property
     def _barriers(self) -> np.ndarray:
         """The rows, rising, that no way back leaves at their begin: what comes before is not known or not undone."""

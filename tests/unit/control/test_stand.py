@@ -207,7 +207,7 @@ def test_pause_within_a_line_is_the_controllers_own(visit):
         yield visit.ended()
 
     visit.receive(person)
-    assert visit.refusals() == ["job-runs"] and visit.outcomes[0].kind == DONE
+    assert visit.refusals() == ["held-jog"] and visit.outcomes[0].kind == DONE
 
 
 # --- the path, the way back and the clock beside it -------------------------------------------------

@@ -7,10 +7,11 @@ import random
 from dataclasses import replace
 from math import dist
 
+import numpy as np
 import pytest
 
 from CNCStepper.gcode.interpret import interpret
-from CNCStepper.gcode.retreat.text import head_lines, modes_line, way_lines
+from CNCStepper.gcode.retreat.text import head_lines, modes_line, output_lines, over_lines, way_lines
 from CNCStepper.gcode.retreat.way import Place, Way
 from CNCStepper.gcode.wire_text import check_wire_line
 from CNCStepper.state import Start
@@ -49,7 +50,7 @@ def test_text_read_back_is_the_stretch(way: Way, seed: int) -> None:
     state = way.toolpath.states[int(way.toolpath.table().state[begin.row])]
     at = way.move(begin.row).at(begin.share)
     lines, parts = way_lines(way, begin, end, state)
-    head = head_lines(state, at, True, 3.0)
+    head = head_lines(state, at) + output_lines(state, 3.0)
     for line in [*head, *lines]:
         check_wire_line(line)
     read = Way(interpret("\n".join([*head, *lines]), replace(START, position_mm=at, work_system="G54")))
@@ -62,13 +63,13 @@ def test_text_read_back_is_the_stretch(way: Way, seed: int) -> None:
 
 def test_head_brings_back_what_a_reset_takes(way: Way) -> None:
     state = way.toolpath.states[-1]
-    head = head_lines(state, (-90.0, -48.0, -10.0), True, 3.0)
+    head = head_lines(state, (-90.0, -48.0, -10.0)) + output_lines(state, 3.0)
     read = interpret("\n".join(head), replace(START, position_mm=(-90.0, -48.0, -10.0))).states[-1]
     assert read.offset_mm == pytest.approx(state.offset_mm) and read.g92_mm == pytest.approx(state.g92_mm)
     assert (read.spindle, read.spindle_rpm, read.flood) == ("cw", 8000.0, True)
     assert read.tool_length_mm == 1.5 and read.work_system == "G55"
     assert "G4P3" in head
-    off = head_lines(state, (0.0, 0.0, 0.0), False, 3.0)
+    off = head_lines(state, (0.0, 0.0, 0.0))
     assert not any("M3" in line or "M8" in line or "G4P" in line for line in off)
 
 
@@ -78,3 +79,11 @@ def test_modes_are_those_of_the_program() -> None:
     assert modes_line(state, state.feed_mm_min) == "G20G91G18G94F10S500"
     read = interpret(modes_line(state, state.feed_mm_min), Start.at_zero()).states[-1]
     assert (read.units, read.distance, read.plane, read.feed_mm_min) == ("inch", "incremental", "ZX", 254.0)
+
+
+def test_way_over_is_in_work_coordinates_and_higher_than_both_ends(way: Way) -> None:
+    state = way.toolpath.states[-1]
+    here, there = (-90.0, -48.0, -10.0), (-80.0, -48.0, -12.0)
+    text = "\n".join([*head_lines(state, here), *over_lines(here, there, -5.0, state)])
+    ends = interpret(text, replace(START, position_mm=here)).table().end[:, :3]
+    assert ends == pytest.approx(np.array([(-90.0, -48.0, -5.0), (-80.0, -48.0, -5.0), there]), abs=0.001)
