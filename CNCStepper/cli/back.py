@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""`cncstepper back`: leads the tool of a held session back along its cut, forward again, and lets the job go on."""
+"""`cncstepper back`: leads the tool of a held job back along its cut, forward again, and lets the job go on."""
 
 from __future__ import annotations
 
@@ -14,6 +14,7 @@ from CNCStepper.errors import CNCStepperError, JobError
 from CNCStepper.machine.profile import Machine
 
 if TYPE_CHECKING:
+    from CNCStepper.control.desk_session import DeskSession
     from CNCStepper.control.outcome import SenderStatus
     from CNCStepper.control.session import SessionClient
     from CNCStepper.gcode.retreat.way import Place
@@ -42,7 +43,7 @@ LENGTH = click.FloatRange(min=0, min_open=True)
     help="Go forward again: by MM, or without a number to where the cut ended.",
 )
 @click.option("--resume", is_flag=True, help="Switch spindle or beam on again and cut from here to the program's end.")
-@click.option("--session", help="Which session, by its name or file, where several run.")
+@click.option("--session", help="Which job, by its session's name or file, where several run.")
 @machine_option(required=False)
 def command(
     distance_mm: float | None,
@@ -53,7 +54,9 @@ def command(
     session: str | None,
     machine: Machine | None,
 ) -> None:
-    """Go back along the cut of a job that `cncstepper send` runs in another terminal, forward again, and go on.
+    """Go back along the cut of a job that runs, forward again, and go on.
+
+    The job is one that `cncstepper send` runs in another terminal, or that was sent from FreeCAD's window.
 
     The machine is held first if it still moves. Then it runs the very path of the program backwards, arcs and helices
     too; what is sent is checked before anything moves. Each way begins with a reset of the controller at standstill,
@@ -70,11 +73,11 @@ def command(
     wishes = [distance_mm is not None, line is not None, entry, forward_mm is not None, resume]
     if sum(wishes) > 1:
         raise click.UsageError("give one of --distance, --line, --entry, --forward and --resume")
+    from CNCStepper.control.desk_session import attach
     from CNCStepper.control.phases import RETREATED
-    from CNCStepper.control.session import SessionClient
     from CNCStepper.job.way_back import WayBack
 
-    with SessionClient.attach(_session_file(session)) as client:
+    with attach(_session_file(session)) as client:
         back = WayBack(client, machine)
         if back.hold().phase != RETREATED or not any(wishes):
             _show(back.hold(), back.held())
@@ -88,19 +91,19 @@ def command(
 
 
 def _session_file(name: str | None) -> Path:
-    """Return the file of the session meant; raises JobError where it is not clear which."""
-    from CNCStepper.control.session_file import sessions
+    """Return the file of the session or desk meant; raises JobError where it is not clear which."""
+    from CNCStepper.control.desk_session import jobs_running
 
     if name and Path(name).suffix:
         return Path(name)
-    running = [path for path in sessions() if not name or path.stem == name]
+    running = [path for path in jobs_running() if not name or path.stem == name]
     if len(running) == 1:
         return running[0]
     if not running:
-        what = f"no session '{name}' runs" if name else "no session runs"
+        what = f"no job '{name}' runs" if name else "no job runs"
         raise JobError("session-none", what, advice="start one with cncstepper send")
     names = ", ".join(path.stem for path in running)
-    raise JobError("session-which", f"{len(running)} sessions run", value=names, advice="choose one with --session")
+    raise JobError("session-which", f"{len(running)} jobs run", value=names, advice="choose one with --session")
 
 
 def _target(held: Held, distance_mm: float | None, line: int | None, entry: bool, forward_mm: float | None) -> Place:
@@ -114,12 +117,8 @@ def _target(held: Held, distance_mm: float | None, line: int | None, entry: bool
 
 def _go(back: WayBack, held: Held, target: Place) -> None:
     """Go along the cut to a place, and say where the tool stands then."""
-    if held.found.late != held.found.early:
-        click.echo(
-            "which of several passes was cut cannot be told for certain, so the earliest that fits is taken:"
-            f" line {held.file_line(held.found.early)}, not {held.file_line(held.found.late)}",
-            err=True,
-        )
+    if held.doubt:
+        click.echo(held.doubt, err=True)
     back.go(held.along(target))
     _show(back.arrive(), back.held())
 
@@ -138,7 +137,7 @@ def _show(status: SenderStatus, held: Held) -> None:
 class _Dialogue:
     """Asks until the job goes on, or is left."""
 
-    def __init__(self, back: WayBack, client: SessionClient) -> None:
+    def __init__(self, back: WayBack, client: SessionClient | DeskSession) -> None:
         self._back = back
         self._client = client
 

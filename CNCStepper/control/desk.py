@@ -25,7 +25,7 @@ from CNCStepper.control.certificate import sendable
 from CNCStepper.control.command import VALUES, Command, Inbox
 from CNCStepper.control.grbl import Grbl, Received
 from CNCStepper.control.grbl_report import Vector
-from CNCStepper.control.idle import Idle, is_fatal
+from CNCStepper.control.idle import Belief, Idle, is_fatal
 from CNCStepper.control.journal.journal import Journal
 from CNCStepper.control.moment import tell_words
 from CNCStepper.control.outcome import REFUSED, Outcome, SenderStatus
@@ -79,6 +79,7 @@ class Desk:
         self._driver: Grbl | None = None
         self._idle: Idle | None = None
         self._run: JobRun | None = None
+        self._belief: Belief | None = None  # with which the job began: its own resets at standstill do not change it
         self._last_done: SendJob | None = None  # what a start button lets run again
         self._connected = False
         self._learned = False
@@ -98,12 +99,12 @@ class Desk:
 
     def status(self) -> SenderStatus:
         """Return this moment."""
-        run, idle = self._run, self._idle
+        run, idle, belief = self._run, self._idle, self._belief
         if idle is None or not self._connected:
             return SenderStatus()
-        if run is None or (status := run.status()).phase == "connecting":
+        if run is None or belief is None or (status := run.status()).phase == "connecting":
             return replace(idle.status(), **self._zero)
-        return replace(status, position_known=idle.position_known, homed=idle.homed, **self._zero)
+        return replace(status, position_known=belief.position_known, homed=belief.homed, **self._zero)
 
     def run(self) -> None:
         """Connect and serve until told to end, or left alone; raises LinkError when the link breaks."""
@@ -217,7 +218,7 @@ class Desk:
         self._run_job(idle, job)
 
     def _run_job(self, idle: Idle, job: SendJob) -> None:
-        known, homed = idle.position_known, idle.homed
+        self._belief = belief = idle.belief
         self._run = JobRun(
             job,
             self._inbox,
@@ -233,9 +234,9 @@ class Desk:
         finally:
             self._run, self._phase = None, ""
             self._zero_is_old = True  # a program may set it
-        idle.position_known, idle.homed = known, homed
+        idle.belief = belief
         if outcome.kind == REFUSED:
-            outcome = replace(outcome, position_known=outcome.position_known and known is not False)
+            outcome = replace(outcome, position_known=outcome.position_known and belief.position_known is not False)
         elif not outcome.position_known:
             idle.lose_position()
         self._last_done = job if outcome.done else None

@@ -22,7 +22,7 @@ from typing import Any
 from CNCStepper.control import desk_launch
 from CNCStepper.control.desk_launch import Launched
 from CNCStepper.control.line_socket import LineSocket
-from CNCStepper.control.outcome import Outcome, SenderStatus, error_from_json
+from CNCStepper.control.outcome import Outcome, SenderStatus, error_from_json, take_refusal
 from CNCStepper.control.session_file import LOG, OUTCOME, is_fresh, read_private, running_desks
 from CNCStepper.errors import CNCStepperError, LinkError
 
@@ -95,61 +95,61 @@ class DeskClient:
     def run(self, job_file: Path, zero_confirmed: bool, allow_differences: bool = False) -> None:
         """Let the job of a certificate's file, or of a `SendJob` as JSON, run; its port and consents do not count."""
         self.outcome = None
-        self._ask("run", file=str(job_file), zero_confirmed=zero_confirmed, allow_differences=allow_differences)
+        self.ask("run", file=str(job_file), zero_confirmed=zero_confirmed, allow_differences=allow_differences)
 
     def hold(self) -> None:
         """Ask for a feed hold; a jog ends."""
-        self._ask("hold")
+        self.ask("hold")
 
     def resume(self) -> None:
         """Ask to go on after a hold, a pause of the program or a closed door."""
-        self._ask("resume")
+        self.ask("resume")
 
     def stop(self) -> None:
         """Ask to end the job or whatever moves: hold, standstill, reset. It is no emergency stop."""
-        self._ask("stop")
+        self.ask("stop")
 
     def jog(
         self, x_mm: float = 0.0, y_mm: float = 0.0, z_mm: float = 0.0, feed_mm_min: float = JOG_FEED_MM_MIN
     ) -> None:
         """Ask for one step of that way."""
-        self._ask("jog", x_mm=x_mm, y_mm=y_mm, z_mm=z_mm, feed_mm_min=feed_mm_min)
+        self.ask("jog", x_mm=x_mm, y_mm=y_mm, z_mm=z_mm, feed_mm_min=feed_mm_min)
 
     def jog_on(self, x: float = 0.0, y: float = 0.0, z: float = 0.0, feed_mm_min: float = JOG_FEED_MM_MIN) -> None:
         """Jog in a direction for as long as a button is pressed: call it every JOG_RENEW_S, `jog_cancel` at release.
 
         The machine stops by itself when the calls stay away, and then wants the button to be pressed anew.
         """
-        self._ask("jog_on", x_mm=x, y_mm=y, z_mm=z, feed_mm_min=feed_mm_min, press=self._press)
+        self.ask("jog_on", x_mm=x, y_mm=y, z_mm=z, feed_mm_min=feed_mm_min, press=self._press)
 
     def jog_cancel(self) -> None:
         """Stop jogging now."""
         self._press = secrets.token_hex(4)
-        self._ask("jog_cancel")
+        self.ask("jog_cancel")
 
     def set_zero(self, axes: str = "XYZ") -> None:
         """Make this place the work zero of these axes, in the work system in force."""
-        self._ask("set_zero", axes=axes)
+        self.ask("set_zero", axes=axes)
 
     def home(self) -> None:
         """Let the machine find its own zero."""
-        self._ask("home")
+        self.ask("home")
 
     def unlock(self) -> None:
         """Take the lock of an alarm away without homing."""
-        self._ask("unlock")
+        self.ask("unlock")
 
     def type(self, text: str) -> None:
         """Ask for a line that somebody typed; what came of it is an event "answer", or a refusal."""
-        self._ask("line", text=text)
+        self.ask("line", text=text)
 
     def override(self, kind: str, percent_step: int | str) -> None:
         """Change "feed" or "spindle" by 10, -10, 1, -1 percent, "rapid" to 100, 50, 25; "reset" brings 100 back."""
-        self._ask("override", kind=kind, step=str(percent_step))
+        self.ask("override", kind=kind, step=str(percent_step))
 
     def leave(self) -> None:
         """Detach for good: the desk ends as soon as no job runs and nothing moves."""
-        self._ask("leave")
+        self.ask("leave")
         self.detach()
 
     def detach(self) -> None:
@@ -159,14 +159,15 @@ class DeskClient:
             self._socket = None
         self.phase = self._told_phase = "gone"
 
-    # --- inside --------------------------------------------------------------------------------
-
-    def _ask(self, command: str, **values: Any) -> None:
+    def ask(self, command: str, **values: Any) -> None:
+        """Ask for any command of the desk, or its "status"; what is refused comes as an event "refused"."""
         request = {"command": command, **values}
         if self._socket:
             self._socket.send({"token": self._token, **request})
         elif self.phase == "starting" and not command.startswith("jog"):
             self._waiting.append(request)
+
+    # --- inside --------------------------------------------------------------------------------
 
     def _start(self) -> None:
         """Go one step nearer to a connection: the launch, then the file, then the socket."""
@@ -193,7 +194,7 @@ class DeskClient:
         self.phase, self._caught_up = "connecting", False
         self._token = address["token"]
         self._socket = LineSocket(address["host"], address["port"])
-        self._ask("attach")
+        self.ask("attach")
         for request in self._waiting:
             self._socket.send({"token": self._token, **request})
         self._waiting.clear()
@@ -212,7 +213,7 @@ class DeskClient:
         elif kind == "outcome":
             self.outcome = Outcome.from_json(event["outcome"])
         elif kind == "refused":
-            event["error"] = error_from_json(event["error"]) if event.get("error") else None
+            take_refusal(event)
         return kind != "accepted"
 
     def _lost(self) -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
+from typing import NamedTuple
 
 from CNCStepper.control import acts, connect, halt
 from CNCStepper.control.command import Command
@@ -33,6 +34,15 @@ LOCKED = {
 HOME = "$H"
 HOMED = "the machine is homed"
 CRITICAL = "Reset to continue"
+
+
+class Belief(NamedTuple):
+    """What is held of a machine's position; lost: after it was met. zeroed: the axes whose zeros were set since."""
+
+    position_known: bool | None
+    homed: bool
+    lost: bool
+    zeroed: frozenset[str]
 
 
 class Idle:
@@ -74,6 +84,16 @@ class Idle:
             "switch": self._switch,
             "override": lambda **values: driver.realtime(override_byte(**values)),
         }
+
+    @property
+    def belief(self) -> Belief:
+        """What is held of the position; to be set again after a reset that has not cost it."""
+        return Belief(self.position_known, self.homed, self._lost, frozenset(self._zeroed))
+
+    @belief.setter
+    def belief(self, belief: Belief) -> None:
+        self.position_known, self.homed, self._lost = belief[:3]
+        self._zeroed = set(belief.zeroed)
 
     @property
     def busy(self) -> bool:

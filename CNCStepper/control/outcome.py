@@ -29,6 +29,7 @@ class SenderStatus:
     probe, D for the door. homing: whether the machine can home itself. position_known: whether machine positions
     can be trusted. homed: whether they count from the machine's own zero, which it has found since it was met.
     work_system, work_offsets_mm: the work system in force and what `$#` last said by name ("G54", "G92", "TLO").
+    wanted_back_mm: how far a button of the machine wants to go back along the cut, None while none does.
     None stands for: not reported yet.
     """
 
@@ -57,6 +58,7 @@ class SenderStatus:
     homed: bool = False
     work_system: str = ""
     work_offsets_mm: dict[str, Vector] | None = None
+    wanted_back_mm: float | None = None
 
     def to_json(self) -> dict[str, Any]:
         """Return it as plain values."""
@@ -132,3 +134,8 @@ def error_from_json(content: dict[str, Any]) -> CNCStepperError:
     place = words.pop("place")
     code, what = words.pop("code"), words.pop("what")
     return kind(code, what, place=Place(**place) if place else None, **words)
+
+
+def take_refusal(event: dict[str, Any]) -> None:
+    """Make an error of ours again of what an event "refused" has of it; None where it has none."""
+    event["error"] = error_from_json(event["error"]) if event.get("error") else None

@@ -12,7 +12,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from CNCStepper.control.outcome import Outcome, SenderStatus
+from CNCStepper.control.outcome import Outcome, SenderStatus, take_refusal
 from CNCStepper.control.own_process import start
 from CNCStepper.control.python_finder import find_python
 from CNCStepper.control.send_job import SendJob
@@ -188,6 +188,8 @@ class SessionClient:
             self._status = self.outcome.status
         elif event["event"] == "refused" and "command" not in event:
             raise LinkError("session-refused", f"the session refused {event['text']}", advice="attach to it again")
+        elif event["event"] == "refused":
+            take_refusal(event)
 
     def _ended(self) -> None:
         """The connection is over: take the outcome, which was written before; raises LinkError when it was not."""

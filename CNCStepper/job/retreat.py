@@ -57,6 +57,22 @@ class Held:
         """Where the tool is, the earliest place where that is not certain."""
         return self.found.early
 
+    @property
+    def behind_mm(self) -> float:
+        """How far along the way the tool is behind where the program was cut to."""
+        return self.way.length_mm(self.place, self.farthest)
+
+    @property
+    def doubt(self) -> str:
+        """What to say where the place is not certain, "" where it is."""
+        early, late = self.found
+        if early == late:
+            return ""
+        return (
+            "which of several passes was cut cannot be told for certain, so the earliest that fits is taken: "
+            f"line {self.file_line(early)}, not {self.file_line(late)}"
+        )
+
     def file_line(self, place: Place) -> int:
         """Return the line of the program's file that moves along a place."""
         return self.ground.program.place(int(self.way.lines[place.row]) - 1).line

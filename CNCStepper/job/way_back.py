@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A client that leads a held session back along its cut, forward again, and lets it go on."""
+"""A client that leads a held job back along its cut, forward again, and lets it go on: of a session or of a desk."""
 
 from __future__ import annotations
 
@@ -10,7 +10,8 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from CNCStepper.control.outcome import SenderStatus, error_from_json
+from CNCStepper.control.desk_session import DeskSession
+from CNCStepper.control.outcome import SenderStatus
 from CNCStepper.control.retrace import STANDS
 from CNCStepper.control.session import SessionClient
 from CNCStepper.control.session_file import write_private
@@ -19,23 +20,28 @@ from CNCStepper.job.retreat import Held, held
 from CNCStepper.machine.profile import Machine
 
 LOOK_EVERY_S = 0.05
+DOOR = "door"
 ANSWER_LIMIT_S = 60.0  # a long program is told in seconds
 
 
 class WayBack:
-    """Speaks with one session; what it refuses is raised as its error."""
+    """Speaks with one session or desk; what it refuses is raised as its error."""
 
-    def __init__(self, client: SessionClient, machine: Machine | None = None):
+    def __init__(self, client: SessionClient | DeskSession, machine: Machine | None = None):
         self._client = client
         self._machine = machine
         self._client.status()  # past the events of before
 
     def hold(self) -> SenderStatus:
-        """Hold the machine, if it moves, and return its status once it stands."""
+        """Hold the machine, if it moves, and return its status then; raises MachineRefusal where it cannot be held."""
         status = self._client.status()
-        if status.phase not in STANDS:
+        if not status.total:
+            raise MachineRefusal("not-held", "no job runs", advice="go back along the cut while a job runs")
+        if status.phase not in (*STANDS, DOOR):
             self._client.hold()
-            status = self._until(lambda status: status.phase in STANDS)
+            status = self._until(lambda status: status.phase in (*STANDS, DOOR))
+        if status.phase == DOOR:
+            raise MachineRefusal("door-open", "the safety door is open", advice="close it and resume, then go back")
         return status
 
     def held(self) -> Held:
@@ -43,7 +49,7 @@ class WayBack:
         with tempfile.TemporaryDirectory() as folder:
             file = Path(folder) / "place.json"
             self._client.ask("tell_place", file=str(file))
-            self._await("place", str(file))
+            self._await("tell_place", "place", str(file))
             return held(json.loads(file.read_text("utf-8")), self._machine)
 
     def go(self, leg: dict[str, Any]) -> None:
@@ -52,19 +58,19 @@ class WayBack:
             file = Path(folder) / "leg.json"
             write_private(file, leg)
             self._client.ask("retrace", file=str(file))
-            self._await("phase", "running")
+            self._await("retrace", "phase", "running")
 
     def arrive(self) -> SenderStatus:
         """Wait for the end of the leg, or until somebody holds on the way, and return the status."""
         return self._until(lambda status: status.phase in STANDS)
 
-    def _await(self, kind: str, text: str) -> None:
-        """Wait for an event of the session; raises what it refuses instead."""
+    def _await(self, command: str, kind: str, text: str) -> None:
+        """Wait for the event that a command leads to; raises why it is refused instead."""
         end_s = time.monotonic() + ANSWER_LIMIT_S
         while time.monotonic() < end_s:
             for event in self._client.poll(LOOK_EVERY_S):
-                if event["event"] == "refused":
-                    raise error_from_json(event["error"])
+                if event["event"] == "refused" and event.get("command") == command:
+                    raise event["error"]
                 if event["event"] == kind and event["text"] == text:
                     return
             self._check_runs()
@@ -78,5 +84,5 @@ class WayBack:
 
     def _check_runs(self) -> None:
         if self._client.outcome is not None:
-            what = f"the session has ended: {self._client.outcome.text}"
+            what = f"the job has ended: {self._client.outcome.text}"
             raise MachineRefusal("session-ended", what, advice="nothing is held any more")

@@ -64,6 +64,10 @@ class Way:
         """Return the rows that a line of the text has made."""
         return range(int(np.searchsorted(self.lines, line)), int(np.searchsorted(self.lines, line, side="right")))
 
+    def length_mm(self, begin: Place, end: Place) -> float:
+        """Return how long the way is from one place to another."""
+        return sum(self.move(row).length_mm * abs(to - since) for row, since, to in self.stretch(begin, end))
+
     def back_by(self, place: Place, length_mm: float) -> Place:
         """Return the place that lies `length_mm` before another, or the begin of what can be retraced."""
         for row, move in self._backwards(place):

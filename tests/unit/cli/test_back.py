@@ -6,16 +6,23 @@ from __future__ import annotations
 import subprocess
 import sys
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
 from test_send import called, command
 
+from CNCStepper.control.desk_client import DeskClient
 from CNCStepper.control.session import SessionClient
 from CNCStepper.control.session_file import sessions
+from CNCStepper.gcode.prepare import prepare
+from CNCStepper.job.back_worker import answered
+from CNCStepper.job.certify import send_job
+from CNCStepper.machine.profile import load_machine
 
 PROGRAM = "G21 G90\nG0 Z-2\nG0 X-5 Y-5\nM3 S8000\nG4 P3\nG1 Z-5 F300\nG1 X-390 F500\nG0 Z-2\nM5\nM2\n"
+VIRTUAL = ("virtual", "grbl", "--tcp", "127.0.0.1:0", "--speed", "5")
+STEP_MM = 0.02
 
 
 @pytest.fixture
@@ -24,8 +31,7 @@ def sent(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[subprocess
     monkeypatch.setenv("XDG_STATE_HOME", str(tmp_path / "state"))
     program = tmp_path / "a part ç.nc"
     program.write_text(PROGRAM, "utf-8")
-    virtual = ("virtual", "grbl", "--tcp", "127.0.0.1:0", "--speed", "5")
-    with subprocess.Popen(command(*virtual), stdout=subprocess.PIPE, encoding="utf-8") as table:
+    with subprocess.Popen(command(*VIRTUAL), stdout=subprocess.PIPE, encoding="utf-8") as table:
         assert table.stdout
         port = table.stdout.readline().rpartition(" ")[2].strip()
         arguments = ("send", program, "--port", port, "--machine", "table-a", "--zero-confirmed")
@@ -76,3 +82,50 @@ def test_without_a_session_it_says_what_to_do(tmp_path: Path, monkeypatch: pytes
     refused = called("back", "--entry")
     assert refused.returncode == 1 and "cncstepper send" in refused.stderr
     assert sys.platform != "linux" or not list(tmp_path.rglob("*.session"))
+
+
+@pytest.fixture
+def desk(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[DeskClient]:
+    """A window's client of a desk that cuts the program at a virtual grbl."""
+    monkeypatch.setenv("XDG_STATE_HOME", str(tmp_path / "state"))
+    machine = load_machine("table-a")
+    job = send_job(prepare(PROGRAM, "grbl", "a part ç.nc"), machine, "a part ç.nc", None, "grbl")
+    file = tmp_path / "send ç.json"
+    file.write_text(job.to_json(), "utf-8")
+    with subprocess.Popen(command(*VIRTUAL), stdout=subprocess.PIPE, encoding="utf-8") as table:
+        assert table.stdout
+        client = DeskClient.launch(table.stdout.readline().rpartition(" ")[2].strip())
+        await_desk(client, lambda: client.status.phase == "idle")
+        client.run(file, zero_confirmed=True)
+        await_desk(client, lambda: (client.status.mpos_mm or (0.0,))[0] < -10.0)
+        yield client
+        client.stop()
+        client.leave()
+        table.terminate()
+
+
+def await_desk(client: DeskClient, reached: Callable[[], bool]) -> None:
+    """Poll until it is reached, as a window does."""
+    while not reached():
+        client.poll()
+        assert client.phase != "gone", client.error
+        time.sleep(0.02)
+
+
+@pytest.mark.slow
+def test_job_of_a_window_is_led_back_by_the_command_line_and_by_the_windows_process(desk: DeskClient) -> None:
+    back = called("back", "--distance", "1")
+    assert back.returncode == 0, back.stderr
+    assert back.stdout.splitlines()[-1].startswith("retreated: line 7")
+    ask = {"desk": str(desk.session_file)}
+    found = answered(ask | {"find": True})
+    assert found == {"line": 7, "behind_mm": pytest.approx(1.0, abs=STEP_MM), "doubt": ""}
+    assert answered(ask | {"line": 9})["refused"]["code"] == "retreat-line"
+    assert answered(ask | {"forward_mm": 0.25})["behind_mm"] == pytest.approx(0.75, abs=STEP_MM)
+    assert answered(ask | {"resume": True}) == {"resumed": True}
+    assert answered(ask | {"find": True})["refused"]["code"] == "not-held"
+    await_desk(desk, lambda: desk.status.phase == "running")
+    desk.stop()
+    await_desk(desk, lambda: desk.outcome is not None)
+    assert "no job runs" in called("back", "--entry").stderr
+    assert answered(ask | {"back_mm": 1.0})["refused"]["code"] == "not-held"

@@ -49,9 +49,9 @@ class Cut:
         self._numbers = count()
         self._trace: list[tuple[float, ...]] = [(0.0, 0.0, 0.0)]
         self.table.board.on_step = lambda board: self._trace.append(tuple(board.axes.position_mm))
-        job = send_job(prepare(program, "grbl", "part ç.nc"), self.machine, "part ç.nc", None, "grbl")
+        self.job = send_job(prepare(program, "grbl", "part ç.nc"), self.machine, "part ç.nc", None, "grbl")
         self.sender = Sender(
-            replace(job, port="table", zero_confirmed=True),
+            replace(self.job, port="table", zero_confirmed=True),
             opener=lambda name, baud: self.table,
             clock=self.table.clock,
             tell=self._hear,
@@ -85,7 +85,7 @@ class Cut:
 
     def hold(self) -> Person:
         if self.phase not in STANDS:
-            self.sender.hold()
+            self.sender.ask(Command("hold"))
             yield lambda: self.phase in (*STANDS, "done")
 
     def find(self, found: list[Held]) -> Person:
