@@ -11,6 +11,7 @@ from pathlib import Path
 import click
 
 from CNCStepper.cli.jog import FEED_MM_MIN, jog_line
+from CNCStepper.cli.overheard import Overheard
 from CNCStepper.cli.talk import Talk, place, port_options
 from CNCStepper.errors import CNCStepperError, LinkError
 
@@ -38,7 +39,8 @@ def command(port: str, baud: int) -> None:
 
     Beside the controller's own lines it knows: ? ! ~ stop home unlock zero jog history help quit. Lines with bytes that
     act at once (! ? ~ and what is not ASCII) are refused. While the position is unknown, after a restart or an alarm
-    that lost it, only homing, jog, unlock, questions and settings are accepted; zero makes it known too.
+    that lost it, only homing, jog, unlock, questions and settings are accepted; zero makes it known too. What the
+    controller says by itself, an alarm for example, is shown as it comes.
 
     Lines also come from a pipe or a file; then the first refusal ends it with exit status 1.
     """
@@ -123,7 +125,7 @@ def _feed_mm_min(words: list[str]) -> float:
 def converse(talk: Talk) -> None:
     """Ask for line after line until quit; a refusal is said, a lost link ends it."""
     session, typed = Session(talk), list[str]()
-    for line in _lines():
+    for line in _lines(talk):
         if line == "quit":
             return
         if line == "history":
@@ -148,10 +150,15 @@ def _try(session: Session, line: str) -> None:
         click.echo(str(error))
 
 
-def _lines() -> Iterator[str]:
+def _lines(talk: Talk) -> Iterator[str]:
+    """Yield the lines that are typed; what the controller says meanwhile is shown. Raises the error of a lost link."""
+    overheard = Overheard(talk, PROMPT)
     while True:
         try:
-            yield input(PROMPT).strip()
+            with overheard:
+                line = input(PROMPT)
+            talk.check()
+            yield line.strip()
         except KeyboardInterrupt:
             click.echo()
         except EOFError:

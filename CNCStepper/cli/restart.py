@@ -59,7 +59,7 @@ _SENDING = (
     click.option("--certificate", type=click.Path(dir_okay=False, path_type=Path), help="Write its certificate there."),
     click.option("--port", help="Send it: a serial port (COM3, /dev/ttyUSB0) or a URL (socket://127.0.0.1:2217)."),
     click.option("--baud", type=click.IntRange(min=300), default=115200, show_default=True),
-    click.option("--zero-confirmed", is_flag=True, help="The work zero is set, the tool is in; else you are asked."),
+    click.option("--zero-confirmed", is_flag=True, help="As of `cncstepper send`; the tool is in."),
     click.option("--resume-pauses", is_flag=True, help="Go on by itself at M0: for a virtual machine or a dry run."),
     click.option(
         "--allow-differences",
@@ -217,13 +217,13 @@ def _tell(proven: ProvenRestart) -> None:
 
 def _write(proven: ProvenRestart, sending: _Sending) -> None:
     """Write program and certificate where they are wanted; the certificate names the program."""
-    from CNCStepper.job.certify import certificate_of
+    from CNCStepper.job.restart import certificate_of_restart
 
     if sending.out:
         sending.out.write_text(proven.restart.text, encoding="utf-8", newline="\n")
         click.echo(f"{sending.out}: written")
     if sending.certificate:
-        sending.certificate.write_text(certificate_of(proven.proof).to_json(), encoding="utf-8")
+        sending.certificate.write_text(certificate_of_restart(proven).to_json(), encoding="utf-8")
         click.echo(f"{sending.certificate}: written")
 
 
@@ -231,10 +231,10 @@ def _send(proven: ProvenRestart, sending: _Sending) -> None:
     """Send the proven lines as `cncstepper send` does."""
     from CNCStepper.cli.send import conclude, confirmed
     from CNCStepper.cli.watch import watch
-    from CNCStepper.job.certify import certificate_of
+    from CNCStepper.job.restart import certificate_of_restart
 
     assert sending.port
-    certificate = certificate_of(proven.proof)
+    certificate = certificate_of_restart(proven)
     certificate.check_clean()
     job = replace(
         certificate.send_job(),

@@ -76,6 +76,11 @@ def _told(story: Story) -> Iterator[tuple[str, str]]:
     machine = f"{header['machine']} at {header['port']}" if header["machine"] else header["port"]
     yield "journal", str(story.path)
     yield "program", f"{header['file'] or 'without a file'}, {story.total} lines to send"
+    if story.first_program:
+        yield (
+            "goes on with",
+            f"{story.first_program.file}: restart that one again, what its restart has cut counts as cut",
+        )
     yield "machine", f"{machine}, grbl {header['firmware']}, begun {header['begin']}"
     yield "ended", _ended(story)
     for fault in story.faults:
@@ -125,18 +130,26 @@ def _position(story: Story) -> str:
 
 def _restart(story: Story) -> str:
     """Return the command that restarts the program, or why there is none."""
-    header = story.header
     if not story.first_line:
         return "every line is cut, only the program's end was not seen"
-    if header["goes_back"]:
-        return f"choose the pass yourself: the program sends lines again, so line {story.first_line} alone is no place"
-    file = Path(header["file"])
+    name, sha256, line, goes_back = story.restarted
+    if goes_back:
+        return f"choose the pass yourself: the program sends lines again, so line {line} alone is no place"
+    file = Path(name)
     if not file.is_file():
-        return f"from line {story.first_line} of the program, which is not a file here any more: {header['file']}"
-    if _was_changed(file, header["program_sha256"]):
+        return f"from line {line} of the program, which is not a file here any more: {name}"
+    if _was_changed(file, sha256):
         return f"none: {file} was changed since, so its lines are not those of the journal; bring the old text back"
-    words = ["cncstepper", "restart", str(file), "--line", str(story.first_line)]
+    words = ["cncstepper", "restart", str(file), "--line", str(line), *_machine(story)]
     return subprocess.list2cmdline(words) if sys.platform == "win32" else _quoted(words)
+
+
+def _machine(story: Story) -> list[str]:
+    """Return the option that names the machine; of a profile of one's own only the name is known."""
+    from CNCStepper.machine.profile import profile_names
+
+    name = story.header["machine"]
+    return ["--machine", name if name in profile_names() else f"PROFILE-OF-{name or 'THE-MACHINE'}.toml"]
 
 
 def _was_changed(file: Path, sha256: str) -> bool:

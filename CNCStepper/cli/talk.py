@@ -63,17 +63,30 @@ class Talk:
         """What was last heard of the machine."""
         return self.client.status
 
+    @property
+    def is_over(self) -> bool:
+        """Whether the desk has ended, or its link is lost."""
+        return self.client.phase == "gone"
+
+    def heard(self) -> list[Event]:
+        """Return what has happened since the last call, at once."""
+        return [event for event in self.client.poll() if not event.get("past")]
+
+    def check(self) -> None:
+        """Raise why the desk has ended, if it has."""
+        if self.is_over:
+            raise self.client.error or CNCStepperError("desk-gone", "the desk has ended", advice="try again")
+
     def look(self) -> list[Event]:
         """Wait a moment and return what has happened; raises the error when the desk has ended."""
         time.sleep(LOOK_EVERY_S)
-        events = [event for event in self.client.poll() if not event.get("past")]
+        events = self.heard()
         for event in events:
             if event["event"] in ("message", "warning"):
                 click.echo(event["text"])
             elif event["event"] == "refused":
                 raise event.get("error") or MachineRefusal("desk-refused", event["text"], advice="see --help")
-        if self.client.phase == "gone":
-            raise self.client.error or CNCStepperError("desk-gone", "the desk has ended", advice="try again")
+        self.check()
         return events
 
     def until(self, done: Callable[[Event], bool]) -> Event:

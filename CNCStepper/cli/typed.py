@@ -1,14 +1,18 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Lines that a person types while pulses are being sent; where nobody types there is nothing to hear."""
+"""Lines that a person types while other work goes on; where nobody types there is nothing to hear.
+
+A thread reads them, since that is the one way that works with terminals, pipes and the consoles of Windows alike.
+"""
 
 from __future__ import annotations
 
 import os
-import select
 import signal
 import sys
 import time
 from collections.abc import Callable
+from queue import Empty, SimpleQueue
+from threading import Thread
 
 LINE_BYTES = 4096
 
@@ -16,39 +20,42 @@ LINE_BYTES = 4096
 class Typed:
     """Hears lines from a file descriptor while it waits, in the thread that waits.
 
-    hear: gets each line without its end. fd: standard input when left out.
+    hear: gets each line without its end. fd: standard input when left out; nothing else may read from it any more.
     """
 
     def __init__(self, hear: Callable[[str], None], fd: int | None = None):
         self._hear = hear
-        self._fd = _standard_input() if fd is None else fd
-        self._left = b""
-        if hasattr(signal, "SIGTTIN"):  # reading behind a shell's back fails then, instead of stopping the pulses
+        self._lines: SimpleQueue[str] = SimpleQueue()
+        fd = _standard_input() if fd is None else fd
+        if hasattr(signal, "SIGTTIN"):  # reading behind a shell's back fails then, instead of stopping the process
             signal.signal(signal.SIGTTIN, signal.SIG_IGN)
+        if fd is not None:
+            Thread(target=self._read, args=(fd,), name="typed", daemon=True).start()
 
     def wait(self, seconds: float) -> None:
         """Wait, and hear what is typed meanwhile; lines that have come are heard even where there is no time."""
         until_s = time.monotonic() + seconds
-        while self._readable(max(0.0, until_s - time.monotonic())):
-            self._read()
+        while True:
+            try:
+                line = self._lines.get(timeout=max(0.0, until_s - time.monotonic()))
+            except Empty:
+                return
+            self._hear(line)
 
-    def _readable(self, seconds: float) -> bool:
-        """Wait until something is there; return False when there is nothing in time."""
-        if self._fd is None or os.name == "nt":  # Windows selects among sockets only
-            time.sleep(seconds)
-            return False
-        return bool(select.select([self._fd], [], [], seconds)[0])
+    def _read(self, fd: int) -> None:
+        """Read to the end; not by sys.stdin, whose lock would keep a process from ending while this thread waits."""
+        left = b""
+        while came := _came(fd):
+            *lines, left = (left + came).split(b"\n")
+            for line in lines:
+                self._lines.put(line.decode("utf-8", "replace").strip())
 
-    def _read(self) -> None:
-        try:
-            came = os.read(self._fd, LINE_BYTES)  # type: ignore[arg-type]
-        except OSError:  # the terminal is gone, or another process has it
-            came = b""
-        *lines, self._left = (self._left + came).split(b"\n")
-        if not came:
-            self._fd = None
-        for line in lines:
-            self._hear(line.decode("utf-8", "replace").strip())
+
+def _came(fd: int) -> bytes:
+    try:
+        return os.read(fd, LINE_BYTES)
+    except OSError:  # the terminal is gone, or another process has it
+        return b""
 
 
 def _standard_input() -> int | None:

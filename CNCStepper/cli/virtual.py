@@ -50,7 +50,7 @@ def command() -> None:
     help="Let go wrong what this TOML or JSON file says, and tell of each fault; see docs/control/faults.md.",
 )
 @click.option("--press", type=FilePath, help="Press its input pins when this TOML file says so.")
-@click.option("--typed", is_flag=True, help="Press its input pins by what is typed here (not on Windows).")
+@click.option("--typed", is_flag=True, help="Press its input pins by what is typed here.")
 @machine_option(required=False)
 def grbl(
     pty, tcp, speed, baud, trace, homing, firmware, until_left, faults, press, typed, machine: Machine | None

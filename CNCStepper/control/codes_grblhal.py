@@ -48,6 +48,7 @@ GRBLHAL_ERRORS: dict[int, Code] = GRBL_ERRORS | {
     64: Code("no memory card is mounted", "put the card in, then mount it with $FM"),
     65: Code("no file system is mounted", "mount it first"),
     66: Code("the file system can only be read", "write to another one"),
+    67: Code("the file system could not be formatted", _CARD),
     70: Code("Bluetooth could not be started", "look at the Bluetooth settings"),
     71: Code("the expression has an operation that is not known", _EXPRESSION),
     72: Code("the expression divides by zero", _EXPRESSION),

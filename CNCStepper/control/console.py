@@ -67,11 +67,14 @@ class Console:
         self._driver.settings[number] = value
         return number in STEPS_PER_MM
 
-    def hear(self, report: Received) -> None:
-        """Tell what belongs to the line under way, and see when the machine stands again."""
-        if not self.active:
+    def hear(self, report: Received, unasked: bool = False) -> None:
+        """Tell what belongs to the line under way, and see when the machine stands again.
+
+        unasked: the report answers no line at all; then it is told as well.
+        """
+        if not self.active and not unasked:
             return
-        if isinstance(report, Status):
+        if isinstance(report, Status) and self.active:
             self._see(report)
         elif isinstance(report, Setting):
             self._tell("console", f"${report.number}={report.value:g}")

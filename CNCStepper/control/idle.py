@@ -144,8 +144,9 @@ class Idle:
 
     def hear(self, received: list[Received]) -> None:
         """Note what ends jogs and homing, or costs the position; called for all that is received."""
+        unasked = not self._driver.unanswered and not any(isinstance(report, Answered) for report in received)
         for report in received:
-            self._console.hear(report)
+            self._console.hear(report, unasked)
             if isinstance(report, Alarm):
                 self._take_alarm(report)
             elif isinstance(report, Greeting):

@@ -26,7 +26,7 @@ class SendJob:
     retrace: what a way back along the cut is proven with (dialect, start, machine: `job.certify`); empty: not known.
     plan: lines of the file in rising order, each with the planned time by its end, s; empty: not known.
     by_line: wait before each line until somebody resumes. inputs: the machine's own buttons, as `machine.inputs.Input`
-    has them.
+    has them. restart_of: the program that a restart goes on with, as `journal.first_program` has it; empty: it is none.
     """
 
     port: str
@@ -47,6 +47,7 @@ class SendJob:
     plan: Sequence[Sequence[float]] = ()
     by_line: bool = False
     inputs: Sequence[Mapping[str, Any]] = ()
+    restart_of: Mapping[str, Any] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         if len(self.file_lines) not in (0, len(self.lines)):

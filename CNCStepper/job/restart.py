@@ -9,12 +9,15 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from pathlib import Path
 
-from CNCStepper.control.certificate import digest_of_text
+from CNCStepper.control.certificate import Certificate, digest_of_text
+from CNCStepper.control.journal.first_program import FirstProgram, pairs_of
 from CNCStepper.errors import Place
 from CNCStepper.gcode.restart.options import Options
 from CNCStepper.gcode.restart.places import Where
 from CNCStepper.gcode.restart.restart import Restart, restart
+from CNCStepper.job.certify import certificate_of
 from CNCStepper.job.make import is_split, make_parts, make_program
 from CNCStepper.job.model import Job
 from CNCStepper.job.prove import (
@@ -46,7 +49,7 @@ class Entering:
 
 @dataclass(frozen=True)
 class ProvenRestart:
-    """A restart program and its proof; `certificate_of(proof)` is what a sender wants."""
+    """A restart program and its proof; `certificate_of_restart` is what a sender wants."""
 
     restart: Restart
     proof: Proof
@@ -127,6 +130,18 @@ def restart_job(
         share=share,
     )
     return ProvenRestart(made, with_findings(proof, _incomplete(proof)))
+
+
+def certificate_of_restart(proven: ProvenRestart) -> Certificate:
+    """Return the certificate of a restart; it names the first program, which a restart of the restart begins from."""
+    content, made = certificate_of(proven.proof).content, proven.restart
+    file = Path(made.program.file)
+    first = FirstProgram(
+        str(file.resolve()) if file.is_file() else str(made.program.file),
+        proven.proof.given.before[-1],
+        tuple(pairs_of(made.file_lines.tolist())),
+    )
+    return Certificate({**content, "send": {**content["send"], "restart_of": first.to_content()}})
 
 
 def restart_name(file: str) -> str:

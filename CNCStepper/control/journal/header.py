@@ -29,6 +29,7 @@ def header_of(job: SendJob, driver: Grbl, found: Found) -> dict[str, Any]:
         "begin": time.strftime("%Y-%m-%d %H:%M:%S"),
         "file": _where(job.file),
         "program_sha256": job.program_sha256,
+        "restart_of": dict(job.restart_of),
         "certificate_sha256": job.certificate_sha256,
         "machine": job.machine,
         "lines": len(job.lines),

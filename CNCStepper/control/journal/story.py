@@ -12,6 +12,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
+from CNCStepper.control.journal.first_program import FirstProgram
 from CNCStepper.control.journal.group import Group
 from CNCStepper.control.journal.lock import is_locked
 from CNCStepper.control.journal.records import Records, read_records
@@ -65,6 +66,20 @@ class Story:
     def first_line(self) -> int:
         """The file's line of the first that is not certainly cut; 0 when all are."""
         return self.group.first_line
+
+    @property
+    def first_program(self) -> FirstProgram | None:
+        """The program that was restarted, where the job is a restart."""
+        return FirstProgram.of(self.header.get("restart_of", {}))
+
+    @property
+    def restarted(self) -> tuple[str, str, int, bool]:
+        """What a restart begins from: file, fingerprint, line, and whether that line alone names no place."""
+        header, first = self.header, self.first_program
+        if first is None:
+            return header["file"], header["program_sha256"], self.first_line, header["goes_back"]
+        goes_back = header["goes_back"] or first.goes_back
+        return first.file, first.sha256, first.line(self.first_line), goes_back
 
     @property
     def last_line(self) -> int:

@@ -24,6 +24,7 @@ class FakeTalk:
         self.answer = "ok"
         self.status = SenderStatus("idle", machine_state="Idle", wpos_mm=(1.0, 2.0, 3.0), position_known=False)
         self.client = self
+        self.is_over = False
         self.hold = lambda: self._note("hold", "held")
         self.resume = lambda: self._note("resume", "busy")
         self.stop = lambda: self._note("stop", "idle")
@@ -31,6 +32,12 @@ class FakeTalk:
     def _note(self, what: str, phase: str) -> None:
         self.asked.append(what)
         self.status = SenderStatus(phase, machine_state=phase)
+
+    def heard(self) -> list[dict[str, str]]:
+        return []
+
+    def check(self) -> None:
+        assert not self.is_over
 
     def type(self, text: str) -> str:
         self.asked.append(text)

@@ -16,6 +16,7 @@ from click.testing import CliRunner, Result
 
 from CNCStepper.cli.main import group
 from CNCStepper.control.certificate import Certificate, digest_of_text
+from CNCStepper.control.journal.first_program import FirstProgram
 
 PROGRAM = (
     "G21 G90\nT1\nM3 S12000\nG4 P1\nG0 Z10\nX0 Y0\nG1 Z-1 F300\nX20 F2000\nY10\nX0\nG0 Z10\nG92 X5 Y5\nX10 Y10\n"
@@ -56,7 +57,14 @@ def test_program_and_certificate_are_written(program: Path) -> None:
     assert result.exit_code == 0, result.output
     text = out.read_text("utf-8")
     assert text.startswith("(restart of peca de teste.nc at line 14)")
-    Certificate.read(certificate).compare("program", digest_of_text(text))
+    proof = Certificate.read(certificate)
+    proof.compare("program", digest_of_text(text))
+    first = FirstProgram.of(proof.send_job().restart_of)
+    assert first and (first.file, first.sha256) == (str(program.resolve()), digest_of_text(PROGRAM))
+    own = text.splitlines()
+    for line, there in enumerate(PROGRAM.splitlines(), 1):
+        if line > 15:
+            assert any(first.line(here) == line and own[here - 1] == there for here in range(1, len(own) + 1))
 
 
 def test_a_restart_that_would_crash_is_refused(program: Path) -> None:

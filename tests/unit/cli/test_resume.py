@@ -60,7 +60,22 @@ def test_a_killed_job_states_its_interval_and_the_restart(tmp_path, program):
     assert "Run at work X10.000 Y10.000 Z10.000, machine X-90.000 Y-40.000 Z-10.000 mm" in text
     assert "kept only if the controller has had power" in text and "home it" in text
     quote = '"' if os.name == "nt" else "'"
-    assert text.endswith(f"cncstepper restart {quote}{program}{quote} --line 43\n")
+    assert text.endswith(f"cncstepper restart {quote}{program}{quote} --line 43 --machine table-a\n")
+
+
+def test_of_a_restart_the_first_program_is_restarted_again(tmp_path, program):
+    first = {"file": str(program), "program_sha256": digest_of_text(TEXT), "lines": [[40, 812]]}
+    text = told(tmp_path, file="part-restart.nc", program_sha256="00", restart_of=first)
+    assert f"goes on with {program}: restart that one again" in text
+    assert text.endswith("--line 815 --machine table-a\n") and "peça 1.nc" in text.splitlines()[-1]
+    program.write_text("G21\n", "utf-8")
+    assert "was changed since" in told(tmp_path, name="2", file="part-restart.nc", restart_of=first)
+    again = first | {"lines": [[9, 812], [20, 812]]}
+    assert "choose the pass yourself" in told(tmp_path, name="3", file="part-restart.nc", restart_of=again)
+
+
+def test_a_profile_of_ones_own_is_left_to_be_named(tmp_path, program):
+    assert "PROFILE-OF-my-table.toml" in told(tmp_path, file=str(program), machine="my-table")
 
 
 def test_a_job_that_lost_its_position_must_be_homed_or_set(tmp_path, program):

@@ -184,3 +184,14 @@ def test_no_line_is_taken_while_a_job_runs(visit):
 
     visit.receive(person)
     assert [error.code for _, error in visit.refused] == ["job-runs"]
+
+
+def test_report_that_nobody_asked_for_is_told_and_the_desks_own_questions_are_not(visit):
+    def person():
+        yield from known_position(visit)
+        yield 1.0  # the desk asks $# and $G anew
+        visit.table.board.send("[PRB:1.000,2.000,3.000:1]")
+        yield lambda: bool(said(visit))
+
+    visit.receive(person)
+    assert said(visit) == ["[PRB:1.000,2.000,3.000:1]"] and not answers(visit)

@@ -20,7 +20,7 @@ from CNCStepper.errors import MachineRefusal, ProgramError
 # The numbers of each firmware's own table, read from its source.
 NUMBERS = {
     "grbl": ([*range(1, 18), *range(20, 39)], range(1, 11)),
-    "grblhal": ([*range(1, 59), *range(60, 67), *range(70, 85), 253], range(1, 22)),
+    "grblhal": ([*range(1, 59), *range(60, 68), *range(70, 85), 253], range(1, 22)),
     "fluidnc": (
         [
             *range(1, 41), *range(60, 71), *range(80, 84), 90, 100, 101, *range(110, 115), 120, 130, *range(150, 153),
