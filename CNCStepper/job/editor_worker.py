@@ -9,13 +9,16 @@ text ends the work on the text before.
     {"change": [first, removed, [line, ...]], "mark": 2}   lines from `first` (counted from 0) give way to others
     {"line": 12}                                           what holds after a line, and the way that it makes
     {"pick": {"matrix": [[...]], "size": [w, h], "at": [x, y]}}   which line's way lies there in the picture
+    {"place": {"matrix": ...}}                             which place of the cuts lies there
+    {"contours": true}                                     by what the places of a restart can be named
     {"edit": {"verb": "offset", "values": {"x_mm": 5}}}    what an editing verb would make of it (`program_edits`)
 
     {"read": 2, "lines": n, "refused": k, "refusals": [...]}   for the newest text; a refusal as `error_to_json`, and
                                                                "length", how many characters of its line are meant
     {"timed": 2, "duration_s": s, "path": "path-2.npz"}        then the times, and lines for the 3D view
     {"sendable": 2, "refusals": [...]}                         of a good one, what only fails when it is sent
-    {"line": 12, ...}  {"pick": 12 or null}
+    {"line": 12, ...}  {"pick": 12 or null}  {"place": [x, y, z] or null}
+    {"contours": [...], "operations": [...], ...}              as `restart_places` tells them
     {"edited": 2, "text": "edited-2.nc", "diff": [line, ...], "more": 0, "changes": n}   or "error_of_edit"
     what cannot be answered           {"error": {...}}, and the process ends with exit status 1
 

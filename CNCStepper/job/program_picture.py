@@ -10,12 +10,13 @@ import numpy as np
 from CNCStepper.simulation.lines import Lines
 from CNCStepper.simulation.paths import DRAWN_MM, lines_in_space
 from CNCStepper.simulation.segments import Segments, segments
-from CNCStepper.toolpath import Toolpath
+from CNCStepper.toolpath import RAPID, Toolpath
 
 MOST_POINTS = 60_000  # of the rapids, and of the feeds, that a 3D view is given to draw
 MOST_SHOWN = 2000  # segments of one line that are shown
 REACH_PX = 8.0  # so near to a segment the pointer must be
 SAME_PX = 1.5  # of segments that are as near as that, the one in front is meant
+SAME_DEPTH = 9  # decimals: of those at one depth the nearest
 
 
 class Picture:
@@ -23,7 +24,8 @@ class Picture:
 
     def __init__(self, toolpath: Toolpath):
         self._toolpath = toolpath
-        self._line = toolpath.table().line
+        table = toolpath.table()
+        self._line, self._cuts = table.line, table.kind != RAPID
         self._segments: Segments = segments(toolpath, DRAWN_MM)
         self._known = self._segments.known()
 
@@ -55,7 +57,23 @@ class Picture:
         matrix: what turns (x, y, z, 1), a row, into the picture's own from -1 to 1; size: of the picture in pixels,
         at: from its lower left corner.
         """
-        ends = [_seen(points, np.array(matrix), np.array(size)) for points in (self._known.begin, self._known.end)]
+        picked = self._picked(self._known, matrix, size, at)
+        return int(self._line[self._known.row[picked[0]]]) if picked else None
+
+    def pick_mm(self, matrix: list[list[float]], size: list[float], at: list[float]) -> list[float] | None:
+        """Return the place of the cuts that is seen there, [x, y, z] in work coordinates, with what `pick` is given."""
+        cuts = self._known[self._cuts[self._known.row]]
+        picked = self._picked(cuts, matrix, size, at)
+        if picked is None:
+            return None
+        index, share = picked
+        return (cuts.begin[index] + (cuts.end[index] - cuts.begin[index]) * share).tolist()
+
+    def _picked(
+        self, pieces: Segments, matrix: list[list[float]], size: list[float], at: list[float]
+    ) -> tuple[int, float] | None:
+        """Return the segment that is seen at a place of the picture, and at which share of it."""
+        ends = [_seen(points, np.array(matrix), np.array(size)) for points in (pieces.begin, pieces.end)]
         (begin, begin_depth), (end, end_depth) = ends
         distance, share = _distance(begin, end, np.array(at))
         distance = np.where(np.isfinite(distance), distance, np.inf)
@@ -63,7 +81,8 @@ class Picture:
             return None
         near = np.flatnonzero(distance <= distance.min() + SAME_PX)
         depth = begin_depth[near] + (end_depth[near] - begin_depth[near]) * share[near]
-        return int(self._line[self._known.row[near[np.argmin(depth)]]])
+        best = int(near[np.lexsort((distance[near], depth.round(SAME_DEPTH)))[0]])
+        return best, float(share[best])
 
 
 def _seen(points: np.ndarray, matrix: np.ndarray, size: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

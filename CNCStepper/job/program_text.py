@@ -18,6 +18,7 @@ from CNCStepper.gcode.take_up import play_of
 from CNCStepper.gcode.words import program_lines
 from CNCStepper.job.program_picture import Picture
 from CNCStepper.job.program_reading import Abandoned, Reading, read_program, unsendable
+from CNCStepper.job.restart_places import contours_told
 from CNCStepper.job.start_file import read_start
 from CNCStepper.machine.profile import Machine, validated
 from CNCStepper.motion.backlash import row_times_s
@@ -78,6 +79,10 @@ class ProgramText:
             return self._line(int(question["line"]))
         if "pick" in question:
             return {"pick": self._picture.pick(**question["pick"]) if self._picture else None}
+        if "place" in question:
+            return {"place": self._picture.pick_mm(**question["place"]) if self._picture else None}
+        if "contours" in question:
+            return contours_told(self.lines, self.dialect, self.start, self.file)
         if "edit" in question:
             return self._edit(**question["edit"])
         raise CNCStepperError("editor-question", "nothing is known that could be asked so", value=str(question)[:80])

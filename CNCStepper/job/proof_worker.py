@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The process that proves: `python -m CNCStepper.job.proof_worker FOLDER NAME`, the folder as in `proof_files`.
+"""The process that proves: `python -m CNCStepper.job.proof_worker FOLDER NAME`, the folder as in `proof_files`,
+with what `restart_files` adds where the restart of a program is proven.
 
 It tells on standard output the stage that begins, one a line, and `part` once the cut part stands in the folder.
 When its standard input is closed nobody waits for the answer any more: it takes the folder away and ends. NAME is the
@@ -15,7 +16,7 @@ import sys
 import threading
 import traceback
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from CNCStepper.errors import CNCStepperError, MissingPackage
 
@@ -49,10 +50,12 @@ def answer(folder: Path, name: str) -> None:
     from CNCStepper.job.certify import certificate_of
     from CNCStepper.job.proof_files import read_question, write_answer, write_part
     from CNCStepper.job.prove import earlier_proofs, prove_job
+    from CNCStepper.job.restart import Entering, restart_job
+    from CNCStepper.job.restart_files import read_place, write_restart
     from CNCStepper.job.start_file import read_start
 
     program, job, machine = read_question(folder)
-    start = read_start(folder)
+    start, place = read_start(folder), read_place(folder)
 
     def tell(stage: str) -> None:
         print(stage, flush=True)
@@ -62,7 +65,13 @@ def answer(folder: Path, name: str) -> None:
         tell("part")
 
     earlier = earlier_proofs(job, machine, program, name, start)
-    proof = prove_job(job, machine, program, name, start, tell=tell, see=see, earlier=earlier)
+    more: dict[str, Any] = {"file": name, "start": start, "tell": tell, "see": see, "earlier": earlier}
+    if place is None:
+        proof = prove_job(job, machine, program, **more)
+    else:
+        restarted = restart_job(job, machine, program, place.where, Entering(place.overlap_mm), **more)
+        proof = restarted.proof
+        write_restart(folder, restarted.restart)
     write_answer(folder, proof, job, certificate_of(proof).to_json())
 
 

@@ -23,6 +23,7 @@ from CNCStepper.job.model import Job
 from CNCStepper.job.prove import (
     Before,
     Proof,
+    See,
     Share,
     Tell,
     operations_before,
@@ -30,6 +31,7 @@ from CNCStepper.job.prove import (
     prove_operations,
     with_findings,
 )
+from CNCStepper.job.restart_files import restart_name
 from CNCStepper.machine.profile import Machine
 from CNCStepper.machine.tool import Tool
 from CNCStepper.simulation.earlier import followed
@@ -101,6 +103,7 @@ def restart_job(
     earlier: Sequence[Proof] = (),
     tell: Tell = lambda stage: None,
     share: Share = lambda share: None,
+    see: See = lambda part: None,
 ) -> ProvenRestart:
     """Return the restart of a job's program at a place, judged against the whole shapes that the job wants removed.
 
@@ -128,6 +131,7 @@ def restart_job(
         dialect=language,
         tell=tell,
         share=share,
+        see=see,
     )
     return ProvenRestart(made, with_findings(proof, _incomplete(proof)))
 
@@ -142,12 +146,6 @@ def certificate_of_restart(proven: ProvenRestart) -> Certificate:
         tuple(pairs_of(made.file_lines.tolist())),
     )
     return Certificate({**content, "send": {**content["send"], "restart_of": first.to_content()}})
-
-
-def restart_name(file: str) -> str:
-    """Return the name of a program's restart: "part.nc" gives "part-restart.nc"."""
-    name, dot, suffix = file.rpartition(".")
-    return f"{name}-restart.{suffix}" if dot else f"{file}-restart"
 
 
 def _options(machine: Machine, tools: dict[int, Tool] | Tool | None, entering: Entering | None) -> Options:

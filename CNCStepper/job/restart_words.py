@@ -57,6 +57,13 @@ def _switched_on(restart: Restart) -> Iterator[str]:
         yield f"waits {approach.dwell_s:g} s"
 
 
+def operation_table(program: Program) -> Iterator[tuple[int, int, str]]:
+    """Yield (number, line, name) of each operation of a program; the line is that of its first move."""
+    last = len(program.table) - 1
+    for number, span in enumerate(program.operations, start=1):
+        yield number, program.file_line(min(span.first, last)), span.name
+
+
 def contour_table(program: Program) -> Iterator[tuple[int, int, str, str, float]]:
     """Yield (number, line, operation, where it begins, length in mm) of each contour of a program."""
     for number, stretch in enumerate(contours(program), start=1):

@@ -9,7 +9,8 @@
 
 What is proven is the program text that stands in the document, a job's own or an edited one; one that is missing or out
 of date is refused.
-A program that was proven last, from the same start state, is not proven again.
+A program that was proven last, from the same start state, is not proven again. With a place in the program its restart
+there is proven instead.
 """
 
 from __future__ import annotations
@@ -34,6 +35,7 @@ if TYPE_CHECKING:
     import numpy as np
 
     from CNCStepper.job.proof_files import Part
+    from CNCStepper.job.restart_files import RestartPlace
     from CNCStepper.simulation.finding import Finding
     from CNCStepper.simulation.lines import Lines
     from CNCStepper.simulation.tip_track import TipTrack
@@ -58,11 +60,11 @@ STAGES = {
 class ProofResult:
     """What is known of a program; its folder goes when the last who holds this object lets go of it.
 
-    program_lines: the text. findings: in the order of the lines. refused: whether it must not be sent.
-    send_file: the certificate. moves: the tip in work coordinates in time. rapids, feeds: as lines.
+    program_lines: the text; of a restart its own. findings: in the order of the lines. refused: whether it must not be
+    sent. send_file: the certificate. moves: the tip in work coordinates in time. rapids, feeds: as lines.
     part: what is left of the stock. tools: the outlines of cutter and shank by number. report: as `cncstepper run`
     writes it. work_origin_mm: where the work zero lies in the document. begins: the start state that it holds for, None
-    where that is not known.
+    where that is not known. words: what a restart does, the core's sentences in its order.
     """
 
     program_lines: list[str]
@@ -79,6 +81,7 @@ class ProofResult:
     tools: dict[int, tuple[np.ndarray, np.ndarray]]
     folder: tempfile.TemporaryDirectory
     begins: Start | None = None
+    words: tuple[str, ...] = ()
 
     @property
     def end_mm(self) -> np.ndarray:
@@ -89,7 +92,8 @@ class ProofResult:
 class ProofRun(QtCore.QObject):
     """One proof of a job's program; `start` it once, `cancel` it at any time.
 
-    begins: the start state of the machine that it is proven for, None where that is not known. part: sent once with
+    begins: the start state of the machine that it is proven for, None where that is not known. place: where it is to be
+    restarted, None for the whole program. part: sent once with
     the Part, as soon as it is cut, and where the work zero lies in the document; not for a proof that is known already.
     """
 
@@ -100,10 +104,16 @@ class ProofRun(QtCore.QObject):
 
     _last: tuple[str, ProofResult] | None = None  # fingerprint of the question, and its answer
 
-    def __init__(self, job_object: Any, parent: Any = None, begins: Start | None = None):
+    def __init__(
+        self,
+        job_object: Any,
+        parent: Any = None,
+        begins: Start | None = None,
+        place: RestartPlace | None = None,
+    ):
         super().__init__(parent)
         self._job = job_object
-        self._begins = begins
+        self._begins, self._place = begins, place
         self._folder: tempfile.TemporaryDirectory | None = None
         self._key = ""
         self._told: tuple[Any, Any] | None = None  # a signal and its value that the next look sends
@@ -140,6 +150,7 @@ class ProofRun(QtCore.QObject):
     def _ask(self) -> None:
         packages.require()
         from CNCStepper.job.proof_files import write_question
+        from CNCStepper.job.restart_files import write_place
         from CNCStepper.job.start_file import write_start
         from CNCStepper.workbench.making import job_of, machine_of
 
@@ -149,6 +160,7 @@ class ProofRun(QtCore.QObject):
         job = job_behind(self._job)
         write_question(path, self._program, job_of(job), machine_of(job))
         write_start(path, self._begins)
+        write_place(path, self._place)
         self._origin_mm = tuple(job.WorkOrigin)
         self._key = _fingerprint(path, self._job.Label, self._origin_mm)
         if ProofRun._last and ProofRun._last[0] == self._key:
@@ -227,16 +239,17 @@ class ProofRun(QtCore.QObject):
 
     def _result(self) -> ProofResult:
         from CNCStepper.job.proof_files import read_answer
+        from CNCStepper.job.restart_files import read_restart
 
         folder, self._folder = self._folder, None
         assert folder is not None
         try:
-            answer = read_answer(Path(folder.name))
+            answer, restart = read_answer(Path(folder.name)), read_restart(Path(folder.name))
         except CNCStepperError:
             folder.cleanup()
             raise
         return ProofResult(
-            program_lines=self._program.splitlines(),
+            program_lines=(restart.program if restart else self._program).splitlines(),
             findings=answer.findings,
             refused=answer.refused,
             send_file=answer.send_file,
@@ -250,6 +263,7 @@ class ProofRun(QtCore.QObject):
             tools=answer.tools,
             folder=folder,
             begins=self._begins,
+            words=restart.words if restart else (),
         )
 
     def _fail(self, error: CNCStepperError) -> None:

@@ -8,11 +8,12 @@ from collections.abc import Iterator
 from contextlib import suppress
 from pathlib import Path
 
-from CNCStepper.control.journal.story import Story, read_story
+from CNCStepper.control.journal.story import RUNNING, Story, read_story
 from CNCStepper.control.session_file import session_folder
 from CNCStepper.errors import CNCStepperError
 
 JOURNAL = ".journal"
+ON_THIS_COMPUTER = "socket://127.0.0.1:"
 KEPT_JOBS = 50
 KEPT_BYTES = 50_000_000
 RECENT_S = 30 * 86_400.0  # an unfinished job is kept so long in any case
@@ -26,6 +27,20 @@ def journals(folder: Path | None = None) -> list[Path]:
 def latest_unfinished(folder: Path | None = None) -> Story | None:
     """Return the latest job that runs, was killed or ended before its time; None when all were cut to their end."""
     return next((story for story in stories(folder) if not story.is_done), None)
+
+
+def unfinished_at(port: str, folder: Path | None = None) -> Story | None:
+    """Return the last job of the machine at a port where it was killed or ended before its time, else None."""
+    last = next((story for story in stories(folder) if is_same_machine(story.header["port"], port)), None)
+    return None if last is None or last.is_done or last.end == RUNNING else last
+
+
+def is_same_machine(port: str, other: str) -> bool:
+    """Return whether two ports are those of one machine, as far as their names tell.
+
+    On this computer only virtual machines listen, each start at another number.
+    """
+    return port == other or (port.startswith(ON_THIS_COMPUTER) and other.startswith(ON_THIS_COMPUTER))
 
 
 def stories(folder: Path | None = None) -> Iterator[Story]:

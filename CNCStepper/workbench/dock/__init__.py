@@ -4,7 +4,10 @@
 from __future__ import annotations
 
 import sys
-from typing import Any
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from CNCStepper.job.restart_files import RestartPlace
 
 
 def show() -> Any:
@@ -14,9 +17,12 @@ def show() -> Any:
     return open_dock()
 
 
-def send(job: Any) -> None:
-    """Open the dock and begin to send a job object: check, connect, ask for the work zero, stream. Returns at once."""
-    show().widget().sending.send(job)
+def send(job: Any, place: RestartPlace | None = None) -> None:
+    """Open the dock and begin to send a job object: check, connect, ask for the work zero, stream. Returns at once.
+
+    place: where it is to be restarted, None for the whole program.
+    """
+    show().widget().sending.send(job, place)
 
 
 def start_here() -> Any:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Sends one job: the steps of `flow` with the proof, the findings and the controller's process behind them.
+"""Sends one job, or its restart: the steps of `flow` with proof, findings and the controller's process behind them.
 
 What is sent is proven for the work zero that the machine has when it starts: while a person is asked for the zero, a
 proof for another one is made again.
@@ -8,7 +8,7 @@ proof for another one is made again.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from CNCStepper.errors import CNCStepperError, JobError
 from CNCStepper.state import Start
@@ -18,6 +18,9 @@ from CNCStepper.workbench.dock.link import Link, told
 from CNCStepper.workbench.dock.state import sentences
 from CNCStepper.workbench.sentences import translated
 from CNCStepper.workbench.words import tr
+
+if TYPE_CHECKING:
+    from CNCStepper.job.restart_files import RestartPlace
 
 
 class Sending:
@@ -40,19 +43,23 @@ class Sending:
         self._parent, self._link = parent, link
         self._show_findings, self._connect, self._changed = show_findings, connect, changed
         self._job: Any = None
+        self._place: RestartPlace | None = None
         self._run: Any = None
         self._result: Any = None
         self._asked: Start | None = None  # what the last proof was asked to begin from
         self._seen: set[tuple[str, int, str]] = set()  # the findings with which a person has decided to go on
 
-    def send(self, job: Any) -> None:
-        """Begin with a job object; one that is being cut already is refused with a message."""
+    def send(self, job: Any, place: RestartPlace | None = None) -> None:
+        """Begin with a job object, or with its restart at a place.
+
+        While one is being cut this is refused with a message.
+        """
         if self._link.moment.job_runs:
             tell.note(tr("A job is being cut already: wait for its end, or stop it."))
             return
         self._give_up_run()
-        self._job, self._seen = job, set()
-        self.flow.begin(job.Label)
+        self._job, self._place, self._seen = job, place, set()
+        self.flow.begin(tr("{0}, restart").format(job.Label) if place else job.Label)
         self._check()
         self._changed()
 
@@ -111,7 +118,7 @@ class Sending:
         except ReferenceError:  # as FreeCAD says it
             self._failed(JobError("job-deleted", "the job was deleted", advice="send another one"))
             return
-        self._run = ProofRun(self._job, self._parent, self._asked)
+        self._run = ProofRun(self._job, self._parent, self._asked, self._place)
         self._run.finished.connect(tell.guarded(self._proved))
         self._run.failed.connect(tell.guarded(self._failed))
         self._run.progress.connect(tell.guarded(self._progress))

@@ -47,8 +47,8 @@ class Language:
 class ProgramReader(QtCore.QObject):
     """What is known of the newest text; `whole` gives all of it, when the process is started.
 
-    read, timed, sendable, at_line, picked, edited: sent with the process's answers. failed: with an error; the next
-    change starts the process again.
+    read, timed, sendable, at_line, picked, place_picked, listed, edited: sent with the process's answers. failed: with
+    an error; the next change starts the process again.
     """
 
     read = QtCore.Signal(object)
@@ -56,6 +56,8 @@ class ProgramReader(QtCore.QObject):
     sendable = QtCore.Signal(object)
     at_line = QtCore.Signal(object)
     picked = QtCore.Signal(object)
+    place_picked = QtCore.Signal(object)
+    listed = QtCore.Signal(object)
     edited = QtCore.Signal(object)
     failed = QtCore.Signal(object)
 
@@ -157,6 +159,8 @@ class ProgramReader(QtCore.QObject):
             "sendable": self.sendable,
             "line": self.at_line,
             "pick": self.picked,
+            "place": self.place_picked,
+            "contours": self.listed,
             "edited": self.edited,
         }
         next(signal for kind, signal in kinds.items() if kind in answer).emit(answer)

@@ -14,16 +14,23 @@ from CNCStepper.control.journal import store
 from CNCStepper.control.journal.group import Group
 from CNCStepper.control.journal.journal_file import JournalFile
 from CNCStepper.control.journal.lock import is_locked
-from CNCStepper.control.journal.store import RECENT_S, journals, latest_unfinished, prune
-from CNCStepper.control.journal.story import FORMAT, RUNNING, VERSION, read_story
+from CNCStepper.control.journal.store import (
+    RECENT_S,
+    is_same_machine,
+    journals,
+    latest_unfinished,
+    prune,
+    unfinished_at,
+)
+from CNCStepper.control.journal.story import FORMAT, KILLED, RUNNING, VERSION, read_story
 
 GROUP = Group(1.0, 10, 5, 2, 3, 11).to_content()
 HEADER = {"format": FORMAT, "version": VERSION, "lines": 20, "last_line": 20}
 
 
-def written(path, end="", age_s=0.0):
+def written(path, end="", age_s=0.0, **header):
     file = JournalFile(path)
-    file.append(HEADER)
+    file.append(HEADER | header)
     file.append(GROUP)
     if end:
         file.append({"end": end, "why": "so", "position_known": True, **GROUP})
@@ -59,6 +66,26 @@ def test_the_latest_that_was_not_cut_to_its_end_is_the_one_to_resume(tmp_path):
     written(tmp_path / "3.journal", "done")
     story = latest_unfinished(tmp_path)
     assert story.path == stopped and story.why == "so" and story.position_known
+
+
+def test_the_last_job_of_a_machine_is_offered_where_it_did_not_end(tmp_path):
+    written(tmp_path / "1.journal", "stopped", port="COM3")
+    lost = written(tmp_path / "2.journal", port="COM4")
+    written(tmp_path / "3.journal", "done", port="COM3")
+    assert unfinished_at("COM3", tmp_path) is None and unfinished_at("COM5", tmp_path) is None
+    assert unfinished_at("COM4", tmp_path).path == lost
+    running = JournalFile(tmp_path / "4.journal")
+    running.append(HEADER | {"port": "COM4"})
+    running.append(GROUP)
+    assert unfinished_at("COM4", tmp_path) is None
+    running.close()
+    assert unfinished_at("COM4", tmp_path).end == KILLED
+
+
+def test_virtual_machines_are_told_by_no_number():
+    assert is_same_machine("socket://127.0.0.1:4711", "socket://127.0.0.1:4712")
+    assert not is_same_machine("socket://192.168.0.7:23", "socket://192.168.0.8:23")
+    assert is_same_machine("/dev/ttyUSB0", "/dev/ttyUSB0") and not is_same_machine("COM3", "COM33")
 
 
 def test_a_running_job_is_told_from_a_killed_one(tmp_path):

@@ -114,6 +114,43 @@ def test_of_two_ways_one_above_the_other_the_one_in_front_is_meant(tmp_path: Pat
     assert here.hear() == [{"pick": 3}]
 
 
+def test_the_place_of_the_cuts_under_the_pointer(here: Here) -> None:
+    here.hear(2)
+    question = {"matrix": FROM_ABOVE, "size": [100, 100]}
+    for at, place in (((65, 50.4), [30, 0, -1]), ((80.3, 59.9), [60, 20, -1]), ((90, 90), None)):
+        here.put({"place": {**question, "at": list(at)}})
+        (told,) = here.hear()
+        assert told["place"] == (place and pytest.approx(place, abs=0.5))
+
+
+def test_a_rapid_is_no_place_to_restart_at(tmp_path: Path) -> None:
+    here = Here(tmp_path, "G21 G90\nG0 X0 Y0 Z5\nG0 X40\nG1 Z-5 F100\nM2\n")
+    here.hear(3)
+    here.put({"place": {"matrix": FROM_ABOVE, "size": [100, 100], "at": [60, 50]}})
+    assert here.hear() == [{"place": None}]
+
+
+def test_the_places_of_a_restart_are_listed(tmp_path: Path) -> None:
+    text = "G21 G90 F200\n(operation: slot)\nG0 X0 Y0 Z5\nG1 Z-1\nX40\nG0 Z5\nY20\nG1 Z-1\nX0\nG0 Z5\nM2\n"
+    here = Here(tmp_path, text)
+    here.hear(3)
+    here.put({"contours": True})
+    (told,) = here.hear()
+    told = json.loads(json.dumps(told))
+    assert [(number, line, round(length_mm)) for number, line, *_, length_mm in told["contours"]] == [
+        (1, 4, 46),
+        (2, 8, 46),
+    ]
+    assert told["more"] == 0 and "error_of_contours" not in told
+
+
+def test_of_a_program_that_cannot_be_read_no_places_are_listed(here: Here) -> None:
+    here.hear(2)
+    here.put({"contours": True})
+    (told,) = here.hear()
+    assert told["contours"] == [] and told["error_of_contours"]["place"]["line"] == 6
+
+
 def test_what_a_refusal_means_of_its_line_is_measured(tmp_path: Path) -> None:
     here = Here(tmp_path, "G21\nG1 X1 Y1 Q12.5 F10\nX1 $22\n")
     (read,) = here.hear()

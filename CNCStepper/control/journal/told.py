@@ -1,0 +1,81 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a journal tells of its job, in words for people: how it ended, what is certain of its lines and of the place."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Iterator
+
+from CNCStepper.control.journal.story import KILLED, RUNNING, Story
+from CNCStepper.errors import MachineRefusal, Place
+
+UNTIL_HOMED = "until then nothing but homing, jogging and setting the zero is safe"
+
+
+def check_ended(story: Story) -> None:
+    """Raise MachineRefusal where the job still runs."""
+    if story.end == RUNNING:
+        raise MachineRefusal(
+            "job-runs",
+            f"the job still runs, on {story.header['port']}",
+            advice="hold or stop it where it was started, or wait until it has ended",
+            place=Place(str(story.path)),
+        )
+
+
+def told_of(story: Story) -> Iterator[tuple[str, str]]:
+    """Yield what is known of a job that has ended: a short name, and the words."""
+    yield "ended", how_it_ended(story)
+    for fault in story.faults:
+        yield "damaged", fault
+    yield from _lines(story)
+    group = story.group
+    if group.wpos_mm and group.mpos_mm:
+        moment = time.strftime("%Y-%m-%d %H:%M:%S", time.localtime(group.time_s))
+        work, machine = _place(group.wpos_mm), _place(group.mpos_mm)
+        yield "last seen", f"{group.state} at work {work}, machine {machine} mm, {moment}"
+    yield "position", _position(story)
+
+
+def how_it_ended(story: Story) -> str:
+    """Return how the job ended, and why."""
+    if story.end == KILLED:
+        return "killed: the sender or its computer stopped without a word; what the controller held it may have made"
+    return f"{story.end}: {story.why}"
+
+
+def why_no_line(story: Story) -> str:
+    """Return why the job names no line from which its program can be restarted, "" where it does."""
+    if not story.first_line:
+        return "every line is cut, only the program's end was not seen"
+    _, _, line, goes_back = story.restarted
+    if goes_back:
+        return f"choose the pass yourself: the program sends lines again, so line {line} alone is no place"
+    return ""
+
+
+def _lines(story: Story) -> Iterator[tuple[str, str]]:
+    """Yield what is certain of the program's lines, and what is not."""
+    if not story.first_line:
+        yield "certain", "every line is cut"
+        return
+    yield "certain", f"all before line {story.first_line} is cut" if story.finished else "nothing is certainly cut"
+    if story.may_be_sent > story.finished:
+        last = max(story.last_line, story.first_line)
+        yield "not certain", f"line {story.first_line} may not have been begun, line {last} may have been sent"
+    if story.may_be_sent < story.total:
+        yield "not sent", "what comes after that"
+
+
+def _position(story: Story) -> str:
+    home = "home it" if story.header["homing"] else "set its zero again"
+    if story.position_known is False:
+        return f"unknown: {home} before the restart; {UNTIL_HOMED}"
+    return (
+        f"kept only if the controller has had power ever since and was not reset in motion; a greeting, an alarm or a "
+        f"place that is not right says that it was: then {home}; {UNTIL_HOMED}"
+    )
+
+
+def _place(position_mm: tuple[float, ...]) -> str:
+    return " ".join(f"{axis}{value:.3f}" for axis, value in zip("XYZABC", position_mm, strict=False))
