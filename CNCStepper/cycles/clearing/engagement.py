@@ -6,22 +6,23 @@ that of the given stepover.
 
 In narrow channels the walks are arcs hardly wider than the tool; at the same engagement these are far less deep than a
 straight way, and many. A room whose walks come to be so long is planned again in finer steps and with a little more
-engagement in such bends: as much as is no deeper than the stepover where the front runs along the way.
+engagement in such bends: as much as is no deeper than the stepover where the front runs along the way. A pocket for
+which that is still too long is refused.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from contextlib import suppress
 from dataclasses import dataclass, replace
 
 from CNCStepper.cycles.clearing.engagement_chart import inset_mm
+from CNCStepper.cycles.clearing.engagement_length import Length, parallels_mm, require_short
 from CNCStepper.cycles.clearing.engagement_plan import Plan, narrow
 from CNCStepper.cycles.clearing.form import Area, Opening, Run
 from CNCStepper.errors import CycleError
 from CNCStepper.geometry.region import Region
 
-LONG = 1.61  # times the length of parallels: rooms whose walks cut longer are planned anew
+LONG = 1.58  # times the length of parallels: rooms in which more is cut are planned anew
 
 
 @dataclass(frozen=True)
@@ -33,22 +34,23 @@ class EngagementPattern:
     def __call__(self, area: Area) -> list[Run]:
         """Return the runs, one for each part of the room.
 
-        Raises CycleError where the room is too narrow for the bound.
+        Raises CycleError where the room is too narrow for the bound, or so narrow that the way would be too long.
         """
         if not area.climb:
             return [_mirrored_run(run) for run in self(replace(area, room=_mirrored(area.room), climb=True))]
-        return [run for part in area.room.parts() for run in self._part(replace(area, room=part))]
+        planned = [self._part(replace(area, room=part)) for part in area.room.parts()]
+        require_short(area, [length for _, length in planned])
+        return [run for run, _ in planned]
 
-    def _part(self, area: Area) -> Iterator[Run]:
+    def _part(self, area: Area) -> tuple[Run, Length]:
         rooms = area.room.offset(-inset_mm(area), inset_mm(area) / 4.0).parts()
         if len(rooms) != 1:
             raise narrow(area.room.loops[0].xy[0])
-        plan = Plan(area, rooms[0], self.max_deg)
-        run = plan.run()
-        if plan.cut_mm > LONG * _parallels_mm(area.room, run.apart_mm):
+        run, length = _planned(Plan(area, rooms[0], self.max_deg))
+        if length.times > LONG:
             with suppress(CycleError):  # there is a run within the bound at least
-                run = Plan(area, rooms[0], self.max_deg, channels=True).run()
-        yield run
+                run, length = _planned(Plan(area, rooms[0], self.max_deg, channels=True))
+        return run, length
 
 
 def engagement_pattern(max_deg: float) -> EngagementPattern:
@@ -59,9 +61,11 @@ def engagement_pattern(max_deg: float) -> EngagementPattern:
     return EngagementPattern(max_deg)
 
 
-def _parallels_mm(room: Region, apart_mm: float) -> float:
-    """Return about how long a room's loops and all their parallels are: by the trapezoidal rule over the distance."""
-    return room.area_mm2 / apart_mm + room.length_mm / 2.0
+def _planned(plan: Plan) -> tuple[Run, Length]:
+    run = plan.run()
+    beside_mm = parallels_mm(plan.area.room, run.apart_mm, plan.area.tolerance_mm)
+    cut_mm = plan.cut_mm if plan.cut_mm <= LONG * beside_mm else plan.in_material_mm(run)
+    return run, Length(cut_mm, beside_mm, run.apart_mm)
 
 
 def _mirrored(room: Region) -> Region:

@@ -47,10 +47,11 @@ SIDEWAYS = 1.6  # the same, straight in
 REST = 0.3  # of the radius: the way between two walks, at least; what is just cut beside the tool counts as in its way
 WALL_LAG = 0.4  # of the radius
 CHIP = 0.03  # of the radius, or four tolerances: along walls a thinner one counts as nothing
+SEEN = 0.8  # of that: thinner chips are no cutting where the length in the material is measured
 
 
 class Plan:
-    """The run through one room, while it grows, and how long its walks cut so far.
+    """The run through one room, while it grows, and how far its walks cut so far, the thinnest chips too.
 
     max_deg: the bound. channels: whether walks may exceed it in bends, no deeper than they may be straight on.
     """
@@ -73,6 +74,16 @@ class Plan:
         self._require_cleared()
         apart_mm = self.area.tool_mm * (1.0 - math.cos(self.most))
         return Run(tuple(self._passes(walls)), apart_mm, self.opening)
+
+    def in_material_mm(self, run: Run) -> float:
+        """Return on how much of a run, which is cut anew for that, the tool meets material."""
+        chart, length_mm = self.chart, 0.0
+        chart.fill()
+        chart.cut(0, chart.begins[1])
+        for curve in (one.curve for one in run.passes if not one.lifted):
+            points, angles = self._followed(curve, chart, SEEN)
+            length_mm += float(np.hypot(*np.diff(points, axis=0).T)[angles > 0.0].sum())
+        return length_mm
 
     def _clear(self) -> None:
         self._rough()
@@ -195,15 +206,23 @@ class Plan:
 
     def _too_much(self, wall: Curve, chart: Chart) -> np.ndarray:
         """Cut along a wall and return where the rim met more than the bound, float64[n, 2], the worst place first."""
-        tool_mm = self.area.tool_mm
-        parts = max(math.ceil(wall.length_mm / (0.05 * tool_mm)), 2)
-        corners_mm = np.cumsum(wall.lengths_mm)[:-1]
-        points = wall.at_length(np.union1d(np.linspace(0.0, wall.length_mm, parts + 1), corners_mm))[0]
-        angles = np.zeros(len(points) - 1)
-        thin = max(CHIP * tool_mm, 4.0 * self.area.tolerance_mm)
-        follow(chart.map, points, chart.count - 1, tool_mm, thin, WALL_LAG * tool_mm, chart.front, chart.met, angles)
+        points, angles = self._followed(wall, chart, 1.0)
         worst_first = np.argsort(-angles)
         return points[1:][worst_first[np.degrees(angles[worst_first]) > self.max_deg + MARGIN_DEG]]
+
+    def _followed(self, curve: Curve, chart: Chart, share: float) -> tuple[np.ndarray, np.ndarray]:
+        """Cut along a curve; return places along it, float64[n, 2], and at which angle each but the first is met.
+
+        share: of CHIP; a thinner chip counts as nothing.
+        """
+        tool_mm = self.area.tool_mm
+        parts = max(math.ceil(curve.length_mm / (0.05 * tool_mm)), 2)
+        corners_mm = np.cumsum(curve.lengths_mm)[:-1]
+        points = curve.at_length(np.union1d(np.linspace(0.0, curve.length_mm, parts + 1), corners_mm))[0]
+        angles = np.zeros(len(points) - 1)
+        thin = share * max(CHIP * tool_mm, 4.0 * self.area.tolerance_mm)
+        follow(chart.map, points, chart.count - 1, tool_mm, thin, WALL_LAG * tool_mm, chart.front, chart.met, angles)
+        return points, angles
 
     def _require_cleared(self) -> None:
         chart = self.chart

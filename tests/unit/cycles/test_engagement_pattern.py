@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import math
+import re
 from dataclasses import dataclass, replace
 from functools import cache
 
@@ -29,8 +30,10 @@ from CNCStepper.simulation.stock import Stock
 
 TOLERANCE_MM = 0.01
 MARGIN_DEG = 5.0
-HARD = (42, 49, 185)  # seeds: narrow channels, and bites close together in a neck
+HARD = (42, 49, 185, 356)  # seeds: narrow channels, and bites close together in a neck
+LONG = 410  # the seed of a room that is all channels
 LONGER = 1.6  # than the offset pattern, at most
+ROOMIEST = 1.8  # of the radius: no entry opens a wider disc
 ANGLES_DEG = (45.0, 60.0, 75.0, 90.0, 120.0)
 PLATE = [(30, 25), (70, 22), (85, 40), (120, 30), (130, 60), (100, 85), (60, 70), (35, 85)]
 BOSS = [(90, 50), (104, 48), (106, 62), (92, 64)]
@@ -62,7 +65,7 @@ def _runs(seed: int) -> list[Run] | CycleError:
     try:
         return engagement_pattern(case.max_deg)(case.drawn.area(case.stepover_mm))
     except CycleError as refusal:
-        assert refusal.code == "engagement-narrow"
+        assert refusal.code in ("engagement-narrow", "engagement-long")
         return refusal
 
 
@@ -73,6 +76,14 @@ def _offset_length_mm(room: Region, stepover_mm: float) -> float:
         length_mm, step = length_mm + ring.length_mm, step + 1
         ring = room.offset(-step * stepover_mm, TOLERANCE_MM)
     return length_mm
+
+
+def _least_length_mm(case: Case) -> float:
+    """Return below which length no way can be: a straight front at the bound gives a stepover's area a millimetre."""
+    drawn = case.drawn
+    parts = len(drawn.area(case.stepover_mm).room.parts())
+    opened_mm2 = parts * math.pi * (ROOMIEST * drawn.tool_mm) ** 2
+    return (reachable(drawn.region, drawn.tool_mm).area - opened_mm2) / case.stepover_mm
 
 
 def _plate(**keys: object) -> Pocket:
@@ -114,6 +125,33 @@ def test_the_random_areas_have_islands_and_slivers_and_few_are_refused():
     assert sum(bool(case.drawn.islands) for case in cases) >= 0.1 * len(cases)
     assert sum(case.drawn.sliver for case in cases) >= 0.1 * len(cases)
     assert sum(isinstance(_runs(seed), CycleError) for seed in SEEDS) <= 0.3 * len(cases)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("seed", dict.fromkeys([*SEEDS, LONG]))
+def test_areas_are_refused_as_too_long_only_where_no_way_at_the_bound_is_shorter(seed):
+    refusal, case = _runs(seed), _case(seed)
+    if not isinstance(refusal, CycleError) or refusal.code != "engagement-long":
+        assert seed != LONG
+        return
+    offset_mm = _offset_length_mm(case.drawn.area(case.stepover_mm).room, case.stepover_mm)
+    assert _least_length_mm(case) > LONGER * offset_mm
+
+
+@pytest.mark.slow
+def test_a_room_of_channels_is_cleared_at_the_engagement_that_its_refusal_names():
+    refused = _runs(LONG)
+    assert isinstance(refused, CycleError)
+    told = re.fullmatch(
+        r"use an engagement_max_deg of (\d+) or more with a stepover_mm of ([\d.]+) or .*", refused.advice
+    )
+    assert told
+    case = replace(_case(LONG), max_deg=float(told[1]))
+    assert case.stepover_mm <= float(told[2]) < case.stepover_mm + 0.01
+    area = case.drawn.area(case.stepover_mm)
+    met = [met_by(run, area.tool_mm) for run in engagement_pattern(case.max_deg)(area)]
+    assert max(one.angle_deg.max() for one in met) <= case.max_deg + MARGIN_DEG
+    assert sum(one.cut_mm for one in met) <= LONGER * _offset_length_mm(area.room, case.stepover_mm)
 
 
 @pytest.mark.slow
