@@ -21,6 +21,7 @@ from judged import cut, tool
 from random_areas import random_area
 
 from CNCStepper.cycles.clearing.engagement import engagement_pattern
+from CNCStepper.cycles.clearing.engagement_length import parallels_mm
 from CNCStepper.cycles.clearing.form import Area
 from CNCStepper.cycles.pocket import Pocket
 from CNCStepper.geometry.curve import circle, from_points
@@ -38,15 +39,6 @@ def plate_room() -> Region:
     return Region.of([from_points(PLATE, closed=True)], islands).offset(-3.0, TOLERANCE_MM / 4)
 
 
-def offset_length_mm(room: Region, stepover_mm: float) -> float:
-    """Return the length of the room's loops and of all its parallels, a stepover apart."""
-    length_mm, step, ring = 0.0, 0, room
-    while not ring.empty:
-        length_mm, step = length_mm + ring.length_mm, step + 1
-        ring = room.offset(-step * stepover_mm, TOLERANCE_MM)
-    return length_mm
-
-
 def show(name: str, room: Region, tool_mm: float, max_deg: float) -> None:
     """Print one row."""
     stepover_mm = tool_mm * (1.0 - math.cos(math.radians(max_deg)))
@@ -55,7 +47,7 @@ def show(name: str, room: Region, tool_mm: float, max_deg: float) -> None:
     runs = engagement_pattern(max_deg)(area)
     wall_s, cpu_s = time.perf_counter() - begun, time.process_time() - cpu
     met = [met_by(run, tool_mm) for run in runs]
-    offset_mm = offset_length_mm(room, stepover_mm)
+    offset_mm = parallels_mm(room, stepover_mm, TOLERANCE_MM)
     cut_mm = sum(one.cut_mm for one in met)
     feed_mm = sum(one.feed_mm for one in met)
     blocks = sum(len(one.curve) for run in runs for one in run.passes)
