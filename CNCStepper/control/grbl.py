@@ -218,6 +218,7 @@ class Grbl:
             self.settings[report.number] = report.value
         elif isinstance(report, Greeting):
             self._forget_lines()
+            self._spoken = False  # what was under way may still be answered in part
             self.overrides = None
             self._recognise(greeted_by(report.text))
         elif isinstance(report, Feedback):

@@ -36,7 +36,8 @@ def reset(driver: Grbl, timing: Timing, heard: list[Received] | None = None) -> 
     """
     heard = [] if heard is None else heard
     before = _greetings(heard)
-    if not any(_comes_back(driver, timing, heard) for _ in range(RESETS)):
+    resets = next((count for count in range(1, RESETS + 1) if _comes_back(driver, timing, heard)), 0)
+    if not resets:
         return False
     back_s = driver.clock()
     if not _wait(driver, timing, timing.wake_s, heard, lambda: driver.status_asked_s > back_s):
@@ -44,7 +45,8 @@ def reset(driver: Grbl, timing: Timing, heard: list[Received] | None = None) -> 
     alarms = [report.code for report in heard if isinstance(report, Alarm)]
     locked = driver.status is not None and driver.status.state in ("Alarm", "Sleep")
     kept = all(driver.firmware.alarm(code).position_kept for code in alarms)
-    return before == 0 and bool(alarms or not locked) and kept
+    restarted = before > 0 or _greetings(heard) > resets  # once more than it was told to
+    return not restarted and bool(alarms or not locked) and kept
 
 
 def _comes_back(driver: Grbl, timing: Timing, heard: list[Received]) -> bool:

@@ -75,7 +75,8 @@ def _plunge_mm_min(program: Program, row: int, state: State, options: Options) -
     if tool is not None and tool.plunge_mm_min:
         return tool.plunge_mm_min
     table, ways = program.table, program.table.end[:, :3] - program.begins
-    upright = program.feeds & (ways[:, 2] < -LEVEL_MM) & (np.abs(ways[:, :2]) <= LEVEL_MM).all(axis=1)
+    first = np.isnan(program.begins[:, 2]) & np.isfinite(table.end[:, 2])  # from a height that is not known
+    upright = program.feeds & ((ways[:, 2] < -LEVEL_MM) | first) & (np.abs(ways[:, :2]) <= LEVEL_MM).all(axis=1)
     numbers = np.array([one.tool for one in program.path.states], int)[table.state]
     plunges = np.flatnonzero(upright & (numbers == state.tool))
     if len(plunges):

@@ -24,12 +24,12 @@ class Axes:
 
     def __init__(self, settings: Settings):
         self._settings = settings
-        self._steps_per_mm = self._resolutions()
+        self._steps_per_mm, self._travels_mm = self._resolutions(), self._travels()
         self._motion = Motion(self._limits())
         self.position_steps = self._motion.position_steps  # machine position
         self.declared = 0  # how often a place was declared rather than reached
         self.lost_steps = [
-            round(-travel / 2 * steps) for travel, steps in zip(self._travels(), self._steps_per_mm, strict=True)
+            round(-travel / 2 * steps) for travel, steps in zip(self._travels_mm, self._steps_per_mm, strict=True)
         ]
 
     @property
@@ -104,8 +104,8 @@ class Axes:
         self._motion.override(feed_percent / 100, rapid_percent / 100)
 
     def adopt_settings(self) -> None:
-        """Take over resolutions, rates and accelerations; the position in steps stays. No move may be queued."""
-        self._steps_per_mm = self._resolutions()
+        """Take over resolutions, rates, accelerations and travels; the place in steps stays. No move may be queued."""
+        self._steps_per_mm, self._travels_mm = self._resolutions(), self._travels()
         self._stand_at(self.position_steps)
 
     def set_position(self, axis: int, position_mm: float) -> None:
@@ -118,7 +118,7 @@ class Axes:
 
     def to_switch_mm(self, axis: int, low: bool) -> float:
         """Return the way from here to the switch at the low or the high end of an axis, signed."""
-        end_steps = -self._travels()[axis] * self._steps_per_mm[axis] if low else 0.0
+        end_steps = -self._travels_mm[axis] * self._steps_per_mm[axis] if low else 0.0
         return (end_steps - self.position_steps[axis] - self.lost_steps[axis]) / self._steps_per_mm[axis]
 
     def pressed_switches(self) -> list[str]:

@@ -5,28 +5,37 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import cache
+from pathlib import Path
 
-from fault_judge import Claim, MachineTrace, Row, Run
+from fault_disk import AtOnce, Disk
+from fault_judge import Claim, MachineTrace, Reference, Run
 
 from CNCStepper.control.command import Command
+from CNCStepper.control.journal.journal import Journal
 from CNCStepper.control.outcome import REFUSED, Outcome
 from CNCStepper.control.readiness import expected_settings
 from CNCStepper.control.send_job import SendJob
 from CNCStepper.control.sender import Sender
 from CNCStepper.errors import LinkError
 from CNCStepper.machine.profile import load_machine
-from CNCStepper.virtual.faults import FaultPlan
+from CNCStepper.virtual.faults import Fault, FaultPlan
 from CNCStepper.virtual.faults_link import FaultyLink
 from CNCStepper.virtual.grbl.link import Link
 from CNCStepper.virtual.grbl.machine import Grbl
 
-STEP_S, QUIET_STEP_S = 0.004, 0.02
+STEP_S, QUIET_STEP_S = 0.01, 0.02
 LIMIT_S = 240.0  # no run of these tests takes so long; a sender that waits for ever does
-AFTERWARDS_S = 8.0  # what the buffers hold is cut after the sender has gone
+AFTERWARDS_S = 12.0  # what the buffers hold is cut after the sender has gone
+QUESTIONS = 5  # of a sender at the begin; each is answered
+FILE = "part.nc"
 
 
 class NeverEnds(Exception):
     """A run that goes on far beyond its time."""
+
+
+class Killed(BaseException):
+    """The end of the sender's process: nothing that it does from now on reaches anything."""
 
 
 class SimulatedLink:
@@ -42,6 +51,7 @@ class SimulatedLink:
         self._to_send = bytearray()
         self._broken = self._rung = False
         self.woken = False
+        self.killed = False
 
     def clock(self) -> float:
         return self.line.board.time_s
@@ -86,7 +96,8 @@ class SimulatedLink:
         self.woken, self._rung = self._rung, False
 
     def close(self) -> None:
-        self._to_send.clear()
+        if not self.killed:  # else the system still sends what it was given
+            self._to_send.clear()
 
     def pass_time(self) -> None:
         if room := min(self.line.room, len(self._to_send)):
@@ -95,6 +106,8 @@ class SimulatedLink:
         self.line.advance(QUIET_STEP_S if self.line.quiet else STEP_S)
 
     def _check(self) -> None:
+        if self.killed:
+            raise Killed
         self._broken = self._broken or self.line.take_cut()
         if self._broken:
             raise LinkError("link-lost", "the link to simulated broke", advice="check the cable")
@@ -103,20 +116,22 @@ class SimulatedLink:
 
 
 @cache
-def reference_of(lines: tuple[str, ...]) -> tuple[tuple[Row, ...], int]:
-    """Return the path of a program, and how many answers a sender hears, on a board that gets it line by line."""
+def reference_of(lines: tuple[str, ...]) -> Reference:
+    """Return the path of a program on a board that gets each line when the one before it is cut."""
     board = Grbl(load_machine("table-a"))
     trace = MachineTrace(board)
+    ends = []
     for line in lines:
         board.receive(line.encode("ascii") + b"\n")
-        while b"ok" not in (said := board.take_output()):
-            assert b"error" not in said and b"ALARM" not in said, (line, said)
+        said = b""
+        while b"ok" not in said or not board.quiet:
             board.advance(STEP_S)
+            said += board.take_output()
+            assert b"error" not in said and b"ALARM" not in said, (line, said)
             if board.suspension.active:
                 board.receive(b"~")
-    while not board.quiet:
-        board.advance(STEP_S)
-    return tuple(trace.rows), len(lines)
+        ends.append(len(trace.rows) - 1)
+    return Reference(tuple(trace.rows), tuple(ends))
 
 
 def claim_of(outcome: Outcome) -> Claim:
@@ -127,44 +142,92 @@ def claim_of(outcome: Outcome) -> Claim:
 
 
 class FaultBench:
-    """One run of `lines` under a plan; hold_s: when a person holds it. Whoever finds it held lets it go on."""
+    """One run of `lines` under a plan; hold_s: when a person holds it. Whoever finds it held lets it go on.
 
-    def __init__(self, lines: tuple[str, ...], plan: FaultPlan, *, hold_s: float = 0.0, sender=Sender, **options):
+    folder: of the journal; None keeps none. board: a machine that has run already, a new one when None.
+    """
+
+    def __init__(
+        self,
+        lines: tuple[str, ...],
+        plan: FaultPlan,
+        *,
+        hold_s: float = 0.0,
+        folder: Path | None = None,
+        board: Grbl | None = None,
+        job: SendJob | None = None,
+    ):
         self.lines = lines
-        self.board = Grbl(load_machine("table-a"))
-        self.line = FaultyLink(Link(self.board), plan, **options)
+        self.board = board or Grbl(load_machine("table-a"))
+        self.line = FaultyLink(Link(self.board), plan, outside=self._suffer)
         self.trace = MachineTrace(self.board)
         self.link = SimulatedLink(self.line)
         self.link.at_read = self._person
+        self.disk = Disk(self.link.clock)
         self.told: list[tuple[str, str]] = []
         self._hold_s = hold_s
-        expected = expected_settings(load_machine("table-a"))
-        self.sender = sender(
-            SendJob("simulated", lines, zero_confirmed=True, expected=expected),
+        self._waits = False  # for room on the disk
+        self.journal = Journal(folder, executor=AtOnce(), clock=self.link.clock) if folder else None
+        self.sender = Sender(
+            job or job_of(lines),
             opener=lambda name, baud: self.link,
             clock=self.link.clock,
             tell=self._hear,
+            journal=self.journal,
         )
 
     def run(self) -> Run:
         """Let the sender run, and the machine after it; return all that a judge may know."""
-        try:
-            self.outcome = self.sender.run()
-            claim = claim_of(self.outcome)
-        except NeverEnds:
-            claim = Claim(False, False, True, None, "never ends")
+        begin_s = self.board.time_s
+        with self.disk.in_use():
+            claim = self._claim()
         end_s = self.board.time_s + AFTERWARDS_S
         while not self.board.quiet and self.board.time_s < end_s:
-            self.line.advance(STEP_S)
-        rows, answers = reference_of(self.lines)
-        return Run(list(rows), answers + 5, self.trace, self.line, claim, self.link.heard)
+            self.link.pass_time()
+        answers = QUESTIONS + sum(line != "M0" for line in self.lines)  # the sender stands at M0 itself
+        assert self.board.time_s - begin_s < 2 * LIMIT_S
+        return Run(reference_of(self.lines), answers, self.trace, self.line, claim, self.link.heard)
+
+    def _claim(self) -> Claim:
+        """Return what the sender says at its end; of one that was killed its client says that nothing is known."""
+        try:
+            self.outcome = self.sender.run()
+        except NeverEnds:
+            return Claim(False, False, True, None, "never ends")
+        except Killed:
+            return Claim(False, False, False, None, "session-lost")
+        return claim_of(self.outcome)
+
+    def _suffer(self, fault: Fault) -> None:
+        if fault.kind == "kill":
+            self.link.killed = True
+        else:
+            self.disk.fill(fault.for_s)
 
     def _person(self, now_s: float) -> None:
         if self._hold_s and now_s > self._hold_s:
             self._hold_s = 0.0
             self.sender.ask(Command("hold"))
+        if self._waits and not self.disk.is_full:
+            self._waits = False
+            self.sender.ask(Command("resume"))
 
     def _hear(self, kind: str, text: str) -> None:
         self.told.append((kind, text))
         if kind == "phase" and text.startswith(("held", "paused", "door")):
+            self._answer_hold()
+
+    def _answer_hold(self) -> None:
+        """Go on, or wait until there is room on the disk; stop where there will be none."""
+        if not self.disk.is_full:
             self.sender.ask(Command("resume"))
+        elif self.disk.is_full_for_good:
+            self.sender.ask(Command("stop"))
+        else:
+            self._waits = True
+
+
+def job_of(lines: tuple[str, ...]) -> SendJob:
+    """Return the job of sending a program to the simulated machine."""
+    expected = expected_settings(load_machine("table-a"))
+    return SendJob("simulated", lines, file=FILE, zero_confirmed=True, expected=expected)

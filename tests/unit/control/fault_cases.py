@@ -6,38 +6,45 @@ from __future__ import annotations
 from math import cos, radians, sin
 from random import Random
 
-from CNCStepper.virtual.faults import WIRE_KINDS, Fault, FaultPlan
+from CNCStepper.virtual.faults import KINDS, WIRE_KINDS, Fault, FaultPlan
 
 PROGRAMS = 24
-SIMULATED = ("drop", "delay", "duplicate", "corrupt", "withhold", "flood", "reset", "power", "alarm", "close")
+SIMULATED = KINDS
 OPENING_BYTES = 20  # of the questions at the begin
 HEARD_OPENING_BYTES = 1500
 
 
 def program_of(seed: int) -> tuple[str, ...]:
-    """Return one of the programs: lines and arcs, at depth, some of it incremental, some of it twice."""
+    """Return one of the programs: one or two contours of lines and arcs, some of it incremental, some of it twice."""
     random = Random(f"program {seed % PROGRAMS}")
-    contour = ["G1X1Y1F1500", "Z-0.5F700", *_cuts(random, random.randrange(6, 24))]
-    passes = contour * random.choice((1, 1, 2))
-    incremental = ["G91", *(f"G1X{random.uniform(-2, 2):.3f}Y{random.uniform(-2, 2):.3f}" for _ in range(5)), "G90"]
+    dwell = ("G4P0.2",) if random.random() < 0.3 else ()
+    pause = ("M0",) if random.random() < 0.2 else ()
+    contours = [_contour(random, "X1.000Y1.000"), *[_contour(random, "X4.000Y2.000")] * random.choice((0, 1))]
     return (
         "G21G90G94G17",
         f"M3S{random.choice((8000, 12000))}",
-        "G0X1Y1",
-        *passes,
-        *(incremental if random.random() < 0.5 else ()),
-        *(("G4P0.2",) if random.random() < 0.3 else ()),
-        *(("M0",) if random.random() < 0.2 else ()),
         "G0Z.5",
+        *contours[0],
+        *dwell,
+        *pause,
+        *(line for contour in contours[1:] for line in contour),
         "G0X0Y0",
         "M5",
         "M2",
     )
 
 
-def _cuts(random: Random, count: int) -> list[str]:
+def _contour(random: Random, begin: str) -> list[str]:
+    """Return a cut from above to above, in one pass or in two that lie on each other."""
+    passes = [f"G1{begin}F1500", "Z-0.5F700", *_cuts(random, begin, random.randrange(4, 14))]
+    shifts = [f"G1X{random.uniform(-2, 2):.3f}Y{random.uniform(-2, 2):.3f}" for _ in range(5)]
+    incremental = ["G91", *shifts, "G90"] if random.random() < 0.5 else []
+    return [f"G0{begin}", *passes * random.choice((1, 1, 2)), *incremental, "G0Z.5"]
+
+
+def _cuts(random: Random, begin: str, count: int) -> list[str]:
     """Return straight cuts, and full circles through the place the tool is at."""
-    cuts, here = [], "X1.000Y1.000"
+    cuts, here = [], begin
     for _ in range(count):
         feed = random.choice(("", "", "F1500", "F4000"))
         if random.random() < 0.2:
@@ -59,12 +66,11 @@ def plan_of(seed: int, kinds: tuple[str, ...] = SIMULATED) -> FaultPlan:
 
 def _fault(kind: str, random: Random) -> Fault:
     way = random.choice(("in", "out"))
-    words: dict[str, object] = {"kind": kind, "way": way}
+    words: dict[str, object] = {"kind": kind, "way": way, "for_s": random.choice((0.05, 0.5, 3.0))}
     if kind in WIRE_KINDS:
         first, size = (OPENING_BYTES, 500) if way == "in" else (HEARD_OPENING_BYTES, 3000)
         words["at_byte"] = random.randrange(first, first + size) if random.random() < 0.9 else random.randrange(first)
         words["count"] = random.choice((1, 1, 1, 2, 5, 30)) if kind != "delay" else 1
-        words["for_s"] = random.choice((0.05, 0.5, 3.0))
     else:
         words["at_s"] = random.uniform(0.5, 5.0) if random.random() < 0.95 else random.uniform(0, 0.5)
         words["count"] = {"flood": random.choice((1, 20, 400)), "withhold": random.choice((1, 1, 2))}.get(kind, 1)

@@ -19,6 +19,7 @@ from CNCStepper.virtual.grbl.machine import Grbl
 NEAR_STEPS = 2.0
 RIGHT_MM = 0.002  # of a told position: three decimals
 BRAKED_S = 1.5  # from a report off the path to standstill
+ABANDONED = {"close", "kill"}  # faults after which no sender reaches the machine
 ANSWER = re.compile(rb"^(?:ok|error:\d+)\r$", re.MULTILINE)
 TROUBLE = re.compile(rb"^(?:error:\d+|ALARM:\d+|Grbl .*)\r$", re.MULTILINE)
 REPORT = re.compile(rb"<[A-Z][a-z]+(?::\d)?\|MPos:(-?\d+\.\d{3}),(-?\d+\.\d{3}),(-?\d+\.\d{3})[|>]")
@@ -36,6 +37,14 @@ class Row:
     time_s: float
     place: Place  # true, steps
     spindle: tuple[int, float]
+
+
+@dataclass(frozen=True)
+class Reference:
+    """The path of a program on a machine without faults; ends: the row at which each line has come to its end."""
+
+    rows: tuple[Row, ...]
+    ends: tuple[int, ...]
 
 
 class MachineTrace:
@@ -85,12 +94,22 @@ class Claim:
 class Run:
     """All that is known of one run but how the sender works. heard: what reached it, with the moments in s."""
 
-    reference: list[Row]
+    program: Reference
     answers: int  # of the controller, in a run without faults
     trace: MachineTrace
     line: FaultyLink
     claim: Claim
     heard: list[tuple[float, bytes]] = field(default_factory=list)
+
+    @property
+    def reference(self) -> Sequence[Row]:
+        """The path that is wanted."""
+        return self.program.rows
+
+    @property
+    def abandoned(self) -> bool:
+        """Whether nobody was left who could stop the machine."""
+        return not ABANDONED.isdisjoint(self.line.fired)
 
     @property
     def damaged(self) -> bool:
@@ -120,7 +139,7 @@ def judge(run: Run) -> Verdict:
         return Verdict(WRONG, "the controller's buffer was overrun")
     if claim.done:
         return _judge_done(run)
-    if "close" not in run.line.fired and not claim.refused and not run.trace.at_rest:
+    if not run.abandoned and not claim.refused and not run.trace.at_rest:
         return Verdict(WRONG, "the machine was left running")
     if not follows(run.reference, run.trace.rows):
         return _judge_left(run)
@@ -161,9 +180,11 @@ def _judge_left(run: Run) -> Verdict:
     if not run.damaged:
         return Verdict(WRONG, "the machine went elsewhere, though every byte reached it")
     seen_s = _seen_off_path(run)
-    if seen_s is not None and run.trace.rows[-1].time_s > seen_s + BRAKED_S and "close" not in run.line.fired:
+    if seen_s is not None and run.trace.rows[-1].time_s > seen_s + BRAKED_S and not run.abandoned:
         return Verdict(WRONG, "the machine moved on after a report had told that the path was left")
-    return Verdict(EXCURSION if run.claim.declared == "path-left" else STOPPED_UNKNOWN)
+    if run.claim.declared == "path-left":
+        return Verdict(EXCURSION)
+    return Verdict(SILENT if seen_s is None else STOPPED_UNKNOWN)
 
 
 def _after_greeting(said: bytes) -> bytes:
@@ -191,28 +212,32 @@ def _seen_off_path(run: Run) -> float | None:
 
 def follows(reference: Sequence[Row], rows: Sequence[Row]) -> bool:
     """Return whether a path is the reference, in its order and with its spindle, as far as it goes."""
-    return bool(_reached(reference, rows))
+    count, stretches = reached(reference, rows)
+    return bool(stretches) and count == len(rows) - 1
 
 
 def covers(reference: Sequence[Row], rows: Sequence[Row]) -> bool:
     """Return whether a path is the whole reference."""
     end = reference[-1].place
-    left = (reference[stretch + 1 :] for stretch in _reached(reference, rows))
-    at_end = dist(rows[-1].place, end) <= NEAR_STEPS
+    count, stretches = reached(reference, rows)
+    left = (reference[stretch + 1 :] for stretch in stretches)
+    at_end = count == len(rows) - 1 and dist(rows[-1].place, end) <= NEAR_STEPS
     return at_end and any(all(dist(row.place, end) <= NEAR_STEPS for row in rows_left) for rows_left in left)
 
 
-def _reached(reference: Sequence[Row], rows: Sequence[Row]) -> set[int]:
-    """Return the stretches of the reference at which a path may end that follows it; none where it does not.
+def reached(reference: Sequence[Row], rows: Sequence[Row]) -> tuple[int, set[int]]:
+    """Return the last row up to which a path follows the reference from its begin, and on which stretches it may be.
 
-    The path is straight between two rows; it may pass a corner of the reference where that lies near enough.
+    The path is straight between two rows; it may pass a corner of the reference where that lies near enough. There is
+    no stretch where it begins elsewhere.
     """
-    reached = {0} if dist(reference[0].place, rows[0].place) <= NEAR_STEPS else set()
-    for before, row in pairwise(rows):
-        reached = {after for stretch in reached for after in _steps(reference, stretch, before, row)}
-        if not reached:
-            break
-    return reached
+    stretches = {0} if dist(reference[0].place, rows[0].place) <= NEAR_STEPS else set()
+    for count, (before, row) in enumerate(pairwise(rows)):
+        after = {found for stretch in stretches for found in _steps(reference, stretch, before, row)}
+        if not after:
+            return count, stretches
+        stretches = after
+    return len(rows) - 1, stretches
 
 
 def _steps(reference: Sequence[Row], stretch: int, before: Row, row: Row) -> set[int]:
@@ -238,3 +263,8 @@ def distance(place: Place, begin: Place, end: Place) -> float:
     length2 = x * x + y * y + z * z
     share = min(max((u * x + v * y + w * z) / length2, 0.0), 1.0) if length2 else 0.0
     return hypot(u - share * x, v - share * y, w - share * z)
+
+
+def spot(place: Place, begin: Place, end: Place) -> float:
+    """Return how far along a stretch a place lies that is on it."""
+    return min(dist(begin, place), dist(begin, end))

@@ -154,6 +154,27 @@ def test_greeting_in_the_middle_is_a_lost_position(cause, code):
     assert bench.controller.realtime[-1] in "?\x18" and "\x18" in bench.controller.realtime
 
 
+def test_greeting_counts_also_where_half_a_line_is_refused_right_after_it():
+    bench = Bench()
+    bench.controller.actions[9] = lambda: bench.controller.say(f"\r\n{bench.controller.greeting}\r\nerror:1")
+    outcome = bench.run()
+    assert outcome.kind == FAILED and outcome.error.code == "controller-restarted" and not outcome.position_known
+
+
+def test_controller_that_restarts_once_more_than_it_was_told_to_has_lost_its_position():
+    bench = Bench()
+    bench.controller.on_line[9] = "ALARM:2"
+    reset = bench.controller.reset
+
+    def reset_and_fail() -> None:
+        reset()
+        bench.controller.say(bench.controller.greeting)
+
+    bench.controller.reset = reset_and_fail
+    outcome = bench.run()
+    assert outcome.error.code == "grbl-alarm-2" and not outcome.position_known
+
+
 def test_lost_link_is_an_error_with_unknown_position():
     bench = Bench()
     bench.controller.on_line[9] = "cut"

@@ -139,6 +139,11 @@ def test_a_lead_in_is_entered_at_the_plunge() -> None:
     assert restart(text, Where(line=10), start=START).entrance.row == 5
 
 
+def test_a_plunge_from_an_unknown_height_gives_the_feed_of_the_entry() -> None:
+    text = "G21 G90\nM3 S8000\nG0 X0 Y0\nG1 Z-1 F200\nX40 F3000\nY20\nX0\nG0 Z5\nX0 Y0\nM2\n"
+    assert restart(text, Where(line=6)).approach.plunge_mm_min == 200
+
+
 def test_a_thread_mills_helix_is_entered_at_its_begin() -> None:
     helix = "G3 X2 Y0 I1 J0 F300\nG3 X2 Y0 Z-4 I-2 J0\nG3 X2 Y0 Z-3 I-2 J0\nG3 X0 Y0 I-1 J0\n"
     text = HEAD + "G0 X20 Y0\nG1 Z-1 F100\nX30\nG0 Z10\nG0 X0 Y0\nG1 Z-5 F200\n" + helix + END

@@ -1,0 +1,103 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a person does after a run that stopped: asks the journal, brings the machine back, sends the restart."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+from shutil import copyfile
+
+from fault_bench import FILE, STEP_S, FaultBench, job_of
+from fault_judge import Claim, Row, Run
+from fault_restart import Interval
+
+from CNCStepper.control.journal.story import Story, read_story
+from CNCStepper.control.send_job import SendJob
+from CNCStepper.errors import ProgramError
+from CNCStepper.gcode.restart.places import Where
+from CNCStepper.job.certify import certificate_of
+from CNCStepper.job.restart import restart_program
+from CNCStepper.machine.profile import load_machine
+from CNCStepper.virtual.faults import FaultPlan
+from CNCStepper.virtual.grbl.machine import Grbl
+from CNCStepper.virtual.grbl.states import State
+
+NOTHING_CUT, NOTHING_LEFT = "restart-at-start", "restart-nothing-left"
+RESET, UNLOCK = b"\x18", b"$X\n"
+SETTLED_S = 0.5
+
+
+class SecondGo:
+    """The restart after `first`; `said` is what the journal and the restart state."""
+
+    def __init__(self, bench: FaultBench, first: Run):
+        story = story_of(bench)
+        lines = bench.lines
+        self.said = Interval(story.finished, story.may_be_sent, story.finished) if story else Interval(0, 0, 0)
+        self.rows: list[Row] = []
+        self.claim: Claim | None = None
+        if job := self._job(lines):
+            bring_back(bench.board, first)
+            go = FaultBench(lines, FaultPlan(), board=bench.board, job=job)
+            run = go.run()
+            self.rows, self.claim, self.at_rest = run.trace.rows, run.claim, run.trace.at_rest
+            self.outcome = go.outcome
+
+    def _job(self, lines: tuple[str, ...]) -> SendJob | None:
+        """Return the job of the restart from the first line that is not certainly cut; None where nothing is left."""
+        if self.said.first == len(lines):
+            return None
+        text, where = "".join(f"{line}\n" for line in lines), Where(line=self.said.first + 1)
+        try:
+            proven = restart_program(text, load_machine("table-a"), where, file=FILE)
+        except ProgramError as error:
+            if error.code not in (NOTHING_CUT, NOTHING_LEFT):
+                raise
+            self.said = replace(self.said, entrance=0) if error.code == NOTHING_CUT else self.said
+            return job_of(lines) if error.code == NOTHING_CUT else None
+        entrance = proven.restart.program.file_line(proven.restart.entrance.row) - 1
+        self.said = replace(self.said, entrance=min(entrance, self.said.first))
+        certificate = certificate_of(proven.proof)
+        certificate.check_clean()
+        return replace(certificate.send_job(), port="simulated", zero_confirmed=True)
+
+
+def story_of(bench: FaultBench) -> Story | None:
+    """Return what the journal tells once the sender's process has ended; None for a job that was refused."""
+    journal = bench.journal
+    if journal is None or journal.path is None or not journal.path.exists():
+        return None
+    return read_story(Path(copyfile(journal.path, journal.path.with_suffix(".left"))))  # no process locks the copy
+
+
+def bring_back(board: Grbl, first: Run) -> None:
+    """Bring a machine back as its sender has said: unlocked; reset and with its zero set again where it is unknown."""
+    known = first.claim.position_known
+    if not known:
+        board.receive(RESET)
+        pass_time(board)
+    if board.state is State.ALARM:
+        board.receive(UNLOCK)
+        pass_time(board)
+    if not known:
+        set_zero(board, first)
+    board.take_output()
+
+
+def set_zero(board: Grbl, first: Run) -> None:
+    """Measure where the tool truly stands from the work zero, and tell it to the controller."""
+    zero, axes = first.reference[0].place, board.axes
+    steps = zip(axes.position_steps, axes.lost_steps, zero, strict=True)
+    words = (
+        f"{axis}{(here + lost - at) * axes.step_mm(number):.4f}"
+        for (number, axis), (here, lost, at) in zip(enumerate("XYZ"), steps, strict=True)
+    )
+    board.receive(f"G10L20P1{''.join(words)}\n".encode("ascii"))
+    pass_time(board)
+
+
+def pass_time(board: Grbl) -> None:
+    """Let a machine carry out what it was told by hand."""
+    end_s = board.time_s + SETTLED_S
+    while board.time_s < end_s:
+        board.advance(STEP_S)
