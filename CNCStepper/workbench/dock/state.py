@@ -12,7 +12,8 @@ from CNCStepper.workbench.words import later
 
 OFF, CALM, GOING, WAITING, DANGER = "off", "calm", "going", "waiting", "danger"
 
-STANDING = frozenset({"held", "paused", "door"})
+RETREATED = "retreated"  # idle between two ways along its cut
+STANDING = frozenset({"held", "paused", "door", RETREATED})
 JOB_RUNS = frozenset({"running", "holding", "finishing", "stopping", *STANDING})
 CONNECTED = frozenset({"idle", "alarm", "jogging", "homing", "busy", *JOB_RUNS})
 
@@ -70,6 +71,9 @@ FACES = {
     "finishing": Face(later("Finishing"), GOING, later("All lines are sent; the last moves are being cut.")),
     "holding": Face(later("Holding…"), WAITING, later("The machine slows down.")),
     "held": Face(later("Held"), WAITING, later("The machine stands; nothing is lost. Resume or stop.")),
+    RETREATED: Face(
+        later("On its cut"), WAITING, later("The tool was taken back along its cut. Resume cuts on from here.")
+    ),
     "paused": Face(later("Paused"), WAITING, later("The program waits. Resume goes on.")),
     "door": Face(later("Door"), WAITING, later("Close the safety door, then resume.")),
     "stopping": Face(later("Stopping…"), WAITING, later("The machine slows down, then the job is ended.")),
@@ -117,6 +121,16 @@ RULES = {
         STANDING,
         later("Go on after a hold, a pause or the door."),
         later("The machine is not held: there is nothing to resume."),
+    ),
+    "back": Rule(
+        frozenset({"running", "holding", "finishing", "held", "paused", RETREATED}),
+        later("Go back along the cut by this length; a machine that moves is held first."),
+        later("The tool goes back along its cut while a job is cut, or is held."),
+    ),
+    "forward": Rule(
+        frozenset({"held", RETREATED}),
+        later("Go forward again along the cut by this length, to where it had come at most."),
+        later("The tool goes forward again only after it went back."),
     ),
     "stop": Rule(
         JOB_RUNS - {"stopping"} | {"jogging", "homing", "busy"},
