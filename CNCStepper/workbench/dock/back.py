@@ -11,14 +11,15 @@ from CNCStepper.workbench.dock.state import RULES, STANDING, Moment, why_not
 from CNCStepper.workbench.words import later
 
 FIND, RESUME = "find", "resume"
-BACK, LINE, ENTRY, FORWARD = "back_mm", "line", "entry", "forward_mm"  # as `job/back_worker.py` names them
+BACK, LINE, ENTRY, FORWARD, ASIDE = "back_mm", "line", "entry", "forward_mm", "aside"  # as `job/back_worker.py` says
 THERE_MM = 0.001  # no further behind is where the cut has come to
-RULE_OF = {BACK: "back", LINE: "back", ENTRY: "back", FORWARD: "forward", RESUME: "resume"}
+RULE_OF = {BACK: "back", LINE: "back", ENTRY: "back", FORWARD: "forward", ASIDE: "aside", RESUME: "resume"}
 DOES = {
     BACK: RULES["back"].does,
     LINE: later("Go back to where this line of the program begins, its last run before here."),
     ENTRY: later("Go back to where the tool last began to go down into the work."),
     FORWARD: RULES["forward"].does,
+    ASIDE: RULES["aside"].does,
 }
 UNDER_WAY = later("The way along the cut is being found: wait, hold or stop.")
 NOTHING_AHEAD = later("The tool stands where the cut has come to.")

@@ -9,7 +9,7 @@ from typing import Any
 from PySide import QtCore, QtGui
 
 from CNCStepper.workbench.dock import parts
-from CNCStepper.workbench.dock.back import BACK, DOES, ENTRY, FORWARD, LINE, BackFlow, state_text, why_not_back
+from CNCStepper.workbench.dock.back import ASIDE, BACK, DOES, ENTRY, FORWARD, LINE, BackFlow, state_text, why_not_back
 from CNCStepper.workbench.dock.figures import Lengths
 from CNCStepper.workbench.dock.state import Moment
 from CNCStepper.workbench.words import tr
@@ -35,6 +35,7 @@ class BackView(QtGui.QWidget):
             FORWARD: parts.button("Forward", tr("Forward"), lambda: go(FORWARD, self.length_mm)),
             LINE: parts.button("BackToLine", tr("To the line"), lambda: go(LINE, self.line.value())),
             ENTRY: parts.button("BackToEntry", tr("To the entry"), lambda: go(ENTRY, True)),
+            ASIDE: parts.button("Aside", tr("Free to jog"), lambda: go(ASIDE, True)),
         }
         for button in self.buttons.values():
             button.setFocusPolicy(QtCore.Qt.FocusPolicy.NoFocus)  # no key may move the machine
@@ -45,7 +46,7 @@ class BackView(QtGui.QWidget):
         for place, widget in enumerate((self.line, self.buttons[LINE], self.buttons[ENTRY])):
             rows.addWidget(widget, 1, place)
         layout = parts.column(self)
-        layout.addWidget(parts.caption(tr("Back along the cut")))
+        layout.addLayout(self._head())
         layout.addLayout(rows)
         layout.addWidget(self.state)
         self.hide()
@@ -63,6 +64,12 @@ class BackView(QtGui.QWidget):
         behind = f"{self._lengths.text(flow.behind_mm, self._point)} {self._lengths.name}"
         text = state_text(flow, moment)
         self.state.setText(flow.trouble or tr(text).format(flow.line, behind))
+
+    def _head(self) -> Any:
+        head = parts.row(parts.caption(tr("Back along the cut")), self.buttons[ASIDE])
+        head.setStretch(0, 1)
+        self.buttons[ASIDE].setSizePolicy(QtGui.QSizePolicy.Policy.Fixed, QtGui.QSizePolicy.Policy.Fixed)
+        return head
 
     def _length_box(self) -> Any:
         box = _narrow(parts.named(QtGui.QDoubleSpinBox(), "BackLength"))

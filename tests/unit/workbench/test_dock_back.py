@@ -6,10 +6,10 @@ from __future__ import annotations
 import pytest
 
 from CNCStepper.workbench.dock import back
-from CNCStepper.workbench.dock.back import BACK, ENTRY, FIND, FORWARD, LINE, BackFlow, state_text, why_not_back
+from CNCStepper.workbench.dock.back import ASIDE, BACK, ENTRY, FIND, FORWARD, LINE, BackFlow, state_text, why_not_back
 from CNCStepper.workbench.dock.state import NOT_CONNECTED, RULES, Moment
 
-KINDS = (BACK, LINE, ENTRY, FORWARD)
+KINDS = (BACK, LINE, ENTRY, FORWARD, ASIDE)
 HELD, RUNNING, RETREATED = (Moment(phase, job=True) for phase in ("held", "running", "retreated"))
 
 
@@ -26,7 +26,7 @@ def stood(behind_mm: float) -> BackFlow:
         ("running", {BACK, LINE, ENTRY}),
         ("paused", {BACK, LINE, ENTRY}),
         ("held", set(KINDS)),
-        ("retreated", set(KINDS)),
+        ("retreated", set(KINDS) - {ASIDE}),
         ("door", set()),
         ("stopping", set()),
     ],
