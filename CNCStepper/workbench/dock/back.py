@@ -59,10 +59,10 @@ class BackFlow:
         del self._pending[:1]
         self.line, self.behind_mm = answer.get("line", 0), answer.get("behind_mm", 0.0)
 
-    def refuse(self, trouble: str) -> None:
-        """Take why nothing came of what was asked first, as people's words."""
-        del self._pending[:1]
+    def refuse(self, trouble: str) -> str:
+        """Take why nothing came of what was asked first, as people's words; return what that was."""
         self.trouble = trouble
+        return self._pending.pop(0) if self._pending else ""
 
     def forget(self) -> None:
         """Expect no answer any more, and know nothing."""

@@ -8,9 +8,10 @@ from typing import Any
 
 from CNCStepper.control.outcome import error_from_json
 from CNCStepper.errors import CNCStepperError
+from CNCStepper.workbench import tell
 from CNCStepper.workbench.dock.back import BACK, FIND, RESUME, BackFlow, why_not_back
 from CNCStepper.workbench.dock.link import Link, told
-from CNCStepper.workbench.dock.state import RETREATED, STANDING
+from CNCStepper.workbench.dock.state import RETREATED, STANDING, sentences
 from CNCStepper.workbench.questioner import Questioner
 from CNCStepper.workbench.sentences import translated
 from CNCStepper.workbench.words import tr
@@ -80,9 +81,7 @@ class Backing:
         self._changed()
 
     def _refused(self, error: CNCStepperError) -> None:
-        searched = self.flow.asked == FIND
-        self.flow.refuse(told(error))
-        if not searched:
+        if self.flow.refuse(sentences(tell.sentence(error), translated(error.advice))) != FIND:
             self._say("refused", self.flow.trouble)
 
     def _failed(self, error: CNCStepperError) -> None:

@@ -60,6 +60,9 @@ def test_a_way_that_is_asked_for_during_the_search_is_under_way_until_its_own_an
     assert (flow.asked, flow.line) == (BACK, 7)
     flow.answer({"line": 6, "behind_mm": 5.0, "doubt": ""})
     assert (flow.asked, flow.line) == ("", 6)
+    flow.ask(FIND)
+    flow.ask(BACK)
+    assert (flow.refuse("The machine does not stand."), flow.asked) == (FIND, BACK)
 
 
 def test_nothing_lies_ahead_of_where_the_cut_has_come_to() -> None:
@@ -89,7 +92,7 @@ def test_a_machine_held_without_a_job_or_on_a_way_under_way_is_not_searched() ->
 def test_a_refusal_is_said_until_the_next_wish_and_keeps_the_place() -> None:
     flow = stood(3.0)
     flow.ask(LINE)
-    flow.refuse("No move of line 9 lies on the way back.")
+    assert flow.refuse("No move of line 9 lies on the way back.") == LINE
     assert (flow.line, flow.behind_mm) == (12, 3.0) and flow.trouble.startswith("No move") and not flow.asked
     flow.ask(BACK)
     assert not flow.trouble
