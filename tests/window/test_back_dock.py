@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Back along the cut from the dock, under a real hand: back while it runs, forward, to the entry, refused, resumed."""
+"""Back along the cut from the dock, under a real hand: as it runs, forward, to the entry, resumed, refused, jogged."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ def told(hand: Hand, words: str) -> None:
     hand.wait(lambda: words in hand.text(f"{D}BackState"), PLACE_S, f"the sentence {words}")
 
 
-def test_back_while_it_cuts_forward_and_on_to_the_end(hand: Hand, dock: Any) -> None:  # noqa: F811
+def test_back_while_it_cuts_forward_and_on(hand: Hand, dock: Any) -> None:  # noqa: F811
     begun(hand, dock)
     assert not hand.main(hand.find(f"{D}Forward").isEnabled)
     with hand.watchdog() as watch:
@@ -52,7 +52,8 @@ def test_back_while_it_cuts_forward_and_on_to_the_end(hand: Hand, dock: Any) -> 
     told(hand, "where the cut has come to")
     hand.click(f"{D}Resume")
     says(hand, "Running", PLACE_S)
-    hand.wait(lambda: "Done" in hand.text(f"{D}FlowTitle"), 240, "the end of the cut")
+    hand.click(f"{D}Stop")
+    hand.wait(lambda: "Stopped" in hand.text(f"{D}FlowTitle"), PLACE_S)
     assert not hand.exists(f"{D}Back")
 
 
@@ -72,7 +73,7 @@ def test_a_hold_finds_the_place_and_a_line_that_is_not_cut_is_refused_in_words(h
     hand.wait(lambda: hand.find(f"{D}JogZPlus").isEnabled(), PLACE_S, "a machine that can be jogged")
     stood_mm = work_mm(hand, "Z")
     hand.click(f"{D}JogZPlus")
-    hand.wait(lambda: work_mm(hand, "Z") > stood_mm + 0.9, PLACE_S, "the jog")
+    hand.wait(lambda: work_mm(hand, "Z") > stood_mm + 0.9 and not hand.find(f"{D}Hold").isEnabled(), PLACE_S, "the jog")
     hand.click(f"{D}Resume")
     says(hand, "Running", PLACE_S)
     assert "exactly the way" in hand.text(f"{D}BackState")
