@@ -9,6 +9,7 @@ answered by one line on standard output, in the same order:
     {"desk": FILE, "line": 42}           back to where line 42 of the program begins
     {"desk": FILE, "entry": true}        back to the last entry into the work
     {"desk": FILE, "forward_mm": 2.0}    forward again, as far as the program was cut at most
+    {"desk": FILE, "aside": true}        nowhere, outputs off: after it the machine can be jogged
     {"desk": FILE, "resume": true}       cut from here to the program's end
 
     {"line": 12, "behind_mm": 5.0, "doubt": ""}     the tool stands there; doubt: what to say of the place, if anything
@@ -62,7 +63,7 @@ def _answer(desk: str, **wish: Any) -> dict[str, Any]:
         if "resume" in wish:
             back.go(held.rest())
             return {"resumed": True}
-        back.go(held.along(_target(held, **wish)))
+        back.go(held.aside() if "aside" in wish else held.along(_target(held, **wish)))
         back.arrive()
         return _place(back.held())
 

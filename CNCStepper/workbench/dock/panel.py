@@ -12,6 +12,8 @@ from PySide import QtCore, QtGui
 from CNCStepper.errors import CNCStepperError
 from CNCStepper.workbench import tell
 from CNCStepper.workbench.dock import parts, settings
+from CNCStepper.workbench.dock.back_view import BackView
+from CNCStepper.workbench.dock.backing import COMMANDS, Backing
 from CNCStepper.workbench.dock.connection_view import ConnectionView
 from CNCStepper.workbench.dock.flow import why_not_onward
 from CNCStepper.workbench.dock.flow_view import FlowView
@@ -47,7 +49,9 @@ class Panel(QtGui.QWidget):
         self.state = StateView()
         self.flow = FlowView(self.findings, self.sending.onward, self.sending.away)
         self.position = PositionView(lengths, point, lambda axes: self.link.command("set_zero", axes))
-        self.halt, self.job = HaltView(self.link.command), JobView()
+        self.backing = Backing(self, self.link, self.log.say, self.refresh)
+        self.back = BackView(lengths, point, self.backing.go)
+        self.halt, self.job = HaltView(self.backing.command), JobView()
         self.jog = JogView(lengths, point, self.link.command)
         self.overrides = OverrideView(lambda kind, step: self.link.command("override", kind, step))
         self.home = parts.button("Home", tr("Home"), lambda: self.link.command("home"), icon="Home")
@@ -97,6 +101,7 @@ class Panel(QtGui.QWidget):
             view.lock(moment)
         for name, button in (("home", self.home), ("unlock", self.unlock)):
             parts.lock(button, why_not(name, moment), RULES[name].does)
+        self.back.show_back(self.backing.flow, moment)
         self.flow.show_flow(flow, why_not_onward(flow, moment.phase))
         self._show_status(self.link.status, moment.job_runs)
 
@@ -105,10 +110,11 @@ class Panel(QtGui.QWidget):
     def _tick(self) -> None:
         events = self.link.poll()
         for event in events:
-            if event["event"] in ("message", "warning", "refused"):
+            if event["event"] in ("message", "warning", "refused") and event.get("command") not in COMMANDS:
                 self.log.say(event["event"], told(event["error"]) if event.get("error") else translated(event["text"]))
             self.sending.take(event)
         self.sending.advance()
+        self.backing.advance()
         mark = (self.link.moment, self.sending.flow.step)
         if events or mark != self._mark:
             if mark[1] != self._mark[1]:  # a new step must be seen
@@ -144,7 +150,7 @@ class Panel(QtGui.QWidget):
         layout = parts.column(content)
         layout.setContentsMargins(*MARGINS)
         sections: tuple[list[Any], ...] = (
-            [self.flow, self.job, self.position],
+            [self.flow, self.job, self.back, self.position],
             [parts.caption(tr("Jog")), self.jog, parts.row(self.home, self.unlock)],
             [parts.caption(tr("Overrides")), self.overrides],
             [parts.caption(tr("Messages")), self.log],

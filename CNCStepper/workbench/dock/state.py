@@ -12,7 +12,8 @@ from CNCStepper.workbench.words import later
 
 OFF, CALM, GOING, WAITING, DANGER = "off", "calm", "going", "waiting", "danger"
 
-STANDING = frozenset({"held", "paused", "door"})
+RETREATED = "retreated"  # idle between two ways along its cut
+STANDING = frozenset({"held", "paused", "door", RETREATED})
 JOB_RUNS = frozenset({"running", "holding", "finishing", "stopping", *STANDING})
 CONNECTED = frozenset({"idle", "alarm", "jogging", "homing", "busy", *JOB_RUNS})
 
@@ -70,6 +71,7 @@ FACES = {
     "finishing": Face(later("Finishing"), GOING, later("All lines are sent; the last moves are being cut.")),
     "holding": Face(later("Holding…"), WAITING, later("The machine slows down.")),
     "held": Face(later("Held"), WAITING, later("The machine stands; nothing is lost. Resume or stop.")),
+    RETREATED: Face(later("On its cut"), WAITING, later("The job waits on its cut. Resume cuts on from there.")),
     "paused": Face(later("Paused"), WAITING, later("The program waits. Resume goes on.")),
     "door": Face(later("Door"), WAITING, later("Close the safety door, then resume.")),
     "stopping": Face(later("Stopping…"), WAITING, later("The machine slows down, then the job is ended.")),
@@ -118,6 +120,21 @@ RULES = {
         later("Go on after a hold, a pause or the door."),
         later("The machine is not held: there is nothing to resume."),
     ),
+    "back": Rule(
+        frozenset({"running", "holding", "finishing", "held", "paused", RETREATED}),
+        later("Go back along the cut by this length; a machine that moves is held first."),
+        later("The tool goes back along its cut while a job is cut, or is held."),
+    ),
+    "aside": Rule(
+        frozenset({"held"}),
+        later("Let the machine be jogged: spindle or beam off; Resume goes back to the cut over a safe way."),
+        later("The machine is made free to jog while a job is held."),
+    ),
+    "forward": Rule(
+        frozenset({"held", RETREATED}),
+        later("Go forward again along the cut by this length, to where it had come at most."),
+        later("The tool goes forward again only after it went back."),
+    ),
     "stop": Rule(
         JOB_RUNS - {"stopping"} | {"jogging", "homing", "busy"},
         later(
@@ -152,7 +169,10 @@ RULES = {
         later("Overrides work only while the machine is idle or cutting."),
     ),
 }
-AT_PAUSE = {"jog": ("Idle", "Jog"), "zero": ("Idle",), "hold": ("Jog",)}  # the machine states in which these work then
+AT_A_STAND = {  # the machine states in which these work between two lines, or two ways along the cut
+    "paused": {"jog": ("Idle", "Jog"), "zero": ("Idle",), "hold": ("Jog",)},
+    RETREATED: {"jog": ("Idle", "Jog"), "hold": ("Jog",)},  # what lies behind was cut from the zero that it has
+}
 NO_HOMING = later("This machine has no homing switches set up ($22=0).")
 
 
@@ -163,8 +183,8 @@ def why_not(control: str, moment: Moment) -> str:
     if control == "home" and moment.homing is False:
         return NO_HOMING
     rule = RULES[control]
-    at_pause = moment.phase == "paused" and moment.machine_state in AT_PAUSE.get(control, ())
-    return "" if at_pause or moment.phase in rule.phases else rule.why_not
+    stands = moment.machine_state in AT_A_STAND.get(moment.phase, {}).get(control, ())
+    return "" if stands or moment.phase in rule.phases else rule.why_not
 
 
 def why_not_connect(moment: Moment, port: str) -> str:

@@ -28,6 +28,7 @@ def dock() -> Any:
     shown = found.widget()
     if shown.language != FreeCADGui.getLocale() and not shown.sending.flow.active:
         _fill(found, shown.link)
+        shown.backing.end()
         shown.deleteLater()
     return found
 

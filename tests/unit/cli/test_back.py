@@ -122,6 +122,7 @@ def test_job_of_a_window_is_led_back_by_the_command_line_and_by_the_windows_proc
     assert found == {"line": 7, "behind_mm": pytest.approx(1.0, abs=STEP_MM), "doubt": ""}
     assert answered(ask | {"line": 9})["refused"]["code"] == "retreat-line"
     assert answered(ask | {"forward_mm": 0.25})["behind_mm"] == pytest.approx(0.75, abs=STEP_MM)
+    assert answered(ask | {"aside": True})["behind_mm"] == pytest.approx(0.75, abs=STEP_MM)
     assert answered(ask | {"resume": True}) == {"resumed": True}
     assert answered(ask | {"find": True})["refused"]["code"] == "not-held"
     await_desk(desk, lambda: desk.status.phase == "running")

@@ -35,7 +35,7 @@ class DeskCut(Cut):
             "table",
             opener=lambda name, baud: self.table,
             clock=self.table.clock,
-            tell=lambda kind, text: self.told.append((kind, text)),
+            tell=self._hear,
             refuse=lambda command, error: self.refused.append(error),
             ended=self.outcomes.append,
         )

@@ -47,11 +47,12 @@ def test_every_phase_has_a_face_and_a_reason_for_what_is_locked(phase: str) -> N
         ("homing", {"stop"}),
         ("busy", {"hold", "stop"}),
         ("alarm", {"home", "unlock"}),
-        ("running", {"hold", "stop", "override"}),
-        ("finishing", {"hold", "stop", "override"}),
-        ("holding", {"stop", "override"}),
-        ("held", {"resume", "stop", "override"}),
-        ("paused", {"resume", "stop", "override"}),
+        ("running", {"hold", "stop", "override", "back"}),
+        ("finishing", {"hold", "stop", "override", "back"}),
+        ("holding", {"stop", "override", "back"}),
+        ("held", {"resume", "stop", "override", "back", "forward", "aside"}),
+        ("retreated", {"resume", "stop", "override", "back", "forward"}),
+        ("paused", {"resume", "stop", "override", "back"}),
         ("door", {"resume", "stop", "override"}),
         ("stopping", set()),
     ],
@@ -65,6 +66,12 @@ def test_a_control_works_exactly_in_its_phases(phase: str, expected: set[str]) -
 )
 def test_at_a_pause_an_idle_machine_is_jogged_and_zeroed(machine_state: str, expected: set[str]) -> None:
     can = {control for control in ("jog", "zero", "hold") if not why_not(control, Moment("paused", machine_state))}
+    assert can == expected
+
+
+@pytest.mark.parametrize(("machine_state", "expected"), [("Idle", {"jog"}), ("Jog", {"jog", "hold"})])
+def test_on_its_cut_a_machine_is_jogged_but_keeps_its_zero(machine_state: str, expected: set[str]) -> None:
+    can = {control for control in ("jog", "zero", "hold") if not why_not(control, Moment("retreated", machine_state))}
     assert can == expected
 
 
