@@ -129,7 +129,7 @@ def test_way_over_is_taken_up_again_where_it_was_held(tmp_path: Path) -> None:
         yield from jogged(cut, z_mm=2.0)
         yield from jogged(cut, x_mm=-8.0)
         yield from led(cut, "rest")
-        yield lambda: -31.0 < cut.trace[-1][0] and cut.trace[-1][2] > DEEP
+        yield lambda: cut.trace[-1][0] > -31.0 and cut.trace[-1][2] > DEEP
         yield from cut.hold()
         yield from led(cut, "rest")
 
