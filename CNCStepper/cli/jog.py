@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import re
+from pathlib import Path
 
 import click
 
@@ -23,21 +24,49 @@ def command(way: tuple[str, ...], feed: float, port: str, baud: int) -> None:
 
     The program's modes are left as they are ($J). Ctrl-C brakes at once and keeps the position. Works in any position,
     known or not; the controller refuses a way out of its travel where its soft limits are on ($20=1).
+
+    Also while `cncstepper send` holds its job at that port: the controller is reset at standstill, which switches the
+    spindle off, and can be jogged then. The job goes on with `cncstepper back --resume`: up, over and slowly down to
+    its cut, and from there.
     """
-    line = jog_line(way, feed)
+    from CNCStepper.control.session_file import session_at
+
+    axes_mm = _axes_mm(way)
+    if session := session_at(port):
+        _jog_job(session, axes_mm, feed)
+        return
     with Talk(port, baud) as talk:
-        jog(talk, line)
+        jog(talk, jog_line(way, feed))
         click.echo(place(talk.status))
 
 
 def jog_line(way: tuple[str, ...], feed_mm_min: float) -> str:
     """Return the jog command for words as "X10" and "Y-2.5"; raises a usage error for what is no way."""
-    words = [WORD.fullmatch(part) for part in way]
-    axes = [word[1].upper() for word in words if word]
-    if len(axes) < len(way) or len(set(axes)) < len(axes):
-        raise click.UsageError(f"'{' '.join(way)}' is no way: write for example X10, or X-2.5 Y3 (mm)")
-    moves = "".join(f"{word[1].upper()}{float(word[2]):.4f}" for word in words if word)
+    moves = "".join(f"{axis}{value:.4f}" for axis, value in _axes_mm(way).items())
     return f"$J=G91G21{moves}F{feed_mm_min:.1f}"
+
+
+def _axes_mm(way: tuple[str, ...]) -> dict[str, float]:
+    words = [WORD.fullmatch(part) for part in way]
+    axes_mm = {word[1].upper(): float(word[2]) for word in words if word}
+    if len(axes_mm) < len(way):
+        raise click.UsageError(f"'{' '.join(way)}' is no way: write for example X10, or X-2.5 Y3 (mm)")
+    return axes_mm
+
+
+def _jog_job(session: Path, axes_mm: dict[str, float], feed_mm_min: float) -> None:
+    """Jog the machine of a job that is held; Ctrl-C brakes."""
+    from CNCStepper.control.session import SessionClient
+    from CNCStepper.job.step_aside import jog, step_aside
+
+    way = {f"{axis.lower()}_mm": axes_mm.get(axis, 0.0) for axis in "XYZ"} | {"feed_mm_min": feed_mm_min}
+    with SessionClient.attach(session) as client:
+        step_aside(client)
+        try:
+            click.echo(place(jog(client, way)))
+        except KeyboardInterrupt:
+            client.ask("jog_cancel")
+            raise
 
 
 def jog(talk: Talk, line: str) -> None:

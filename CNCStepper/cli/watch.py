@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import signal
 import time
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import click
 from rich.console import Console
@@ -14,8 +14,12 @@ from rich.progress import BarColumn, Progress, TaskProgressColumn, TextColumn, T
 from CNCStepper.cli.live import live
 from CNCStepper.cli.pause_words import STOP, Answer, is_end
 from CNCStepper.control.outcome import Outcome, SenderStatus
+from CNCStepper.control.retrace import STANDS
 from CNCStepper.control.send_job import SendJob
 from CNCStepper.control.session import SessionClient
+
+if TYPE_CHECKING:
+    from CNCStepper.job.leader import Leader
 
 LOOK_EVERY_S = 0.05
 TOUCHED_S = 0.5  # until a jog or a new zero shows at the latest
@@ -41,6 +45,7 @@ class _Watch:
         self._has_start = has_start  # a button at the machine, so that nobody need answer here
         self._bar = progress.add_task("connecting", total=None, place="")
         self._answered = ("", -1)  # the stand that has had its answer: its phase and place
+        self._leader: Leader | None = None  # from the first stand on
 
     def run(self) -> Outcome:
         """Return the outcome; Ctrl-C holds the machine, a request to end this process stops it safely."""
@@ -79,6 +84,8 @@ class _Watch:
 
     def _stand(self, status: SenderStatus) -> None:
         """Ask once for each stand what to do: held, paused by the program, or a door that was opened."""
+        if status.phase in STANDS:
+            self._follow_buttons()
         stand = (status.phase, status.acknowledged)
         if status.phase not in ("held", "paused", "door") or stand == self._answered:
             return
@@ -91,6 +98,17 @@ class _Watch:
             self._progress.console.print(what, markup=False)
         else:
             self._ask(status)
+
+    def _follow_buttons(self) -> None:
+        """Do from now on what the machine's own buttons want of the way along the cut, also while a person is asked."""
+        if self._leader is None:
+            from CNCStepper.job.leader import Leader
+
+            self._leader = Leader(self._client.session_file, self._tell)
+            self._leader.start()
+
+    def _tell(self, text: str) -> None:
+        self._progress.console.print(text, markup=False)
 
     def _ask(self, status: SenderStatus) -> None:
         """Ask until the job goes on or is stopped; nobody to ask means stop: no tool stands in the work unwatched."""

@@ -4,7 +4,7 @@
 act            pressed                                   let go
 start          resume; of an idle desk its last job      -
 pause          hold                                      -
-back           back                                      -
+back           want_back, back_mm farther                -
 stop           stop                                      -
 flood, mist    override coolant                          -
 spindle_stop   override spindle stop                     -
@@ -23,7 +23,6 @@ from CNCStepper.errors import JobError
 COMMANDS = {
     "start": Command("resume"),
     "pause": Command("hold"),
-    "back": Command("back"),
     "stop": Command("stop"),
     "flood": Command("override", {"kind": "coolant", "step": "flood"}),
     "mist": Command("override", {"kind": "coolant", "step": "mist"}),
@@ -42,6 +41,7 @@ class Button:
     debounce_ms: float = 30.0
     line: str = ""
     release_line: str = ""
+    back_mm: float = 1.0
 
     @classmethod
     def from_content(cls, content: Mapping[str, Any]) -> Button:
@@ -50,7 +50,7 @@ class Button:
             button = cls(**content)
         except TypeError as error:
             raise JobError("input", f"this is no input of a machine: {error}", advice="make the job again") from error
-        if button.act not in (*COMMANDS, "switch"):
+        if button.act not in (*COMMANDS, "back", "switch"):
             raise JobError("input", f"there is no act '{str(button.act)[:40]}'", advice="make the job again")
         return button
 
@@ -64,6 +64,8 @@ class Button:
         if self.act == "switch":
             line = self.line if pressed else self.release_line
             return Command("switch", {"line": line}) if line else None
+        if self.act == "back":
+            return Command("want_back", {"distance_mm": self.back_mm}) if pressed else None
         return COMMANDS[self.act] if pressed else None
 
 

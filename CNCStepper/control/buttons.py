@@ -13,16 +13,15 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 from CNCStepper.control.button import Button
-from CNCStepper.control.command import VALUES, Command
+from CNCStepper.control.command import Command
 from CNCStepper.control.debounce import Debouncer
 from CNCStepper.control.grbl import Received
 from CNCStepper.control.grbl_report import Greeting, Status
 from CNCStepper.control.status_pins import PinWatch, StatusPins, open_pins
 from CNCStepper.control.timing import Timing
-from CNCStepper.errors import LinkError, MachineRefusal
+from CNCStepper.errors import LinkError
 
 POLL_S = 0.1  # between two `?`, so that a button need not be pressed for long
-OWN = ("switch", "again")  # commands that only a button gives
 WORDS = {
     "start": "start",
     "pause": "pause",
@@ -51,7 +50,7 @@ class Buttons:
     """The buttons of one machine, none until `wire`.
 
     ask: gets what is pressed, from any thread. tell(kind, text): hears of it. start: what a start button asks for
-    while the machine is idle, None to resume. An act that nobody here can do is told as a warning.
+    while the machine is idle, None to resume.
     """
 
     def __init__(
@@ -111,12 +110,8 @@ class Buttons:
                 self._press(contact.button, command)
 
     def _press(self, button: Button, command: Command) -> None:
-        what = WORDS[button.act]
-        self._tell("message", f"{what} by the button on {button.name}")
-        if command.name not in (*VALUES, *OWN):
-            self._tell("warning", str(_not_here(what)))
-        else:
-            self._ask((button.act == "start" and self._start()) or command)
+        self._tell("message", f"{WORDS[button.act]} by the button on {button.name}")
+        self._ask((button.act == "start" and self._start()) or command)
 
     def _lost(self, error: LinkError) -> None:
         """Hold: whoever works the machine by buttons can stop it by none of them now."""
@@ -129,7 +124,3 @@ def quicker(timing: Timing, inputs: Sequence[Mapping[str, Any]]) -> Timing:
     if all(entry.get("port") for entry in inputs):
         return timing
     return replace(timing, poll_s=min(timing.poll_s, POLL_S))
-
-
-def _not_here(what: str) -> MachineRefusal:
-    return MachineRefusal("act-missing", f"there is no {what} here", advice="give that button another act")

@@ -80,6 +80,7 @@ class Idle:
             "line": self._type,
             "tell_place": self._refuse_way_back,
             "retrace": self._refuse_way_back,
+            "want_back": self._refuse_way_back,
             "by_line": self._refuse_by_line,
             "switch": self._switch,
             "override": lambda **values: driver.realtime(override_byte(**values)),
@@ -221,7 +222,7 @@ class Idle:
         else:
             raise MachineRefusal("nothing-to-hold", "nothing moves that could be held", advice="homing can be stopped")
 
-    def _refuse_way_back(self, file: str) -> None:
+    def _refuse_way_back(self, **values: object) -> None:
         raise MachineRefusal("not-held", "no job is held", advice="go back along the cut while a job is held")
 
     def _refuse_by_line(self, on: bool) -> None:

@@ -36,11 +36,12 @@ from CNCStepper.control.path_watch import PathWatch
 from CNCStepper.control.phases import RETREATED, Phases
 from CNCStepper.control.readiness import check_zero
 from CNCStepper.control.remaining import Remaining
-from CNCStepper.control.retrace import LAST, Retrace, check_place, stand_reset
+from CNCStepper.control.retrace import LAST, STANDS, Retrace, check_place, stand_reset
 from CNCStepper.control.send_job import SendJob
 from CNCStepper.control.stand import Stand
 from CNCStepper.control.timing import Timing
 from CNCStepper.control.watch import Watch
+from CNCStepper.control.wishes import Wishes
 from CNCStepper.errors import CNCStepperError, LinkError, MachineRefusal
 
 IDLE_REPORTS = 2  # one alone may come between the last answer and the start of its motion
@@ -89,6 +90,7 @@ class JobRun:
         self._watch = Watch(self._timing)
         self._stand = Stand(self._timing, tell, refuse)
         self._retrace = Retrace(job)
+        self._wishes = Wishes(clock, refuse)
         self._by_line = job.by_line
         self._path: PathWatch | None = None  # before the first line
         self._begin_s = clock()
@@ -109,6 +111,8 @@ class JobRun:
             elapsed_s=self._clock() - self._begin_s,
             remaining_s=self._remaining.remaining_s,
             done=self._remaining.done,
+            wanted_back_mm=self._wishes.back_mm,
+            wanted_rest=self._wishes.rest,
         )
 
     def count(self, received: list[Received]) -> None:
@@ -190,6 +194,7 @@ class JobRun:
         for report in driver.receive(min(self._watch.poll(driver, every_s), self._stand.turn())):
             self._take(driver, report)
         self._obey(driver)
+        self._wishes.turn(self._phases.name in STANDS)
         if self._phases.stands and self._stand.is_left(driver):
             self._leave_stand(driver)
 
@@ -262,11 +267,17 @@ class JobRun:
     def _do(self, command: Command, driver: Grbl) -> None:
         if command.name in ("tell_place", "retrace"):
             self._go_back(driver, command)
+        elif command.name == "want_back":
+            self._phases.obey("hold", driver)
+            self._wishes.want_back(command)
+        elif command.name == "resume" and self._phases.name == RETREATED:
+            self._wishes.want_rest(command)
         elif command.name == "by_line":
             self._by_line = self._feeder.by_line = command.values["on"]
         elif self._phases.stands and command.name in self._stand.commands:
             self._stand.do(command)
         elif command.name in ("hold", "resume"):
+            self._wishes.take()
             self._phases.obey(command.name, driver)
         elif command.name == "override":
             driver.realtime(override_byte(**command.values))
@@ -276,6 +287,7 @@ class JobRun:
 
     def _go_back(self, driver: Grbl, command: Command) -> None:
         """Tell a client where the machine stands on its path, or go along the leg that it has made of that."""
+        self._wishes.take()
         self._stand.check_way_back()
         file = Path(command.values["file"])
         if command.name == "retrace":

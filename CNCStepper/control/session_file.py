@@ -51,6 +51,13 @@ def sessions(folder: Path | None = None) -> list[Path]:
     return sorted((folder or session_folder()).glob(f"*{SESSION}"))
 
 
+def session_at(machine_port: str, folder: Path | None = None) -> Path | None:
+    """Return the file of the session that has this port; None where none has."""
+    return next(
+        (path for path in sessions(folder) if (read_private(path) or {}).get("machine_port") == machine_port), None
+    )
+
+
 def running_desks(folder: Path | None = None) -> list[Path]:
     """Return the files of the desks that run, oldest first."""
     return [path for path in sorted((folder or session_folder()).glob(f"*{DESK}")) if is_fresh(path)]

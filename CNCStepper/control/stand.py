@@ -114,8 +114,8 @@ class Stand:
         check_in_time(command, self._driver.clock())
         if command.name in ("hold", "jog_cancel"):
             self._cancel(self._driver, self._jogger)
-        elif not self._leads_on and command.name in ("resume", "set_zero"):
-            raise _led(command.name)
+        elif not self._leads_on and command.name == "set_zero":
+            raise _zero_kept()
         elif self._resume_asked:
             raise _busy("the job is about to go on")
         elif command.name == "jog":
@@ -182,10 +182,7 @@ def _busy(what: str) -> MachineRefusal:
     return MachineRefusal("machine-busy", what, advice="wait until it stands, or hold it")
 
 
-def _led(name: str) -> MachineRefusal:
-    if name == "resume":
-        what = "the program's lines are no longer at the controller, which was reset"
-        return MachineRefusal("retreated", what, advice="go on with `cncstepper back --resume`")
+def _zero_kept() -> MachineRefusal:
     what = "the work zero cannot be set here: what lies behind was cut from another one"
     return MachineRefusal("retreat-zero", what, advice="go on, or stop the job")
 

@@ -30,7 +30,7 @@ class Input(BaseModel, extra="forbid", frozen=True):
     pin: one of CONTROLLER_PINS, or one of INPUT_PINS of a parallel port. port: that port's device file. act: what
     pressing does. level: "high" where the pin is on while it is pressed, else "low". debounce_ms: how long a contact
     must rest before it is believed. line: of act "switch", the block that switches an output; release_line: the one
-    that is sent when the switch is let go.
+    that is sent when the switch is let go. back_mm: of act "back", how far each pressing goes back along the cut.
     """
 
     pin: StrictInt | str
@@ -40,6 +40,7 @@ class Input(BaseModel, extra="forbid", frozen=True):
     debounce_ms: float = Field(default=30.0, ge=0, le=1000)
     line: str = ""
     release_line: str = ""
+    back_mm: float = Field(default=1.0, gt=0, le=1000)
 
     @model_validator(mode="after")
     def _pin_is_one_that_is_there(self) -> Input:

@@ -25,6 +25,7 @@ from CNCStepper.gcode.retreat.way import Place, Way
 ROUNDING_MM = 0.002  # of what is reported
 LATE_S, FASTER = 0.02, 1.02  # by which a report may be late, and clocks may differ
 SAME_PLACE = 4.0  # tolerances along the way
+AHEAD_S = 0.12  # of motion at most that a step generator has taken out of the planner: six segments of 10 ms, or twelve
 
 
 class Seen(NamedTuple):
@@ -113,9 +114,12 @@ class _Search:
                 along_mm += move.length_mm
         return list(self._apart(sorted(found)))
 
-    def of_blocks(self, places: Iterable[Place], seen: Seen) -> list[Place]:
-        """Return the places that agree with the number of blocks that the planner holds."""
-        return [place for place in places if seen.blocks < 0 or self._agrees(place, seen)]
+    def of_blocks(self, places: Iterable[Place], seen: Seen, ahead_s: float = 0.0) -> list[Place]:
+        """Return the places that agree with the number of blocks that the planner holds.
+
+        ahead_s: of the motion to come, which the planner may have given away already; nothing where the machine stands.
+        """
+        return [place for place in places if seen.blocks < 0 or self._agrees(place, seen, ahead_s)]
 
     def of_reports(self, reports: Sequence[Seen], places: list[Place]) -> list[Place]:
         """Return the places to which the machine can have come by way of all reports."""
@@ -123,16 +127,23 @@ class _Search:
         times_s = self._way.times_s(first, self._window(reports[-1])[1], self._controller.rapid_mm_min)
         before: list[Place] = []
         for number, seen in enumerate(reports):
-            now = places if number == len(reports) - 1 else self.places(seen)
-            now = self.of_blocks(now, seen) or now
-            if number:
-                now = [
-                    one
-                    for one in now
-                    if any(self._reaches(a, one, reports[number - 1 : number + 1], times_s, first) for a in before)
-                ] or now
-            before = now
+            every = places if number == len(reports) - 1 else self.places(seen)
+            likely = places if number == len(reports) - 1 else self.of_blocks(every, seen, AHEAD_S)
+            pair = reports[max(number - 1, 0) : number + 1]
+            before = (
+                self._reached(before, likely, pair, times_s, first)
+                or self._reached(before, every, pair, times_s, first)
+                or every
+            )
         return before
+
+    def _reached(
+        self, before: Sequence[Place], places: list[Place], pair: Sequence[Seen], times_s: np.ndarray, first: int
+    ) -> list[Place]:
+        """Return the places to which the machine can have come from one of `before` between a pair of reports."""
+        if not before:
+            return places
+        return [one for one in places if any(self._reaches(a, one, pair, times_s, first) for a in before)]
 
     def _window(self, seen: Seen) -> tuple[int, int]:
         """Return the rows [first, last) of which none is certainly finished, and all may have been begun."""
@@ -161,16 +172,30 @@ class _Search:
         if group:
             yield _nearest(group)
 
-    def _agrees(self, place: Place, seen: Seen) -> bool:
+    def _agrees(self, place: Place, seen: Seen, ahead_s: float) -> bool:
         lines = self._way.lines
         acknowledged = int(np.searchsorted(lines, seen.acknowledged, side="right"))
-        least, most = self._left(place)
+        _, most = self._left(place)
         if place.row >= acknowledged:  # its line is still being cut into blocks
             return seen.blocks <= most
-        later = sum(self._blocks_of(row) for row in range(place.row + 1, acknowledged))
+        ahead = self._ahead(place, ahead_s * seen.feed_percent / 100.0, acknowledged)
+        least = self._left(ahead)[0] + self._blocks_between(ahead.row + 1, acknowledged)
         last = int(np.searchsorted(lines, min(seen.acknowledged + 1, seen.sent), side="right"))
         begun = sum(max(self._blocks_of(row) - 1, 0) for row in range(acknowledged, last))
-        return least + later <= seen.blocks <= most + later + begun
+        return least <= seen.blocks <= most + self._blocks_between(place.row + 1, acknowledged) + begun
+
+    def _ahead(self, place: Place, left_s: float, end: int) -> Place:
+        """Return where a machine is after some time at full speed, at the end of row `end` - 1 at most."""
+        for row in range(place.row, end):
+            move, share = self._way.move(row), place.share if row == place.row else 0.0
+            whole_s = 60.0 * move.length_mm / (move.feed_mm_min or self._controller.rapid_mm_min)
+            if whole_s * (1.0 - share) > left_s:
+                return Place(row, share + left_s / whole_s)
+            left_s -= whole_s * (1.0 - share)
+        return Place(end - 1, 1.0)
+
+    def _blocks_between(self, first: int, end: int) -> int:
+        return sum(self._blocks_of(row) for row in range(first, end))
 
     def _left(self, place: Place) -> tuple[int, int]:
         """Return the least and the most blocks that are left of a place's row."""

@@ -14,7 +14,7 @@ from test_send import called, command
 
 from CNCStepper.control.desk_client import DeskClient
 from CNCStepper.control.session import SessionClient
-from CNCStepper.control.session_file import sessions
+from CNCStepper.control.session_file import read_private, sessions
 from CNCStepper.gcode.prepare import prepare
 from CNCStepper.job.back_worker import answered
 from CNCStepper.job.certify import send_job
@@ -69,6 +69,24 @@ def test_back_forward_and_resume_end_the_job(sent: subprocess.Popen[str]) -> Non
     dialogue = called("back", answer="b\nf\nr\n")
     assert "says no length or line" in dialogue.stderr
     assert dialogue.stdout.splitlines()[-1] == "the job goes on from here"
+    assert sent.stdin and sent.stdout
+    sent.stdin.write("\n")
+    sent.stdin.close()
+    assert "all 10 lines are cut" in sent.stdout.read()
+    assert sent.wait(60) == 0
+
+
+@pytest.mark.slow
+def test_jog_while_it_is_held_and_resume_from_the_cut(sent: subprocess.Popen[str]) -> None:
+    hold_in_cut(sent)
+    port = (read_private(sessions()[0]) or {})["machine_port"]
+    jogged = called("jog", "Z4", "--feed", "2000", "--port", port)
+    assert jogged.returncode == 0 and " Z-1.000 " in jogged.stdout, jogged.stderr
+    jogged = called("jog", "Y-3", "--feed", "2000", "--port", port)
+    assert jogged.returncode == 0 and " Y-8.000 Z-1.000 " in jogged.stdout, jogged.stderr
+    assert called("back", "--resume").returncode == 0
+    refused = called("jog", "Z4", "--port", port)
+    assert refused.returncode == 1 and "hold it first" in refused.stderr
     assert sent.stdin and sent.stdout
     sent.stdin.write("\n")
     sent.stdin.close()

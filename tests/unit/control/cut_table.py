@@ -59,14 +59,16 @@ class Cut:
         )
 
     def run(self, person: Callable[[], Person]) -> Outcome:
-        """Let a person come once the job runs, and return how it ended."""
+        """Let a person come once the job runs, and return how it ended: after all that person does."""
 
         def visit() -> Person:
             yield lambda: self.phase == "running"
             yield from person()
 
         self.table.person = visit()
-        return self.sender.run()
+        outcome = self.sender.run()
+        assert next(self.table.person, None) is None, "the job has ended before the person was done"
+        return outcome
 
     @property
     def trace(self) -> np.ndarray:

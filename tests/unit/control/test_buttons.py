@@ -11,7 +11,7 @@ from fake_controller import FakeClock, FakeController, FakeLink
 
 from CNCStepper.control.button import buttons_of
 from CNCStepper.control.buttons import POLL_S, Buttons, quicker
-from CNCStepper.control.command import VALUES, Command
+from CNCStepper.control.command import Command
 from CNCStepper.control.grbl_report import Greeting, parse
 from CNCStepper.control.outcome import DONE, STOPPED
 from CNCStepper.control.send_job import SendJob
@@ -116,12 +116,11 @@ def test_switch_follows_its_contact():
     assert [command.values["line"] for command in ear.asked] == ["M64P0", "M65P0"]
 
 
-def test_act_that_nobody_can_do_is_told_with_its_reason(monkeypatch):
-    monkeypatch.delitem(VALUES, "back", raising=False)
-    ear = Ear({"pin": "P", "act": "back"})
+def test_button_back_wants_its_own_distance():
+    ear = Ear({"pin": "P", "act": "back", "back_mm": 2.5})
     ear.show("")
     ear.show("P")
-    assert ear.asked == [] and ear.told[-1][0] == "warning" and "back along the cut" in ear.told[-1][1]
+    assert [(command.name, dict(command.values)) for command in ear.asked] == [("want_back", {"distance_mm": 2.5})]
 
 
 def test_same_buttons_again_are_not_learnt_anew():

@@ -17,6 +17,7 @@ pytestmark = pytest.mark.slow
 NEAR_MM = STEP_MM + ROUNDING_MM
 SQUARE = "G21 G90\nG0 Z-2\nG0 X-5 Y-5\nM3 S8000\nG1 Z-5 F600\nG1 X-25 F1200\nY-25\nX-5\nY-5\nG0 Z-2\nM5\nM2\n"
 DEEP = -3.0  # no cut is above
+SAMPLE_MM = 0.1  # between two points of the trace, at the speed of a jog
 
 
 def jogged(cut: Cut, **way_mm: float):
@@ -66,20 +67,19 @@ def test_who_jogs_out_of_a_hold_is_taken_back_to_the_cut(tmp_path: Path) -> None
     assert outcome.done and not cut.refused, outcome.text
     assert speeds == [0.0, 8000.0]
     (away,) = off_path(cut, SQUARE)
-    assert np.linalg.norm(away[0] - away[-1]) < 2 * NEAR_MM
+    assert np.linalg.norm(away[0] - away[-1]) < SAMPLE_MM
     lowest = away[:, 2].argmin()
     over = away[lowest:]
     sideways = np.flatnonzero(np.linalg.norm(np.diff(over[:, :2], axis=0), axis=1) > 1e-6)
     assert over[sideways, 2].min() == pytest.approx(-2.0)  # the height at which the program itself goes over
 
 
-@pytest.mark.parametrize("name", ["arcs in all planes", "helix"])
-def test_jogs_on_the_way_back_and_again_leave_the_path_whole(name: str, tmp_path: Path) -> None:
-    program = PROGRAMS[name]
+def test_jogs_on_the_way_back_and_again_leave_the_path_whole(tmp_path: Path) -> None:
+    program = PROGRAMS["arcs in all planes"]  # with G92 and a tool's length
     cut = Cut(tmp_path, program)
 
     def person():
-        yield 9.0
+        yield 4.5
         yield from cut.hold()
         yield from led(cut, "back", 3.0)
         yield from jogged(cut, z_mm=4.0)
@@ -90,8 +90,10 @@ def test_jogs_on_the_way_back_and_again_leave_the_path_whole(name: str, tmp_path
 
     outcome = cut.run(person)
     assert outcome.done and not cut.refused, outcome.text
-    for away in off_path(cut, program):
-        assert np.linalg.norm(away[0] - away[-1]) < 2 * NEAR_MM
+    ways = off_path(cut, program)
+    assert len(ways) >= 2
+    for away in ways:
+        assert np.linalg.norm(away[0] - away[-1]) < SAMPLE_MM
     assert cut.trace[-1] == pytest.approx(polyline(path_of(program))[-1], abs=NEAR_MM)
 
 
@@ -129,14 +131,14 @@ def test_way_over_is_taken_up_again_where_it_was_held(tmp_path: Path) -> None:
         yield from jogged(cut, z_mm=2.0)
         yield from jogged(cut, x_mm=-8.0)
         yield from led(cut, "rest")
-        yield lambda: -31.0 < cut.trace[-1][0] and cut.trace[-1][2] > DEEP
+        yield lambda: cut.trace[-1][0] > -31.0 and cut.trace[-1][2] > DEEP
         yield from cut.hold()
         yield from led(cut, "rest")
 
     outcome = cut.run(person)
     assert outcome.done and not cut.refused, outcome.text
     (away,) = off_path(cut, SQUARE)
-    assert np.linalg.norm(away[0] - away[-1]) < 2 * NEAR_MM
+    assert np.linalg.norm(away[0] - away[-1]) < SAMPLE_MM
 
 
 def test_beside_the_cut_no_zero_is_set_and_nothing_goes_on_by_itself(tmp_path: Path) -> None:

@@ -79,7 +79,7 @@ def test_passes_are_told_apart_without_the_buffers_state(tmp_path: Path) -> None
     cut = Cut(tmp_path, program, settings={10: 1.0})
 
     def person():
-        yield 6.0  # in the second of the three passes
+        yield 3.5  # in the second of the three passes
         yield from cut.hold()
         held = yield from found_by(cut)
         assert way.rows_of(11)[0] <= held.place.row < way.rows_of(16)[0]

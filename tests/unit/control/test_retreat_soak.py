@@ -53,7 +53,8 @@ class Wanderer:
     def person(self):
         for _ in range(self.rng.choice((1, 1, 2))):
             yield self.rng.uniform(0.05, self.total_s)
-            yield from self.cut.hold()
+            if self.cut.phase != "done":
+                yield from self.cut.hold()
             if self.cut.phase == "done":
                 return
             for _ in range(self.rng.randint(1, 3)):

@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from math import cos, sin, tau
+
 import pytest
 
 from CNCStepper.errors import ProgramError
@@ -69,3 +71,18 @@ def test_before_the_first_move_there_is_no_way_back() -> None:
 def test_a_machine_beside_its_way_is_refused() -> None:
     with pytest.raises(ProgramError, match="retreat-off-path"):
         find(way_of(SPUR), [Seen(0.0, 0.01, 3, 3, (9.0, 0.1, 0.0))], GRBL)
+
+
+def test_block_that_the_step_generator_has_taken_does_not_rule_a_pass_out() -> None:
+    radius_mm, laps = 2.0, "G21G90G17\nG2X0Y0I-2J0F900\n" + 2 * "G2X0Y0I-2J0\n"
+
+    def after(laps: float, lines: int, blocks: int) -> Seen:
+        angle, time_s = -tau * laps, laps * tau * radius_mm / 15.0
+        place = radius_mm * (cos(angle) - 1.0), radius_mm * sin(angle), 0.0
+        return Seen(time_s, time_s + 0.006, lines + 1, lines, GRBL.on_step(place), blocks)
+
+    reports = [after(0.4, 1, 15), after(0.6, 1, 15), after(0.89, 2, 15), after(1.13, 2, 15), after(1.37, 2, 15)]
+    reports += [after(1.61, 2, 15), after(1.766, 3, 15), after(1.83, 3, 12)]
+    found = find(way_of(laps), reports, GRBL)
+    assert found.early == found.late and found.early.row == 1
+    assert found.early.share == pytest.approx(0.83, abs=0.002)

@@ -1,0 +1,46 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A client that jogs a held job: the controller gives its lines up first, and the job's next way leads back to the cut.
+
+held ---a leg that goes nowhere---> retreated, idle ---jogs---> beside the cut ---back, forward, rest---> ...
+"""
+
+from __future__ import annotations
+
+import time
+
+from CNCStepper.control.outcome import SenderStatus, error_from_json
+from CNCStepper.control.retrace import STANDS
+from CNCStepper.control.session import SessionClient
+from CNCStepper.errors import MachineRefusal
+from CNCStepper.job.way_back import WayBack
+
+LOOK_EVERY_S = 0.05
+BEGUN_S = 0.5  # within which a jog shows in the status
+
+
+def step_aside(client: SessionClient) -> None:
+    """Make a held machine idle, where it is not; raises MachineRefusal for one that moves, JobError, ProgramError."""
+    status = client.status()
+    if status.phase not in STANDS:
+        what = "a job runs, and the machine does not stand"
+        raise MachineRefusal("not-held", what, value=status.phase, advice="hold it first: Ctrl-C at `cncstepper send`")
+    if status.machine_state.startswith("Hold"):
+        back = WayBack(client)
+        back.go(back.held().aside())
+        back.arrive()
+
+
+def jog(client: SessionClient, way: dict[str, float]) -> SenderStatus:
+    """Jog a machine that stands and is idle, and return its status then; raises what is refused.
+
+    way: x_mm, y_mm, z_mm and feed_mm_min.
+    """
+    client.ask("jog", **way)
+    begin_s, state = time.monotonic(), ""
+    while (time.monotonic() - begin_s < BEGUN_S or state != "Idle") and client.outcome is None:
+        for event in client.poll(LOOK_EVERY_S):
+            if event["event"] == "refused":
+                raise error_from_json(event["error"])
+            if event["event"] == "status":
+                state = event["status"]["machine_state"]
+    return client.status()
