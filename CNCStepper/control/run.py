@@ -195,7 +195,9 @@ class JobRun:
 
     def _leave_stand(self, driver: Grbl) -> None:
         if self._path and self._stand.is_off_path:
-            self._path.begin_anew(connect.look_again(driver, self._timing), self._feeder.sent)
+            found = connect.look_again(driver, self._timing)
+            self._path.begin_anew(found, self._feeder.sent)
+            self._journal.note_zero(found, self._feeder.sent)
         self._stand.end()
         self._feeder.leave_stand()
         self._phases.set("running")
@@ -266,6 +268,8 @@ class JobRun:
             self._by_line = self._feeder.by_line = command.values["on"]
         elif self._phases.stands and command.name in self._stand.commands:
             self._stand.do(command)
+            if command.name == "set_zero":
+                self._journal.note_zero(connect.look_again(driver, self._timing), self._feeder.sent)
         elif command.name in ("hold", "resume"):
             self._phases.obey(command.name, driver)
         elif command.name == "override":
