@@ -36,6 +36,7 @@ from CNCStepper.control.path_watch import PathWatch
 from CNCStepper.control.phases import RETREATED, Phases
 from CNCStepper.control.readiness import check_zero
 from CNCStepper.control.remaining import Remaining
+from CNCStepper.control.restarted import UNKNOWN
 from CNCStepper.control.retrace import LAST, Retrace, check_place, stand_reset
 from CNCStepper.control.send_job import SendJob
 from CNCStepper.control.stand import Stand
@@ -151,7 +152,8 @@ class JobRun:
             return self._outcome(STOPPED, "stopped before the first line was sent", True)
         except CNCStepperError as error:
             seen = self.driver.status if self.driver else None
-            return self._outcome(REFUSED, str(error), seen is not None and seen.state != "Alarm", error)
+            known = seen is not None and seen.state != "Alarm" and error.code != UNKNOWN
+            return self._outcome(REFUSED, str(error), known, error)
         self._phases.set("running")
         return None
 
