@@ -116,11 +116,12 @@ def _work_zero(story: Story) -> list[str]:
 
 
 def _machine(story: Story) -> list[str]:
-    """Return the option that names the machine; of a profile of one's own only the name is known."""
-    from CNCStepper.machine.profile import profile_names
+    """Return the option that names the machine; of a profile of one's own only the machine's name is known."""
+    from CNCStepper.machine.profile import load_machine, profile_names
 
     name = story.header["machine"]
-    return ["--machine", name if name in profile_names() else f"PROFILE-OF-{name or 'THE-MACHINE'}.toml"]
+    shipped = (key for key in profile_names() if load_machine(key).name == name)
+    return ["--machine", next(shipped, f"PROFILE OF {name or 'THE MACHINE'}.toml")]
 
 
 def _was_changed(file: Path, sha256: str) -> bool:

@@ -19,7 +19,7 @@ from CNCStepper.errors import JobError, MachineRefusal
 
 TEXT = "G21\nG1X1F600\nG1X2\n"
 HEADER = {
-    "format": FORMAT, "version": VERSION, "begin": "2026-11-22 08:00:00", "machine": "table-a", "port": "COM3",
+    "format": FORMAT, "version": VERSION, "begin": "2026-11-22 08:00:00", "machine": "Cutting table A", "port": "COM3",
     "firmware": "1.1h", "lines": 300, "last_line": 301, "homing": True, "goes_back": False, "file": "",
     "program_sha256": digest_of_text(TEXT),
 }  # fmt: skip
@@ -99,7 +99,7 @@ def test_of_a_restart_the_first_program_is_restarted_again(tmp_path, program):
 
 
 def test_a_profile_of_ones_own_is_left_to_be_named(tmp_path, program):
-    assert "PROFILE-OF-my-table.toml" in told(tmp_path, file=str(program), machine="my-table")
+    assert "PROFILE OF my-table.toml" in told(tmp_path, file=str(program), machine="my-table")
 
 
 def test_a_job_that_lost_its_position_must_be_homed_or_set(tmp_path, program):
