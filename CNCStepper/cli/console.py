@@ -104,8 +104,10 @@ class Session:
 def _follow(talk: Talk) -> None:
     """Do the lines of a pipe or a file; Ctrl-C holds what moves and ends it."""
     try:
-        for line in sys.stdin:
-            Session(talk).do(line.strip())
+        for line in map(str.strip, sys.stdin):
+            if line == "quit":
+                return
+            Session(talk).do(line)
     except KeyboardInterrupt:
         talk.client.hold()
         raise

@@ -14,7 +14,10 @@ import click
 from CNCStepper.cli.options import FilePath, read_program
 
 if TYPE_CHECKING:
+    from CNCStepper.control.journal.reached import Reached
     from CNCStepper.control.journal.story import Story
+
+START_SYSTEM = "G54"  # of which --work-zero tells
 
 
 @click.command("resume")
@@ -70,9 +73,19 @@ def _told(story: Story) -> Iterator[tuple[str, str]]:
             f"{story.first_program.file}: restart that one again, what its restart has cut counts as cut",
         )
     yield "machine", f"{machine}, grbl {header['firmware']}, begun {header['begin']}"
-    yield from told_of(story)
+    yield from told_of(story, _reached(story))
     if not story.is_done:
         yield "restart", _restart(story)
+
+
+def _reached(story: Story) -> Reached | None:
+    """Return the interval as places, None where the program is not there as it was sent."""
+    file = Path(story.header["file"])
+    if not story.first_line or not file.is_file() or _was_changed(file, story.header["program_sha256"]):
+        return None
+    from CNCStepper.control.journal.reached import reached
+
+    return reached(story, read_program(file))
 
 
 def _restart(story: Story) -> str:
@@ -87,16 +100,28 @@ def _restart(story: Story) -> str:
         return f"from line {line} of the program, which is not a file here any more: {name}"
     if _was_changed(file, sha256):
         return f"none: {file} was changed since, so its lines are not those of the journal; bring the old text back"
-    words = ["cncstepper", "restart", str(file), "--line", str(line), *_machine(story)]
+    words = ["cncstepper", "restart", str(file), "--line", str(line), *_machine(story), *_work_zero(story)]
     return subprocess.list2cmdline(words) if sys.platform == "win32" else _quoted(words)
 
 
+def _work_zero(story: Story) -> list[str]:
+    """Return the option by which a restart is made and compared with a zero that was set again within the job.
+
+    Of a machine that cannot home itself machine coordinates mean nothing after a loss: the zero is said in words only.
+    """
+    zero_mm = story.zero.get("offsets_mm", {}).get(START_SYSTEM)
+    if not zero_mm or not story.header["homing"] or START_SYSTEM not in story.zero["modes"].split():
+        return []
+    return ["--work-zero", ",".join(f"{value:.3f}" for value in zero_mm[:3])]
+
+
 def _machine(story: Story) -> list[str]:
-    """Return the option that names the machine; of a profile of one's own only the name is known."""
-    from CNCStepper.machine.profile import profile_names
+    """Return the option that names the machine; of a profile of one's own only the machine's name is known."""
+    from CNCStepper.machine.profile import load_machine, profile_names
 
     name = story.header["machine"]
-    return ["--machine", name if name in profile_names() else f"PROFILE-OF-{name or 'THE-MACHINE'}.toml"]
+    shipped = (key for key in profile_names() if load_machine(key).name == name)
+    return ["--machine", next(shipped, f"PROFILE OF {name or 'THE MACHINE'}.toml")]
 
 
 def _was_changed(file: Path, sha256: str) -> bool:

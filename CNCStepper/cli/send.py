@@ -52,7 +52,12 @@ if TYPE_CHECKING:
 @start_options
 @dialect_option
 @click.option("--baud", type=click.IntRange(min=300), default=115200, show_default=True)
-@click.option("--zero-confirmed", is_flag=True, help="The work zero is set on the stock; without it you are asked.")
+@click.option(
+    "--zero-confirmed",
+    is_flag=True,
+    help="The work zero is set on the stock, and if the board restarts now the tool has stood on that zero since; "
+    "without this option you are asked.",
+)
 @click.option(
     "--step", "by_line", is_flag=True, help="Line by line: Enter sends the next one and waits till it is cut."
 )
@@ -87,6 +92,11 @@ def command(
     tools, the stock and the clamps of the proof, as far as these are given here. Without one the program is checked
     first: with --machine, with --job (whose machine counts where none is given), or not at all if told so by
     --unchecked. The controller's settings, and its work zero where the proof knows it, are compared.
+
+    Many boards restart when their port is opened, and count from where they stand then: the position is unknown. Such a
+    board is sent nothing unless its zero is that very place: move the tool to the work zero, `cncstepper zero`, then
+    send without moving it in between.
+
     Ctrl-C holds the machine and asks what to do. A stop here is not an emergency stop.
 
     At a pause (M0, for example to change the tool) and between two lines with --step the machine is idle: Enter goes
@@ -246,6 +256,9 @@ def _uncertified(wanted: _Wanted, dialect: str) -> SendJob:
 def confirmed(job: SendJob, confirmed: bool) -> SendJob:
     """Return the job with the zero confirmed, by the option or by the person at the terminal."""
     if not confirmed and sys.stdin.isatty():
+        click.echo(
+            "Should the board restart when its port is opened, the tool must stand on the work zero, as it was set."
+        )
         confirmed = click.confirm("Is the work zero set on the stock, and the way free?", default=False)
     return replace(job, zero_confirmed=confirmed)
 

@@ -15,7 +15,8 @@ def command(axes: str, port: str, baud: int) -> None:
     """Make the place where the tool stands the work zero of AXES: XYZ where none are given, or Z, or XY.
 
     It is stored in the work system in force (G54 as a rule) of the controller at --port, and read back. The machine
-    must be idle; nothing moves.
+    must be idle; nothing moves. Where the board restarts when its port is opened, this is the last thing to do before
+    `cncstepper send`: nothing may move the tool in between.
     """
     with Talk(port, baud) as talk:
         talk.set_zero(axes)

@@ -22,7 +22,8 @@ OLD_VERSIONS = ("0.", "1.0")
 class Found:
     """What answered: firmware, version ("1.1h.20190830"), settings by number, offsets by name, `$G` words.
 
-    greeted: it restarted when the port was opened, so its position counts from where it stands now.
+    greeted: it restarted when the port was opened, so its position counts from where it stood then, and nobody has
+    homed it or set its zero since.
     """
 
     version: str
@@ -57,6 +58,11 @@ def look_again(driver: Grbl, timing: Timing) -> Found:
     """Ask a controller that is idle what may have changed since it was met: its offsets and modes."""
     offsets, modes = read_offsets(driver, timing), read_modes(driver, timing)
     return Found("", driver.firmware, dict(driver.settings), offsets, modes)
+
+
+def offsets_of(driver: Grbl, found: Found) -> dict[str, Vector | None]:
+    """Return the offsets of `$#` by name, in mm; None while the units are not known."""
+    return {name: driver.mm(offset) for name, offset in found.offsets.items()}
 
 
 def learn_units(driver: Grbl, timing: Timing) -> None:

@@ -125,10 +125,12 @@ class Desk:
     # --- the loop ------------------------------------------------------------------------------
 
     def _connect(self, driver: Grbl, idle: Idle) -> None:
-        if connect.greeted(connect.wake_up(driver, self._timing, locked=True)):
+        greeted = connect.greeted(connect.wake_up(driver, self._timing, locked=True))
+        if greeted:
             self._tell("warning", "the controller restarted when its port was opened; it counts from where it stands")
-            idle.count_from_here()
         self._learn(driver, idle)
+        if greeted:
+            idle.meet_restarted()
         self._connected = True
 
     def _turn(self, driver: Grbl, idle: Idle) -> None:
@@ -261,7 +263,7 @@ class Desk:
         self._idle.check_position()
         found = connect.learn(self._driver, self._timing)
         self._take_zero(found.offsets, found.modes)
-        return found
+        return replace(found, greeted=self._idle.position_known is False)
 
     # --- the end -------------------------------------------------------------------------------
 

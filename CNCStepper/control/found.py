@@ -5,22 +5,26 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from CNCStepper.control.connect import Found
+from CNCStepper.control.connect import Found, offsets_of
 from CNCStepper.control.first_modes import check_modes, mode_differences
 from CNCStepper.control.grbl import Grbl
 from CNCStepper.control.readiness import check_offsets, check_settings, differences, offset_differences
+from CNCStepper.control.restarted import check_zero_here
 from CNCStepper.control.send_job import SendJob
 
 
 def check_found(job: SendJob, driver: Grbl, found: Found, tell: Callable[[str, str], None]) -> None:
     """Tell every difference as a warning, and refuse those that the job does not allow; raises MachineRefusal.
 
-    A line that is too long for the firmware is refused in any case, as a ProgramError.
+    A line that is too long for the firmware is refused in any case, as a ProgramError, and so is a work zero that was
+    lost when the controller restarted.
     """
     job.check_lengths(found.firmware, driver.window)
+    if found.greeted:
+        check_zero_here(job.lines, driver, found)
     for number in sorted(set(job.expected) - set(found.settings)):
         tell("warning", f"the controller does not report ${number}: it was not compared")
-    offsets_mm = {name: driver.mm(offset) for name, offset in found.offsets.items()}
+    offsets_mm = offsets_of(driver, found)
     moved = offset_differences(offsets_mm, found.modes, job.work_offsets_mm, job.work_system)
     modes = mode_differences(found.modes, offsets_mm, job.lines)
     for difference in [*differences(found.settings, job.expected), *moved, *modes]:

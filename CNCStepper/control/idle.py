@@ -18,6 +18,7 @@ from CNCStepper.control.moment import moment
 from CNCStepper.control.outcome import SenderStatus
 from CNCStepper.control.overrides import override_byte
 from CNCStepper.control.readiness import check_state
+from CNCStepper.control.restarted import counts_from_here
 from CNCStepper.control.run import Refuse, Tell
 from CNCStepper.control.timing import Timing
 from CNCStepper.control.typed_line import HOME as HOME_LINE
@@ -37,11 +38,15 @@ CRITICAL = "Reset to continue"
 
 
 class Belief(NamedTuple):
-    """What is held of a machine's position; lost: after it was met. zeroed: the axes whose zeros were set since."""
+    """What is held of a machine's position.
+
+    counts_from_here: it restarted as it was met, and was neither homed nor zeroed since. zeroed: the axes whose zeros
+    were set since the position was lost.
+    """
 
     position_known: bool | None
     homed: bool
-    lost: bool
+    counts_from_here: bool
     zeroed: frozenset[str]
 
 
@@ -54,7 +59,7 @@ class Idle:
 
     def __init__(self, driver: Grbl, timing: Timing, tell: Tell, refuse: Refuse):
         self.position_known: bool | None = None
-        self._lost = False  # after the machine was met
+        self.counts_from_here = False  # see `Belief`
         self.homed = False
         self._driver = driver
         self._timing = timing
@@ -89,11 +94,11 @@ class Idle:
     @property
     def belief(self) -> Belief:
         """What is held of the position; to be set again after a reset that has not cost it."""
-        return Belief(self.position_known, self.homed, self._lost, frozenset(self._zeroed))
+        return Belief(self.position_known, self.homed, self.counts_from_here, frozenset(self._zeroed))
 
     @belief.setter
     def belief(self, belief: Belief) -> None:
-        self.position_known, self.homed, self._lost = belief[:3]
+        self.position_known, self.homed, self.counts_from_here = belief[:3]
         self._zeroed = set(belief.zeroed)
 
     @property
@@ -161,14 +166,13 @@ class Idle:
 
     def lose_position(self) -> None:
         """From now on the machine's position is unknown until it is homed or all its zeros are set."""
-        self.position_known = self.homed = False
-        self._lost = True
+        self.position_known = self.homed = self.counts_from_here = False
         self._zeroed.clear()
 
-    def count_from_here(self) -> None:
-        """Take a controller as it was met: it restarted, and whether its zero is right a person says before a job."""
+    def meet_restarted(self) -> None:
+        """Take a controller as it was met: it restarted, see `restarted` for what a person's word counts then."""
         self.lose_position()
-        self._lost = False
+        self.counts_from_here = counts_from_here(self._driver)
 
     def stop(self) -> None:
         """Bring to rest whatever moves: a jog keeps its position, homing loses it."""
@@ -179,9 +183,9 @@ class Idle:
         elif self._jogger.active or self.phase == "jogging":
             self._jogger.cancel()
         elif self.phase in ("busy", "held", "door"):
-            known, homed = self.position_known, self.homed
+            belief = self.belief
             if halt.hold_and_reset(self._driver, self._timing):
-                self.position_known, self.homed = known, homed  # a reset at rest does not cost it
+                self.belief = belief  # a reset at rest does not cost it
             else:
                 self.lose_position()
         else:
@@ -197,8 +201,8 @@ class Idle:
             raise MachineRefusal("machine-busy", "the machine is not at rest", value="jogging", advice=advice)
 
     def check_position(self) -> None:
-        """Raise MachineRefusal when the position was lost after the machine was met: no program may move it."""
-        if self.position_known is False and self._lost:
+        """Raise MachineRefusal when the position is lost: no program may move it, unless all it has is from here."""
+        if self.position_known is False and not self.counts_from_here:
             raise MachineRefusal(
                 "position-unknown",
                 "the machine's position is unknown",
@@ -256,9 +260,11 @@ class Idle:
     def _unlock(self) -> None:
         self.check_at_rest()
         asleep = self.status().machine_state == "Sleep"
-        known, homed = self.position_known, self.homed and not asleep  # asleep its motors let go
+        belief = self.belief
         acts.unlock(self._driver, self._timing, self._wants_reset or asleep)
-        self.position_known, self.homed = known, homed  # a reset at rest does not cost it
+        self.belief = belief  # a reset at rest does not cost it
+        if asleep:  # its motors had let go
+            self.homed = self.counts_from_here = False
 
     def _type(self, text: str) -> None:
         """Do what a typed line asks: home and unlock as the desk does them, the others as they stand."""

@@ -31,7 +31,6 @@ class SenderStatus:
     wanted_back_mm: how far a button of the machine wants the tool led back on its cut, None for nowhere; wanted_rest:
     whether the job is to go on from where that led. Both are for a client that can lead it.
     work_system, work_offsets_mm: the work system in force and what `$#` last said by name ("G54", "G92", "TLO").
-    wanted_back_mm: how far a button of the machine wants to go back along the cut, None while none does.
     None stands for: not reported yet.
     """
 
@@ -62,7 +61,6 @@ class SenderStatus:
     wanted_rest: bool = False
     work_system: str = ""
     work_offsets_mm: dict[str, Vector] | None = None
-    wanted_back_mm: float | None = None
 
     def to_json(self) -> dict[str, Any]:
         """Return it as plain values."""

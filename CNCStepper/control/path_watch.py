@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING
 
-from CNCStepper.control.connect import Found
+from CNCStepper.control.connect import Found, offsets_of
 from CNCStepper.control.grbl import Grbl
 from CNCStepper.control.grbl_report import Status, Vector
 from CNCStepper.control.readiness import STEPS_PER_MM
@@ -28,6 +28,9 @@ STEP_MM = 0.0125  # where the controller does not report its steps/mm
 AHEAD_BLOCKS = 8  # short ones that the step generator has taken out of the planner's queue
 STANDING = ("Idle", "Run", "Hold")  # in others (door, tool, jog) a controller moves by itself, or a person it
 MODES = ("G0", "G1", "G2", "G3", "G17", "G18", "G19", "G20", "G21", "G90", "G91", "G93", "G94")
+
+
+Offsets = Mapping[str, Sequence[float] | None]
 
 
 class PathWatch:
@@ -79,7 +82,7 @@ class PathWatch:
         except ImportError as error:
             self._warn(str(error))
             return None
-        start, held = start_of(self._driver, found), held_words(self._driver, found)
+        start, held = start_of(self._driver, found), held_words(offsets_of(self._driver, found), found.modes)
         return PlannedPath(self._job.lines, start, held, first)
 
     def _tell_unknown(self, path: PlannedPath) -> None:
@@ -103,10 +106,15 @@ class PathWatch:
 
 def start_of(driver: Grbl, found: Found) -> Start:
     """Return where a machine stands that was just met, and its offsets."""
-    offsets = {name: mm for name, offset in found.offsets.items() if (mm := driver.mm(offset)) is not None}
+    return start_from(offsets_of(driver, found), found.modes, driver.mpos_mm)
+
+
+def start_from(offsets_mm: Offsets, modes: str, mpos_mm: Vector | None) -> Start:
+    """Return the same by the offsets of `$#` in mm, the words of `$G` and the machine position."""
+    offsets = {name: tuple(offset) for name, offset in offsets_mm.items() if offset}
     return Start(
-        position_mm=driver.mpos_mm or Start().position_mm,
-        work_system=next((word for word in found.modes.split() if word in WORK_SYSTEMS), "G54"),
+        position_mm=mpos_mm or Start().position_mm,
+        work_system=next((word for word in modes.split() if word in WORK_SYSTEMS), "G54"),
         work_offsets_mm={name: offsets[name] for name in WORK_SYSTEMS if name in offsets},
         g92_mm=offsets.get("G92", Start().g92_mm),
         zero_known=True,
@@ -114,10 +122,10 @@ def start_of(driver: Grbl, found: Found) -> Start:
     )
 
 
-def held_words(driver: Grbl, found: Found) -> list[str]:
+def held_words(offsets_mm: Offsets, modes: str) -> list[str]:
     """Return what a machine holds besides, as lines: a tool's length, what a coordinate means, the feed."""
-    length = driver.mm(found.offsets.get("TLO"))
-    words = (word for word in found.modes.split() if word in MODES or (word[0] == "F" and float(word[1:]) > 0))
+    length = offsets_mm.get("TLO")
+    words = (word for word in modes.split() if word in MODES or (word[0] == "F" and float(word[1:]) > 0))
     return [*([f"G43.1Z{length[-1]}"] if length and length[-1] else []), "".join(words)]
 
 

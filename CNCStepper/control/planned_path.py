@@ -60,6 +60,11 @@ class PlannedPath:
         """The first line of the wire text, from 0, that may not be done; -1 before all."""
         return self._stretches[0].line
 
+    @property
+    def end_mm(self) -> tuple[float, ...] | None:
+        """Where the last line read ends; None where nobody knows."""
+        return None if np.isnan(self._here).any() else tuple(self._here.tolist())
+
     def drop_planned_before(self, acknowledged: int, queued: int) -> None:
         """Forget what is done for sure: the lines that are `acknowledged` are planned, and `queued` may wait then."""
         planned = sum(stretch.line < acknowledged for stretch in self._stretches)

@@ -36,6 +36,7 @@ from CNCStepper.control.path_watch import PathWatch
 from CNCStepper.control.phases import RETREATED, Phases
 from CNCStepper.control.readiness import check_zero
 from CNCStepper.control.remaining import Remaining
+from CNCStepper.control.restarted import UNKNOWN
 from CNCStepper.control.retrace import LAST, STANDS, Retrace, check_place, stand_reset
 from CNCStepper.control.send_job import SendJob
 from CNCStepper.control.stand import Stand
@@ -155,7 +156,8 @@ class JobRun:
             return self._outcome(STOPPED, "stopped before the first line was sent", True)
         except CNCStepperError as error:
             seen = self.driver.status if self.driver else None
-            return self._outcome(REFUSED, str(error), seen is not None and seen.state != "Alarm", error)
+            known = seen is not None and seen.state != "Alarm" and error.code != UNKNOWN
+            return self._outcome(REFUSED, str(error), known, error)
         self._phases.set("running")
         return None
 
@@ -200,7 +202,9 @@ class JobRun:
 
     def _leave_stand(self, driver: Grbl) -> None:
         if self._path and self._stand.is_off_path:
-            self._path.begin_anew(connect.look_again(driver, self._timing), self._feeder.sent)
+            found = connect.look_again(driver, self._timing)
+            self._path.begin_anew(found, self._feeder.sent)
+            self._journal.note_zero(found, self._feeder.sent)
         self._stand.end()
         self._feeder.leave_stand()
         self._phases.set("running")
@@ -276,6 +280,8 @@ class JobRun:
             self._by_line = self._feeder.by_line = command.values["on"]
         elif self._phases.stands and command.name in self._stand.commands:
             self._stand.do(command)
+            if command.name == "set_zero":
+                self._journal.note_zero(connect.look_again(driver, self._timing), self._feeder.sent)
         elif command.name in ("hold", "resume"):
             self._wishes.take()
             self._phases.obey(command.name, driver)

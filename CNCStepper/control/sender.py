@@ -14,6 +14,7 @@ from CNCStepper.control.grbl import Grbl, Received
 from CNCStepper.control.journal.kept import Journals
 from CNCStepper.control.moment import tell_words
 from CNCStepper.control.outcome import Outcome, SenderStatus
+from CNCStepper.control.restarted import check_counts_from_here
 from CNCStepper.control.run import JobRun, Refuse, Stopped, Tell
 from CNCStepper.control.send_job import SendJob
 from CNCStepper.control.timing import Timing
@@ -89,6 +90,7 @@ class Sender:
         found = connect.meet(driver, self._timing)
         if found.greeted:
             self._tell("warning", "the controller restarted when its port was opened; it counts from where it stands")
+            check_counts_from_here(driver)
         self._buttons.wire(buttons_of(self.job.inputs))
         self._connecting = False
         for command in self._early:

@@ -36,12 +36,12 @@ class _Checked(BaseModel):
 class Fault(_Checked):
     """One fault, once.
 
-    at_byte: the byte of its way, from 0, that it begins with. at_s: or the time since power-up, in simulated seconds.
-    way: "in" to the controller, "out" from it; bytes are counted there. count: bytes, `ok` or messages. for_s: of a
-    delay, or of a full disk. bits: corrupted are these bits of each byte; 0 leaves one to chance. when: a fault of the board waits until
-    the machine is in "motion" or at "rest". code: of an alarm, 1 (limit switch) or
-    2 (soft limit). text: of a flood's messages. pid_file: holds the number
-    of the process to kill, or is a session file.
+    at_byte: the byte of its way, from 0, that it begins with. at_s: or the time since power-up, in simulated
+    seconds. way: "in" to the controller, "out" from it; bytes are counted there. count: bytes, `ok` or messages.
+    for_s: of a delay, or of a full disk. bits: corrupted are these bits of each byte; 0 leaves one to chance. when:
+    a fault of the board waits until the machine is in "motion" or at "rest". code: of an alarm, 1 (limit switch) or
+    2 (soft limit). text: of a flood's messages. pid_file: holds the number of the process to kill, or is a session
+    file.
     """
 
     kind: Kind

@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from CNCStepper import __version__
-from CNCStepper.control.connect import Found
+from CNCStepper.control.connect import Found, offsets_of
 from CNCStepper.control.grbl import Grbl
 from CNCStepper.control.journal.story import FORMAT, VERSION
 from CNCStepper.control.moment import HOMING
@@ -41,7 +41,8 @@ def header_of(job: SendJob, driver: Grbl, found: Found) -> dict[str, Any]:
         "greeted": found.greeted,
         "homing": bool(found.settings.get(HOMING)),
         "modes": found.modes,
-        "offsets_mm": {name: driver.mm(offset) for name, offset in found.offsets.items()},
+        "offsets_mm": offsets_of(driver, found),
+        "dialect": job.retrace.get("dialect", ""),
         "mpos_mm": driver.mpos_mm,
     }
 

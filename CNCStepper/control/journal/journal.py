@@ -17,7 +17,7 @@ from concurrent.futures import Executor, Future, ThreadPoolExecutor
 from pathlib import Path
 from typing import Any
 
-from CNCStepper.control.connect import Found
+from CNCStepper.control.connect import Found, offsets_of
 from CNCStepper.control.grbl import Grbl, Received
 from CNCStepper.control.journal.ahead import FIRST, Ahead
 from CNCStepper.control.journal.capacity import Capacity
@@ -57,6 +57,8 @@ class Journal:
         self._writing: Future[None] | None = None
         self._asked = 0  # permitted once what is being written is on the disk
         self._written: Group | None = None
+        self._offsets_mm: dict[str, Any] = {}
+        self._zero: dict[str, Any] = {}  # what a record says of a zero that is not the header's
         self._trouble = ""
         self._due_s = 0.0
         self._finished = 0
@@ -71,6 +73,7 @@ class Journal:
             prune(self._folder)
             self.path = new_session(self._folder, JOURNAL)
             self._file = JournalFile(self.path)
+            self._offsets_mm = offsets_of(driver, found)
             self._file.append(header_of(job, driver, found))
             self._file.append(self._group(min(FIRST, len(job.lines)), 0, 0).to_content())
         except OSError as error:
@@ -92,6 +95,21 @@ class Journal:
             self._put(self._group(may_be_sent, acknowledged, self._finished))
         return told
 
+    def note_zero(self, found: Found, sent: int) -> None:
+        """Learn how a machine stands that a person had at a pause, all before line `sent` (from 0) being cut.
+
+        Where its work zero is another one now, no line goes out before that is on the disk.
+        """
+        offsets_mm = offsets_of(self._driver, found)
+        if offsets_mm == self._offsets_mm:
+            return
+        self._offsets_mm = offsets_mm
+        line = self._job.place(min(sent, len(self._job.lines) - 1)).line
+        self._zero = {"zero": {"line": line, "modes": found.modes, "offsets_mm": offsets_mm}}
+        self._finished = max(self._finished, sent)
+        self.permitted = self._asked = sent  # also of a range that is being written
+        self._written, self._due_s = None, self._clock()
+
     def holds(self, sent: int) -> bool:
         """Return whether the job must be held: no further line can be put on the disk."""
         return bool(self._trouble) and self.permitted <= sent < len(self._job.lines)
@@ -107,7 +125,7 @@ class Journal:
         group = self._group(status.sent, status.acknowledged, self._finished)
         end = {"end": outcome.kind, "why": outcome.text, "position_known": outcome.position_known}
         try:
-            self._file.append(end | group.to_content())
+            self._file.append(end | group.to_content() | self._zero)
         except OSError as error:
             told.append(f"the journal could not be ended ({error.strerror or error}): it will tell of a killed job")
         self._file.close()
@@ -155,7 +173,7 @@ class Journal:
         self._written = group
         self._asked = group.may_be_sent
         self.permitted = min(self.permitted, self._asked)
-        self._writing = self._executor.submit(self._file.append, group.to_content())
+        self._writing = self._executor.submit(self._file.append, group.to_content() | self._zero)
         self._writing.add_done_callback(lambda _: self._driver.link.wake())
 
     def _collected(self, wait: bool = False) -> list[str]:

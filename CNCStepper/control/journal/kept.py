@@ -25,6 +25,12 @@ class Keeping(Protocol):
     def keep(self, sent: int, acknowledged: int, is_idle: bool) -> list[str]:
         """Write what is due, and return what people must know now. is_idle: what was acknowledged is cut."""
 
+    def note_zero(self, found: Found, sent: int) -> None:
+        """Learn how a machine stands that a person had at a pause, all before line `sent` (from 0) being cut.
+
+        Where its work zero is another one now, no line goes out before that is on the disk.
+        """
+
     def holds(self, sent: int) -> bool:
         """Return whether the job must be held: no further line can be put on the disk."""
 
@@ -53,6 +59,9 @@ class NoJournal:
     def keep(self, sent: int, acknowledged: int, is_idle: bool) -> list[str]:
         """Do nothing."""
         return []
+
+    def note_zero(self, found: Found, sent: int) -> None:
+        """Do nothing."""
 
     def holds(self, sent: int) -> bool:
         """Return False."""

@@ -6,6 +6,7 @@ from __future__ import annotations
 import sys
 from dataclasses import replace
 
+from CNCStepper.control.connect import Found
 from CNCStepper.control.grbl import Received
 from CNCStepper.control.journal.kept import Keeping
 from CNCStepper.control.outcome import Outcome
@@ -45,6 +46,10 @@ class Led:
         self.sent = max(0, self._lines_before + sent)
         self.acknowledged = max(0, self._lines_before + acknowledged)
         return self.program.keep(self.sent, self.acknowledged, is_idle)
+
+    def note_zero(self, found: Found, sent: int) -> None:
+        """Learn how a machine stands that a person had at a pause."""
+        self.program.note_zero(found, self.sent if self._lines_before is None else max(0, self._lines_before + sent))
 
     def holds(self, sent: int) -> bool:
         """Return whether the leg must be held: no further line of the program can be put on the disk."""

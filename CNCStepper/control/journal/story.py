@@ -30,7 +30,8 @@ class Story:
     header: what was known before the first line (see `header.header_of`). group: the last entry. end: how the job
     ended: one of RUNNING, KILLED, "done", "stopped", "failed". why: the words of its outcome. position_known:
     whether the controller's position could be trusted at the end; None for a job that was killed.
-    is_end_damaged: nothing is known of the last lines sent, so that any may have been.
+    is_end_damaged: nothing is known of the last lines sent, so that any may have been. zero: the work zero that was set
+    within the job, as the header has it, and the pause's line of the file; empty: it is the header's.
     """
 
     path: Path
@@ -41,6 +42,7 @@ class Story:
     position_known: bool | None = None
     faults: tuple[str, ...] = field(default=())
     is_end_damaged: bool = False
+    zero: Mapping[str, Any] = field(default_factory=dict)
 
     @property
     def is_done(self) -> bool:
@@ -115,6 +117,7 @@ def _story(path: Path, records: Records, is_running: bool) -> Story:
         ended.get("position_known"),
         records.faults,
         records.is_end_damaged,
+        last.get("zero", {}),
     )
 
 

@@ -5,9 +5,13 @@ from __future__ import annotations
 
 import time
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
 from CNCStepper.control.journal.story import KILLED, RUNNING, Story
 from CNCStepper.errors import MachineRefusal, Place
+
+if TYPE_CHECKING:
+    from CNCStepper.control.journal.reached import Reached
 
 UNTIL_HOMED = "until then nothing but homing, jogging and setting the zero is safe"
 
@@ -23,17 +27,15 @@ def check_ended(story: Story) -> None:
         )
 
 
-def told_of(story: Story) -> Iterator[tuple[str, str]]:
-    """Yield what is known of a job that has ended: a short name, and the words."""
+def told_of(story: Story, reached: Reached | None = None) -> Iterator[tuple[str, str]]:
+    """Yield what is known of a job that has ended: a short name, and the words. reached: where on its path it was."""
     yield "ended", how_it_ended(story)
     for fault in story.faults:
         yield "damaged", fault
     yield from _lines(story)
-    group = story.group
-    if group.wpos_mm and group.mpos_mm:
-        moment = time.strftime("%Y-%m-%d %H:%M:%S", time.localtime(group.time_s))
-        work, machine = _place(group.wpos_mm), _place(group.mpos_mm)
-        yield "last seen", f"{group.state} at work {work}, machine {machine} mm, {moment}"
+    yield from _places(story, reached)
+    if story.zero:
+        yield "work zero", _zero(story)
     yield "position", _position(story)
 
 
@@ -65,6 +67,35 @@ def _lines(story: Story) -> Iterator[tuple[str, str]]:
         yield "not certain", f"line {story.first_line} may not have been begun, line {last} may have been sent"
     if story.may_be_sent < story.total:
         yield "not sent", "what comes after that"
+
+
+def _places(story: Story, reached: Reached | None) -> Iterator[tuple[str, str]]:
+    """Yield the interval as places on the path, and where the machine was last seen."""
+    if reached:
+        begin, end = _place(reached.begin_mm), _place(reached.end_mm)
+        interval = f"from {begin} at line {reached.first_line}, to {end} at line {reached.last_line}"
+        yield "on the path", f"{interval} (work, mm)"
+    group = story.group
+    if group.wpos_mm and group.mpos_mm:
+        moment = time.strftime("%Y-%m-%d %H:%M:%S", time.localtime(group.time_s))
+        work, machine = _place(group.wpos_mm), _place(group.mpos_mm)
+        yield "last seen", f"{group.state} at work {work}, machine {machine} mm, {moment}{_beside(reached)}"
+
+
+def _beside(reached: Reached | None) -> str:
+    if reached is None:
+        return ""
+    return f", on the path at line {reached.seen_line}" if reached.seen_line else ", OFF the path of these lines"
+
+
+def _zero(story: Story) -> str:
+    """Return that the work zero was set anew within the job, and where it is."""
+    before, now = story.header["offsets_mm"], story.zero["offsets_mm"]
+    changed = [f"{name} {_place(now[name])}" for name in now if now[name] and now[name] != before.get(name)]
+    return (
+        f"set again at the pause at line {story.zero['line']}: {', '.join(changed) or 'unknown'} (machine, mm); "
+        "what comes after counts from there, what was before from the old one"
+    )
 
 
 def _position(story: Story) -> str:

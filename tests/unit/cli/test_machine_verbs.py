@@ -137,6 +137,8 @@ def test_newcomer_asks_homes_jogs_zeroes_and_types(port, monkeypatch, tmp_path):
     zeroed = called("zero", "xy", "--port", port)
     assert zeroed.returncode == 0 and "X0.000 Y0.000" in zeroed.stdout.splitlines()[-1]
     typed = called("console", "--port", port, answer="$G\nG0 X-3\nG1 X!\nG0 X0\n")
+    left = called("console", "--port", port, answer="$G\nquit\nG1 X!\n")
+    assert left.returncode == 0 and not left.stderr
     assert typed.returncode == 1 and "would act as a command" in typed.stderr
     assert "[GC:G0 G54" in typed.stdout and typed.stdout.splitlines()[-1] == "ok"
 

@@ -19,7 +19,7 @@ from CNCStepper.errors import JobError, MachineRefusal
 
 TEXT = "G21\nG1X1F600\nG1X2\n"
 HEADER = {
-    "format": FORMAT, "version": VERSION, "begin": "2026-11-22 08:00:00", "machine": "table-a", "port": "COM3",
+    "format": FORMAT, "version": VERSION, "begin": "2026-11-22 08:00:00", "machine": "Cutting table A", "port": "COM3",
     "firmware": "1.1h", "lines": 300, "last_line": 301, "homing": True, "goes_back": False, "file": "",
     "program_sha256": digest_of_text(TEXT),
 }  # fmt: skip
@@ -63,6 +63,30 @@ def test_a_killed_job_states_its_interval_and_the_restart(tmp_path, program):
     assert text.endswith(f"cncstepper restart {quote}{program}{quote} --line 43 --machine table-a\n")
 
 
+PATH = {
+    "modes": "G0 G54 G17 G21 G90 G94", "offsets_mm": {"G54": [-100.0, -50.0, -20.0], "TLO": [0.0]},
+    "mpos_mm": [-100.0, -50.0, -20.0], "lines": 3, "last_line": 3, "dialect": "grbl",
+}  # fmt: skip
+
+
+@pytest.mark.parametrize(("y_mm", "words"), [(-50.0, "on the path at line 3"), (-49.0, "OFF the path of these lines")])
+def test_the_interval_is_told_as_places_and_the_last_place_beside_it(tmp_path, program, y_mm, words):
+    group = Group(1.8e9, 3, 2, 2, 3, 3, "Run", (-98.5, y_mm, -20.0), (1.5, y_mm + 50, 0.0))
+    text = told(tmp_path, file=str(program), group=group, **PATH)
+    assert "from X1.000 Y0.000 Z0.000 at line 3, to X2.000 Y0.000 Z0.000 at line 3 (work, mm)" in text
+    assert words in text
+
+
+@pytest.mark.parametrize(("homing", "option"), [(True, "--work-zero -100.000,-50.000,-12.500"), (False, "")])
+def test_a_zero_that_was_set_within_the_job_is_told_and_restarted_with(tmp_path, program, homing, option):
+    group = Group(1.8e9, 3, 2, 2, 3, 3, "Run", (-98.5, -50.0, -12.5), (1.5, 0.0, 0.0))
+    zero = {"line": 2, "modes": "G0 G54 G21", "offsets_mm": {"G54": [-100.0, -50.0, -12.5], "TLO": [0.0]}}
+    end = {"zero": zero, "end": "stopped", "why": "stopped as asked", "position_known": True}
+    text = told(tmp_path, file=str(program), group=group, end=end, **PATH | {"homing": homing})
+    assert "set again at the pause at line 2: G54 X-100.000 Y-50.000 Z-12.500 (machine, mm)" in text
+    assert text.endswith(f"--line 3 --machine table-a {option}".rstrip() + "\n")
+
+
 def test_of_a_restart_the_first_program_is_restarted_again(tmp_path, program):
     first = {"file": str(program), "program_sha256": digest_of_text(TEXT), "lines": [[40, 812]]}
     text = told(tmp_path, file="part-restart.nc", program_sha256="00", restart_of=first)
@@ -75,7 +99,7 @@ def test_of_a_restart_the_first_program_is_restarted_again(tmp_path, program):
 
 
 def test_a_profile_of_ones_own_is_left_to_be_named(tmp_path, program):
-    assert "PROFILE-OF-my-table.toml" in told(tmp_path, file=str(program), machine="my-table")
+    assert "PROFILE OF my-table.toml" in told(tmp_path, file=str(program), machine="my-table")
 
 
 def test_a_job_that_lost_its_position_must_be_homed_or_set(tmp_path, program):

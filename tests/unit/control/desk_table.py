@@ -40,6 +40,7 @@ class Table(Unqueued):
         self.board.memory.settings.values.update(settings or {})
         self.written: list[tuple[float, bytes]] = []
         self.cut = False
+        self.on_write: Callable[[bytes], object] = lambda data: None
         self.person: Person = iter(())
         self.closed = False
         self._wire = Link(self.board)
@@ -58,6 +59,7 @@ class Table(Unqueued):
     def write(self, data: bytes) -> None:
         if self.cut:
             raise LinkError("link-lost", "the cable is out")
+        self.on_write(data)
         self.written.append((self.clock.now_s, data))
         self._wire.send(data)
 
@@ -94,7 +96,7 @@ class Table(Unqueued):
 class Visit:
     """One desk from its first to its last moment, with all that it told."""
 
-    def __init__(self, tmp_path: Path, *, timing: Timing | None = None, **table):
+    def __init__(self, tmp_path: Path, *, timing: Timing | None = None, journals: Path | None = None, **table):
         self.table = Table(**table)
         self.told: list[tuple[str, str]] = []
         self.refused: list[tuple[str, CNCStepperError]] = []
@@ -110,6 +112,7 @@ class Visit:
             refuse=lambda command, error: self.refused.append((command.name, error)),
             ended=self.outcomes.append,
             alone_s=lambda: self.alone_s,
+            journals=journals,
         )
 
     def receive(self, person: Callable[[], Person]) -> None:

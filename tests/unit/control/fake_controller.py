@@ -38,6 +38,7 @@ class FakeController:
         self.modes, self.length = "G0 G54 G17 G21 G90 G94", "0.000"  # of `$G`, and the tool's of `$#`
         self.state = "Idle"
         self.place = [10.0, 10.0, 10.0]  # of its work, mm
+        self.zero = [-100.0, -50.0, -20.0]  # of its work, G54, in the machine's place
         self.settings = dict(SETTINGS)
         self.info, self.greeting = INFO, GREETING  # of `$I`, and after a reset
         self.named: dict[str, str] = {}  # settings by name, as FluidNC has them
@@ -183,7 +184,7 @@ class FakeController:
             for number, value in self.settings.items():
                 self.say(f"${number}={value}")
         elif line == "$#":
-            self.say("[G54:-100.000,-50.000,-20.000]")
+            self.say(f"[G54:{_vector(self.zero)}]")
             self.say(f"[TLO:{self.length}]")
             self.say("[PRB:0.000,0.000,0.000:0]")
         elif line == "$G":
@@ -197,11 +198,15 @@ class FakeController:
         self._wco_countdown -= 1
         wco = ""
         if self._wco_countdown < 0:
-            self._wco_countdown, wco = 5, "|WCO:-100.000,-50.000,-20.000"
+            self._wco_countdown, wco = 5, f"|WCO:{_vector(self.zero)}"
         unit = 25.4 if self.settings.get(13) else 1.0
-        place = ",".join(f"{work / unit + zero:.3f}" for work, zero in zip(self.place, (-100, -50, -20), strict=True))
+        place = _vector([work / unit + zero for work, zero in zip(self.place, self.zero, strict=True)])
         fields = f"MPos:{place}|FS:500,8000{wco}{self.report_extra}"
         self.say(f"<{state}|{fields}>")
+
+
+def _vector(values: list[float]) -> str:
+    return ",".join(f"{value:.3f}" for value in values)
 
 
 class FakeClock:

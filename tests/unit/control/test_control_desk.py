@@ -826,3 +826,32 @@ def test_machine_whose_position_is_unknown_takes_no_program_until_its_zero_is_se
     blind, again = visit.outcomes[-2:]
     assert blind.kind == REFUSED and blind.error.code == "position-unknown" and not blind.position_known
     assert again.kind == DONE and visit.refusals() == []
+
+
+def test_after_a_greeting_a_word_counts_for_a_zero_that_is_where_the_machine_stood_then(visit):
+    def person():
+        for _ in range(2):  # the stop's own reset at rest costs nothing
+            visit.job(*SQUARE, zeroed=False)
+            yield visit.at("running")
+            visit.ask("stop")
+            yield visit.at("idle")
+        visit.job(*SQUARE, zeroed=False)
+        yield visit.ended(3)
+
+    visit.receive(person)
+    assert [outcome.kind for outcome in visit.outcomes] == [STOPPED, STOPPED, DONE]
+
+
+def test_after_a_greeting_an_older_zero_is_refused_until_it_is_set_anew(visit):
+    visit.table.board.memory.places[54][0] = -3.0
+
+    def person():
+        visit.job(*SQUARE, zeroed=False)
+        yield visit.ended(1)
+        visit.job(*SQUARE)  # the zero is set first
+        yield visit.ended(2)
+
+    visit.receive(person)
+    old, new = visit.outcomes
+    assert old.kind == REFUSED and old.error.code == "position-unknown" and "G54 was set before" in old.text
+    assert not old.position_known and new.kind == DONE and new.position_known

@@ -8,9 +8,12 @@ from fake_controller import FakeClock, FakeController, FakeLink
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from CNCStepper.control.connect import Found
+from CNCStepper.control.grbl import Grbl
 from CNCStepper.control.outcome import DONE, FAILED, REFUSED, STOPPED, Outcome
 from CNCStepper.control.overrides import override_byte
 from CNCStepper.control.readiness import expected_settings
+from CNCStepper.control.restarted import check_zero_here
 from CNCStepper.control.send_job import SendJob
 from CNCStepper.control.sender import Sender
 from CNCStepper.control.timing import Timing
@@ -393,11 +396,47 @@ def test_machine_that_answers_alarm_is_refused_in_words():
     assert not outcome.position_known
 
 
-def test_greeting_on_opening_is_told():
-    bench = Bench()
+def restarted(*lines: str, zero=(0.0, 0.0, 0.0), place=(0.0, 0.0, 0.0), **job) -> Bench:
+    """A controller that restarts when its port is opened: work zero, and where it says that it stands."""
+    bench = Bench(lines or LINES, **job)
+    bench.controller.zero, bench.controller.place = list(zero), list(place)
     bench.controller.reset()
+    return bench
+
+
+def test_after_a_greeting_on_opening_a_word_counts_where_the_tool_stands_on_the_zero():
+    bench = restarted()
     assert bench.run().done
     assert any("restarted when its port was opened" in text for _, text in bench.told)
+
+
+@pytest.mark.parametrize(
+    ("bench", "said"),
+    [
+        (restarted(zero=(-10.0, 0.0, 0.0), place=(10.0, 0.0, 0.0)), "G54 was set before"),
+        (restarted(place=(5.0, 0.0, 0.0)), "machine position is not 0"),
+        (restarted("G90", "G28 X0"), "the program has G28"),
+        (restarted("G53 G0 Z0"), "the program has G53"),
+        (restarted("G0X1", zero=(-10.0, 0.0, 0.0), place=(10.0, 0.0, 0.0), allow_differences=True), "G54"),
+    ],
+)
+def test_after_a_greeting_on_opening_no_word_makes_an_unknown_position_known(bench, said):
+    outcome = bench.run()
+    assert outcome.kind == REFUSED and outcome.error.code == "position-unknown" and said in outcome.text
+    assert not outcome.position_known and "set the zero of all axes" in outcome.text
+    assert not bench.controller.lines
+
+
+def test_only_the_work_systems_that_a_program_uses_are_looked_at():
+    offsets = {"G54": (0.0, 0.0, 0.0), "G55": (1.0, 2.0, 3.0), "G59.1": (4.0, 0.0, 0.0)}
+    found = Found("", offsets=offsets, modes="G0 G54")
+    bench = restarted()
+    driver = Grbl(bench.link, bench.clock)
+    driver.settings[13] = 0.0  # reports in mm
+    check_zero_here(["G0 X55", "G1 G54 X1"], driver, found)
+    for line, name in (("G 55 X1", "G55 was set"), ("g59.1", "G59.1 was set"), ("G56", "G56 is not reported")):
+        with pytest.raises(MachineRefusal, match=name):
+            check_zero_here(["G54", line], driver, found)
 
 
 def test_answers_to_an_earlier_senders_lines_are_not_taken_for_ours():

@@ -6,6 +6,7 @@ from __future__ import annotations
 import pytest
 from desk_table import Visit
 
+from CNCStepper.control.journal.story import RUNNING, read_story
 from CNCStepper.control.outcome import DONE, FAILED
 from CNCStepper.control.stand import way_back
 from CNCStepper.virtual.grbl.states import State
@@ -320,3 +321,30 @@ def test_stepping_can_begin_and_end_in_the_middle(visit):
 
     visit.receive(person)
     assert 3 < seen[0] < len(lines) and visit.outcomes[0].kind == DONE
+
+
+@pytest.mark.parametrize("zero", ["", "Z"])
+def test_journal_knows_the_zero_that_was_set_at_the_pause_before_the_next_line_goes_out(tmp_path, zero):
+    visit = Visit(tmp_path, journals=tmp_path)
+    seen = []
+
+    def person():
+        visit.job(*CHANGE)
+        yield visit.at("paused")
+        yield from jogged(visit, z_mm=-2.0)
+        if zero:
+            visit.ask("set_zero", axes=zero)
+            yield lambda: any(text.startswith("zero of") for _, text in visit.told[-5:])
+        (journal,) = tmp_path.glob("*.journal")
+        visit.table.on_write = lambda data: seen.append(read_story(journal)) if data.startswith(b"M3") else None
+        visit.ask("resume")
+        yield visit.ended()
+
+    visit.receive(person)
+    story = seen[0]
+    assert visit.outcomes[0].kind == DONE and story.end == RUNNING
+    assert bool(story.zero) == bool(zero)
+    if zero:
+        assert story.zero["line"] == CHANGE.index("M0") + 1 and story.finished == CHANGE.index("M0")
+        assert story.zero["offsets_mm"]["G54"] == pytest.approx([0, 0, -3], abs=0.01)
+        assert story.header["offsets_mm"]["G54"] == pytest.approx([0, 0, 0])
