@@ -151,6 +151,11 @@ RULES = {
         later("Change the programmed value while cutting, in percent."),
         later("Overrides work only while the machine is idle or cutting."),
     ),
+    "console": Rule(
+        frozenset({"idle", "alarm"}),
+        later("A line for the controller, sent with Return. The arrow keys bring back the lines before."),
+        later("Lines can be typed only while the machine is idle or in alarm."),
+    ),
 }
 AT_PAUSE = {"jog": ("Idle", "Jog"), "zero": ("Idle",), "hold": ("Jog",)}  # the machine states in which these work then
 NO_HOMING = later("This machine has no homing switches set up ($22=0).")
