@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 from CNCStepper.control.journal.told import check_ended
 from CNCStepper.workbench import program_file, tell
 from CNCStepper.workbench.dock.recovery_view import RecoveryView
-from CNCStepper.workbench.dock.unfinished import Reading, finder, line_of, program_of, restarted_of, told
+from CNCStepper.workbench.dock.unfinished import Reading, finder, line_of, name_of, program_of, told
 from CNCStepper.workbench.features.base import JOB, proxy_type
 from CNCStepper.workbench.features.program import Program
 from CNCStepper.workbench.sentences import translated
@@ -56,11 +56,10 @@ class Recovery:
 
     def _offer(self, story: Story | None) -> None:
         if story is not None:
-            name = story.header["file"] or tr("a program")
             text = tr(
                 "The last job of this machine, {0}, was not cut to its end. Unfinished job… says how far it came."
             )
-            self.view.show_offer(text.format(name))
+            self.view.show_offer(text.format(_name(story)))
 
     def _take_up(self, story: Story | None) -> None:
         """Say what is certain of a job, and open its restart where its program is in an open document."""
@@ -70,18 +69,13 @@ class Recovery:
         check_ended(story)
         said = [f"{tr(name)}: {translated(text)}" for name, text in told(story)]
         program = program_of(story, _programs())
-        if program is not None:
-            _open(program, line_of(story), said)
-        elif (first := restarted_of(story, (obj for obj, _ in _programs()))) is not None:
-            _open(first, 0, [*said, tr("It was a restart itself, so its lines are not those of the program below.")])
-        else:
-            tell.notice(_not_here(story), "\n".join(said))
+        if program is None:
+            text = tr("{0} was not cut to its end, and its program, as it was sent, is in no open document.")
+            tell.notice(text.format(_name(story)), "\n".join(said))
+            return
+        from CNCStepper.workbench import restart
 
-
-def _open(program: Any, line: int, said: list[str]) -> None:
-    from CNCStepper.workbench import restart
-
-    restart.open_restart(program, line, said)
+        restart.open_restart(program, line_of(story), said)
 
 
 def _programs() -> Iterator[tuple[Any, str]]:
@@ -94,7 +88,5 @@ def _programs() -> Iterator[tuple[Any, str]]:
                 yield obj, program_file.load(obj)
 
 
-def _not_here(story: Story) -> str:
-    name = story.header["file"] or tr("a program")
-    text = tr("{0} was not cut to its end, and its program, as it was sent, is in no open document.")
-    return text.format(name)
+def _name(story: Story) -> str:
+    return name_of(story) or tr("a program")

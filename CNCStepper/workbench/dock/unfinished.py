@@ -15,7 +15,6 @@ from CNCStepper.control.certificate import digest_of_text
 from CNCStepper.control.journal.store import latest_unfinished, unfinished_at
 from CNCStepper.control.journal.story import Story
 from CNCStepper.control.journal.told import told_of, why_no_line
-from CNCStepper.job.restart_files import restart_name
 from CNCStepper.workbench.dock.state import Moment
 from CNCStepper.workbench.words import later
 
@@ -74,21 +73,31 @@ def told(story: Story) -> Iterator[tuple[str, str]]:
     """Yield what is known of a job, a name to be translated and a sentence of the core each."""
     for name, text in told_of(story):
         yield NAMES[name], text
+    if story.first_program and not why_no_line(story):
+        yield (
+            NAMES["restart"],
+            f"it was a restart itself: the first line not certainly cut is the program's {line_of(story)}",
+        )
     if why_not := why_no_line(story):
         yield NAMES["restart"], why_not
 
 
 def line_of(story: Story) -> int:
-    """Return the first line that is not certainly cut; 0 where the job names none."""
-    return 0 if why_no_line(story) else story.first_line
+    """Return the program's first line that is not certainly cut; 0 where the job names none."""
+    _, _, line, _ = story.restarted
+    return 0 if why_no_line(story) else line
 
 
 def program_of(story: Story, programs: Iterable[tuple[Any, str]]) -> Any:
-    """Return the object whose text the job has sent, of objects with their texts; None where there is none."""
-    sha256 = story.header["program_sha256"]
+    """Return the object whose text the job, or the restart that it was, has cut; None where there is none.
+
+    programs: objects with their texts.
+    """
+    _, sha256, _, _ = story.restarted
     return next((obj for obj, text in programs if digest_of_text(text) == sha256), None)
 
 
-def restarted_of(story: Story, objects: Iterable[Any]) -> Any:
-    """Return the object of which the job was itself a restart, by its name; None where there is none."""
-    return next((obj for obj in objects if restart_name(obj.Label) == story.header["file"]), None)
+def name_of(story: Story) -> str:
+    """Return what the program of a job is called, "" where it has no name."""
+    name, _, _, _ = story.restarted
+    return name

@@ -15,6 +15,8 @@ ROLE, ALIGN = QtCore.Qt.ItemDataRole, QtCore.Qt.AlignmentFlag
 DISPLAY = ROLE.DisplayRole
 HEADS = (later("Place"), later("Line"), later("Length"), later("Begins at"))
 PLACE, LINE, LENGTH, BEGINS = range(len(HEADS))
+_RIGHT = ALIGN.AlignRight | ALIGN.AlignVCenter
+NUMBERS = int(getattr(_RIGHT, "value", _RIGHT))  # as Qt 6 and Qt 5 take it
 LEAST_ROWS = 6
 ROOM_PX = 5  # beside the letters of a cell
 
@@ -42,7 +44,7 @@ class PlaceRows(QtCore.QAbstractTableModel):
         if role == ROLE.FontRole and row.kind == OPERATION:
             return _bold()
         if role == ROLE.TextAlignmentRole and column in (LINE, LENGTH):
-            return int(ALIGN.AlignRight | ALIGN.AlignVCenter)
+            return NUMBERS
         return None
 
     def headerData(self, section: int, orientation: Any, role: int = DISPLAY) -> Any:

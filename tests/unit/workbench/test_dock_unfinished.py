@@ -7,19 +7,19 @@ import threading
 import time
 from collections.abc import Callable
 from pathlib import Path
-from types import SimpleNamespace
 from typing import Any
 
 import pytest
 
 from CNCStepper.control.certificate import digest_of_text
+from CNCStepper.control.journal.first_program import FirstProgram
 from CNCStepper.control.journal.group import Group
 from CNCStepper.control.journal.story import KILLED, Story
 from CNCStepper.errors import JobError
 from CNCStepper.workbench.dock.state import Moment
-from CNCStepper.workbench.dock.unfinished import NAMES, Reading, line_of, program_of, restarted_of, told, why_not_now
+from CNCStepper.workbench.dock.unfinished import NAMES, Reading, line_of, name_of, program_of, told, why_not_now
 
-HEADER = {"lines": 300, "last_line": 301, "homing": True, "goes_back": False, "port": "COM3", "file": "Plate-restart"}
+HEADER = {"lines": 300, "last_line": 301, "homing": True, "goes_back": False, "port": "COM3", "file": "Plate"}
 GROUP = Group(1.8e9, 97, 60, 41, 43, 98, "Run", (-90.0, -40.0, -10.0), (10.0, 10.0, 10.0))
 WAIT_S = 30
 
@@ -56,10 +56,12 @@ def test_the_program_is_known_by_its_text_alone() -> None:
     assert program_of(story(), programs[:1]) is None
 
 
-def test_a_restart_that_did_not_end_itself_leads_to_the_first_program() -> None:
-    plate, other = SimpleNamespace(Label="Plate"), SimpleNamespace(Label="Plate 2")
-    assert restarted_of(story(), [other, plate]) is plate
-    assert restarted_of(story(file="Plate"), [other, plate]) is None
+def test_a_restart_that_did_not_end_itself_leads_to_the_first_program_and_its_line() -> None:
+    first = FirstProgram("Plate", digest_of_text("G21\n"), [[40, 812]])
+    again = story(program_sha256=digest_of_text("the restart"), restart_of=first.to_content(), file="Plate-restart")
+    assert (name_of(again), line_of(again)) == ("Plate", 815)
+    assert program_of(again, [("restart", "the restart"), ("plate", "G21\n")]) == "plate"
+    assert "the program's 815" in dict(told(again))[NAMES["restart"]]
 
 
 def test_nothing_is_restarted_while_something_is_cut() -> None:
