@@ -78,7 +78,6 @@ def proven(hand: Hand) -> str:
 
 def typed(hand: Hand, dock: Any, line: str, answer: str) -> None:
     """Type a line in the console, and bring it back with the arrow key."""
-    hand.main(dock.area.ensureWidgetVisible, dock.console.line)
     hand.click(f"{D}ConsoleLine")
     hand.type(line)
     hand.key("Return")

@@ -32,9 +32,9 @@ class TypedLine(QtGui.QLineEdit):
     def keyPressEvent(self, event: Any) -> None:
         """Take the arrow keys, leave the others to Qt."""
         if event.key() == KEY.Key_Up:
-            self.setText(self.history.earlier(self.text()))
+            self.setText(self.history.older(self.text()))
         elif event.key() == KEY.Key_Down:
-            self.setText(self.history.later(self.text()))
+            self.setText(self.history.newer(self.text()))
         else:
             super().keyPressEvent(event)
 

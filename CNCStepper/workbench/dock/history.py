@@ -20,14 +20,14 @@ class History:
             self._lines = [*self._lines, line][-KEPT:]
         self._at, self._begun = len(self._lines), ""
 
-    def earlier(self, shown: str) -> str:
+    def older(self, shown: str) -> str:
         """Return the line before the one that is shown, the first of all again and again."""
         if self._at == len(self._lines):
             self._begun = shown
         self._at = max(self._at - 1, 0)
         return self._lines[self._at] if self._lines else shown
 
-    def later(self, shown: str) -> str:
+    def newer(self, shown: str) -> str:
         """Return the line after the one that is shown, at the end what was begun."""
         if self._at == len(self._lines):
             return shown

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 NAME = "CNCStepper_Restart_"
 LONGEST_OVERLAP_MM = 1000.0
 MOST_RUNS = 9999
-FINDINGS_PX = 140
+FINDINGS_PX = 110
 
 
 class RestartPanel(QtGui.QWidget):
@@ -158,8 +158,8 @@ class RestartPanel(QtGui.QWidget):
 
 def _advice() -> str:
     return tr(
-        "Choose the place: a line, an entry of the list, or a click on a cut in the 3D view. All before it is taken as "
-        "cut; where you are not sure, choose an earlier one."
+        "Choose a line, an entry of the list, or click a cut in the 3D view. All before it counts as cut: if unsure, "
+        "choose an earlier one."
     )
 
 

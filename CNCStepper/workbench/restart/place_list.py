@@ -17,7 +17,7 @@ HEADS = (later("Place"), later("Line"), later("Length"), later("Begins at"))
 PLACE, LINE, LENGTH, BEGINS = range(len(HEADS))
 _RIGHT = ALIGN.AlignRight | ALIGN.AlignVCenter
 NUMBERS = int(getattr(_RIGHT, "value", _RIGHT))  # as Qt 6 and Qt 5 take it
-LEAST_ROWS = 6
+LEAST_ROWS = 4
 ROOM_PX = 5  # beside the letters of a cell
 
 
