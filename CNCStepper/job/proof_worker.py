@@ -50,7 +50,7 @@ def answer(folder: Path, name: str) -> None:
     from CNCStepper.job.certify import certificate_of
     from CNCStepper.job.proof_files import read_question, write_answer, write_part
     from CNCStepper.job.prove import earlier_proofs, prove_job
-    from CNCStepper.job.restart import Entering, restart_job
+    from CNCStepper.job.restart import Entering, certificate_of_restart, restart_job
     from CNCStepper.job.restart_files import read_place, write_restart
     from CNCStepper.job.start_file import read_start
 
@@ -68,11 +68,12 @@ def answer(folder: Path, name: str) -> None:
     more: dict[str, Any] = {"file": name, "start": start, "tell": tell, "see": see, "earlier": earlier}
     if place is None:
         proof = prove_job(job, machine, program, **more)
+        certificate = certificate_of(proof)
     else:
         restarted = restart_job(job, machine, program, place.where, Entering(place.overlap_mm), **more)
-        proof = restarted.proof
+        proof, certificate = restarted.proof, certificate_of_restart(restarted)
         write_restart(folder, restarted.restart)
-    write_answer(folder, proof, job, certificate_of(proof).to_json())
+    write_answer(folder, proof, job, certificate.to_json())
 
 
 def _refuse(folder: Path, error: CNCStepperError) -> None:

@@ -31,7 +31,6 @@ from CNCStepper.job.prove import (
     prove_operations,
     with_findings,
 )
-from CNCStepper.job.restart_files import restart_name
 from CNCStepper.machine.profile import Machine
 from CNCStepper.machine.tool import Tool
 from CNCStepper.simulation.earlier import followed
@@ -146,6 +145,12 @@ def certificate_of_restart(proven: ProvenRestart) -> Certificate:
         tuple(pairs_of(made.file_lines.tolist())),
     )
     return Certificate({**content, "send": {**content["send"], "restart_of": first.to_content()}})
+
+
+def restart_name(file: str) -> str:
+    """Return the name of a program's restart: "part.nc" gives "part-restart.nc"."""
+    name, dot, suffix = file.rpartition(".")
+    return f"{name}-restart.{suffix}" if dot else f"{file}-restart"
 
 
 def _options(machine: Machine, tools: dict[int, Tool] | Tool | None, entering: Entering | None) -> Options:

@@ -38,12 +38,6 @@ class RestartTold:
     words: tuple[str, ...]
 
 
-def restart_name(file: str) -> str:
-    """Return the name of a program's restart: "part.nc" gives "part-restart.nc"."""
-    name, dot, suffix = file.rpartition(".")
-    return f"{name}-restart.{suffix}" if dot else f"{file}-restart"
-
-
 def write_place(folder: Path, place: RestartPlace | None) -> None:
     """Write where the program is to be restarted; None is the whole program."""
     if place is not None:

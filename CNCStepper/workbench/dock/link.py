@@ -87,6 +87,11 @@ class Link:
             getattr(self.client, name)(*arguments, **named)
 
     @property
+    def address(self) -> str:
+        """Where the controller really is, the virtual one too, as its journals name it; "" while there is none."""
+        return self.client.port if self.client else ""
+
+    @property
     def status(self) -> Any:
         """The last status of the controller, None when there is none."""
         return self.client.status if self.client and self.client.phase == "connected" else None

@@ -15,6 +15,7 @@ from CNCStepper.workbench.dock import parts, settings
 from CNCStepper.workbench.dock.back_view import BackView
 from CNCStepper.workbench.dock.backing import COMMANDS, Backing
 from CNCStepper.workbench.dock.connection_view import ConnectionView
+from CNCStepper.workbench.dock.console_view import ConsoleView
 from CNCStepper.workbench.dock.flow import why_not_onward
 from CNCStepper.workbench.dock.flow_view import FlowView
 from CNCStepper.workbench.dock.job_view import HaltView, JobView
@@ -22,6 +23,7 @@ from CNCStepper.workbench.dock.jog_view import JogView
 from CNCStepper.workbench.dock.link import Link, told
 from CNCStepper.workbench.dock.log_view import LogView
 from CNCStepper.workbench.dock.override_view import OverrideView
+from CNCStepper.workbench.dock.recovery import Recovery
 from CNCStepper.workbench.dock.sending import Sending
 from CNCStepper.workbench.dock.state import RULES, face, why_not
 from CNCStepper.workbench.dock.state_view import PositionView, StateView
@@ -48,6 +50,7 @@ class Panel(QtGui.QWidget):
         self.connection = ConnectionView(self.connect_chosen, self._leave, self._ports)
         self.state = StateView()
         self.flow = FlowView(self.findings, self.sending.onward, self.sending.away)
+        self.recovery = Recovery(self.link)
         self.position = PositionView(lengths, point, lambda axes: self.link.command("set_zero", axes))
         self.backing = Backing(self, self.link, self.log.say, self.refresh)
         self.back = BackView(lengths, point, self.backing.go)
@@ -56,6 +59,7 @@ class Panel(QtGui.QWidget):
         self.overrides = OverrideView(lambda kind, step: self.link.command("override", kind, step))
         self.home = parts.button("Home", tr("Home"), lambda: self.link.command("home"), icon="Home")
         self.unlock = parts.button("Unlock", tr("Unlock"), lambda: self.link.command("unlock"), icon="Unlock")
+        self.console = ConsoleView(lambda line: self.link.command("type", line))
         self._mark: tuple[Any, str] = (None, "")
         self._arrange()
         self._timer = QtCore.QTimer(self)
@@ -97,7 +101,8 @@ class Panel(QtGui.QWidget):
         moment, flow = self.link.moment, self.sending.flow
         shown = face(moment)
         self.state.show_face(shown, tr(shown.sentence))
-        for view in (self.connection, self.position, self.halt, self.jog, self.overrides):
+        views = (self.connection, self.recovery.view, self.position, self.halt, self.jog, self.overrides, self.console)
+        for view in views:
             view.lock(moment)
         for name, button in (("home", self.home), ("unlock", self.unlock)):
             parts.lock(button, why_not(name, moment), RULES[name].does)
@@ -110,17 +115,24 @@ class Panel(QtGui.QWidget):
     def _tick(self) -> None:
         events = self.link.poll()
         for event in events:
-            if event["event"] in ("message", "warning", "refused") and event.get("command") not in COMMANDS:
-                self.log.say(event["event"], told(event["error"]) if event.get("error") else translated(event["text"]))
+            self._hear(event)
             self.sending.take(event)
         self.sending.advance()
         self.backing.advance()
+        self.recovery.advance()
         mark = (self.link.moment, self.sending.flow.step)
         if events or mark != self._mark:
             if mark[1] != self._mark[1]:  # a new step must be seen
                 self.area.verticalScrollBar().setValue(0)
             self._mark = mark
             self.refresh()
+
+    def _hear(self, event: dict[str, Any]) -> None:
+        """Let the console say what belongs to a typed line, and the log what concerns all."""
+        if event["event"] in ("console", "answer") or event.get("command") == "line":
+            self.console.hear(translated(event["text"]))
+        elif event["event"] in ("message", "warning", "refused") and event.get("command") not in COMMANDS:
+            self.log.say(event["event"], told(event["error"]) if event.get("error") else translated(event["text"]))
 
     def _show_status(self, status: Any, job_runs: bool) -> None:
         self.position.show_status(status)
@@ -150,10 +162,11 @@ class Panel(QtGui.QWidget):
         layout = parts.column(content)
         layout.setContentsMargins(*MARGINS)
         sections: tuple[list[Any], ...] = (
-            [self.flow, self.job, self.back, self.position],
+            [self.flow, self.job, self.back, self.recovery.view, self.position],
             [parts.caption(tr("Jog")), self.jog, parts.row(self.home, self.unlock)],
             [parts.caption(tr("Overrides")), self.overrides],
             [parts.caption(tr("Messages")), self.log],
+            [parts.caption(tr("Console")), self.console],
         )
         for number, section in enumerate(sections):
             if number:

@@ -168,6 +168,11 @@ RULES = {
         later("Change the programmed value while cutting, in percent."),
         later("Overrides work only while the machine is idle or cutting."),
     ),
+    "console": Rule(
+        frozenset({"idle", "alarm"}),
+        later("A line for the controller, sent with Return. The arrow keys bring back the lines before."),
+        later("Lines can be typed only while the machine is idle or in alarm."),
+    ),
 }
 AT_A_STAND = {  # the machine states in which these work between two lines, or two ways along the cut
     "paused": {"jog": ("Idle", "Jog"), "zero": ("Idle",), "hold": ("Jog",)},

@@ -13,11 +13,10 @@ def open_simulation(job_object: Any) -> Any:
     """
     import FreeCADGui
 
-    from CNCStepper.errors import JobError
     from CNCStepper.workbench.simulation.task import SimulationTask
+    from CNCStepper.workbench.task_view import require_free
 
-    if FreeCADGui.Control.activeDialog():
-        raise JobError("task-open", "another task is open in the task panel", advice="close it first")
+    require_free()
     task = SimulationTask(job_object)
     FreeCADGui.Control.showDialog(task)
     task.begin()

@@ -22,10 +22,15 @@ if TYPE_CHECKING:
 
 
 class SimulationPanel(QtGui.QWidget):
-    """The widget of the task; `again` asks for a new proof, `keep` for a mesh, `path_shown` whether to show lines."""
+    """The widget of the task.
+
+    again: asks for a new proof, keep: for a mesh, restart: for a restart from the moment that is shown. path_shown:
+    sent with whether to show lines.
+    """
 
     again = QtCore.Signal()
     keep = QtCore.Signal()
+    restart = QtCore.Signal()
     path_shown = QtCore.Signal(bool)
 
     def __init__(self, label: str, parent: Any = None):
@@ -78,6 +83,7 @@ class SimulationPanel(QtGui.QWidget):
         layout.addWidget(Legend(*height_range_mm))
         layout.addWidget(self._path_box())
         layout.addWidget(self._keep_button())
+        layout.addWidget(self._restart_button())
         layout.addLayout(_totals(result))
         self.findings.show(result.findings)
         yield
@@ -100,6 +106,13 @@ class SimulationPanel(QtGui.QWidget):
         self._keep.setToolTip(tr("Add the part, as it stands now, to the document as a mesh"))
         self._keep.clicked.connect(self.keep)
         return self._keep
+
+    def _restart_button(self) -> Any:
+        button = QtGui.QPushButton(tr("Restart from here…"))
+        button.setObjectName("CNCStepper_Simulation_restart")
+        button.setToolTip(tr("Go on with the program from the line under way, all before it taken as cut"))
+        button.clicked.connect(self.restart)
+        return button
 
     def _path_box(self) -> Any:
         box = QtGui.QCheckBox(tr("Show the tool's path"))

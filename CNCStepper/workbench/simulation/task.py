@@ -38,6 +38,7 @@ class SimulationTask:
         self.form.again.connect(tell.guarded(self.begin))
         self.form.path_shown.connect(tell.guarded(self._show_path))
         self.form.keep.connect(tell.guarded(self._want_mesh))
+        self.form.restart.connect(tell.guarded(self._restart))
         self.form.destroyed.connect(self._leave)  # however FreeCAD closes the panel
         self._job = job
         self._document_name = job.Document.Name
@@ -208,6 +209,15 @@ class SimulationTask:
         self.form.set_keeping(False)
         self._material.moments.go_on()
         self._stage.hide(keep_mesh(self._job, stl, time_s))
+
+    def _restart(self) -> None:
+        """Leave the simulation, and choose the restart from the line under way."""
+        from CNCStepper.workbench.restart import open_restart
+
+        if self._player is not None:
+            program, line = self._job, self._player.line
+            self.reject()
+            open_restart(program, line)
 
     def _show_path(self, shown: bool) -> None:
         if self._scene is not None:

@@ -52,6 +52,7 @@ def test_the_answer_is_that_of_restart_job(tmp_path: Path) -> None:
     content = Certificate.from_json(found.send_file.read_text("utf-8")).content
     assert content["program"]["sha256"] == digest_of_text(told.program)
     assert content["before"] == [digest_of_text(program)]
+    assert content["send"]["restart_of"]["program_sha256"] == digest_of_text(program)
 
 
 def test_a_place_that_is_none_is_refused(tmp_path: Path) -> None:

@@ -20,8 +20,7 @@ from CNCStepper.job.certify import certificate_of
 from CNCStepper.job.make import make_parts, make_program
 from CNCStepper.job.model import Job, load_job
 from CNCStepper.job.prove import earlier_proofs
-from CNCStepper.job.restart import Entering, ProvenRestart, restart_job, restart_program
-from CNCStepper.job.restart_files import restart_name
+from CNCStepper.job.restart import Entering, ProvenRestart, restart_job, restart_name, restart_program
 from CNCStepper.job.restart_words import contour_table, words_of
 from CNCStepper.machine.profile import Machine
 from CNCStepper.machine.tool import Tool

@@ -1,0 +1,25 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Restart a program in its middle: choose the place, see what the restart does, send it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+
+def open_restart(program: Any, line: int = 0, said: Sequence[str] = ()) -> Any:
+    """Open the task panel in which the restart of a job or an edited program is chosen; return it.
+
+    line: from which it is proposed, 0 for none. said: what is known of the job that did not end, shown on top.
+    Raises JobError when another task panel stands open.
+    """
+    import FreeCADGui
+
+    from CNCStepper.workbench.restart.task import RestartTask
+    from CNCStepper.workbench.task_view import require_free
+
+    require_free()
+    task = RestartTask(program, line, said)
+    FreeCADGui.Control.showDialog(task)
+    task.begin()
+    return task

@@ -1,0 +1,188 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What stands in the restart's task panel: the place, what the restart would do there, and what its proof has found."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+from PySide import QtCore, QtGui
+
+from CNCStepper.workbench.findings import FindingsList
+from CNCStepper.workbench.icons import icon
+from CNCStepper.workbench.restart.place_list import PlaceList
+from CNCStepper.workbench.restart.places import Row, chosen, line_of, row_of
+from CNCStepper.workbench.sentences import translated
+from CNCStepper.workbench.words import tr
+
+if TYPE_CHECKING:
+    from CNCStepper.gcode.restart.places import Where
+    from CNCStepper.workbench.proof import ProofResult
+
+NAME = "CNCStepper_Restart_"
+LONGEST_OVERLAP_MM = 1000.0
+MOST_RUNS = 9999
+FINDINGS_PX = 110
+
+
+class RestartPanel(QtGui.QWidget):
+    """The widget of the task.
+
+    place_chosen: sent with a Row of the list. line_chosen: with a line, and which of its runs, 0 where that is not
+    said. overlap_chosen: with mm. send: to send what is shown.
+    """
+
+    place_chosen = QtCore.Signal(object)
+    line_chosen = QtCore.Signal(int, int)
+    overlap_chosen = QtCore.Signal(float)
+    send = QtCore.Signal()
+
+    def __init__(self, label: str, said: Sequence[str], parent: Any = None):
+        super().__init__(parent)
+        self.setObjectName(f"{NAME}panel")
+        self.setWindowTitle(tr("Restart: {0}").format(label))
+        self.setWindowIcon(icon("CNCStepper_Send"))
+        layout = QtGui.QVBoxLayout(self)
+        if said:
+            layout.addWidget(_said(said))
+        layout.addWidget(_wrapped("advice", _advice()))
+        layout.addLayout(self._place())
+        self.places = PlaceList()
+        self.places.chosen.connect(self.place_chosen)
+        layout.addWidget(self.places, 1)
+        for widget in self._answer():
+            layout.addWidget(widget)
+
+    # ---- the place ----
+
+    def show_lines(self, count: int) -> None:
+        """Let a line be chosen among so many."""
+        self.line.setMaximum(max(count, 1))
+        self.line.setEnabled(True)
+
+    def show_rows(self, rows: list[Row], more: int) -> None:
+        """Show the operations and contours, of which `more` were left out."""
+        self.places.show_rows(rows)
+        self._more.setText(
+            tr("{0} more contours: choose them by line, or in the 3D view.").format(more) if more else ""
+        )
+        self._more.setVisible(bool(more))
+
+    def show_choice(self, where: Where) -> None:
+        """Say which place is chosen, and mark it where it stands in the list."""
+        text, values = chosen(where, self.places.rows)
+        self._choice.setText(tr(text).format(*values))
+        self.places.mark(row_of(where, self.places.rows))
+        if line := line_of(where, self.places.rows):
+            self._set(self.line, line)
+
+    def ask_time(self, asked: bool) -> None:
+        """Let a person say which of its runs is meant, for a line that is run more than once."""
+        if not asked:
+            self._set(self.time, 0)
+        for widget in (self.time, self._time_label):
+            widget.setVisible(asked)
+
+    # ---- the answer ----
+
+    def say(self, text: str, *, busy: bool = False) -> None:
+        """Show a sentence instead of an answer; `busy`: it is being found out."""
+        self._message.setText(text)
+        self._message.setVisible(bool(text))
+        self._busy.setVisible(busy)
+        for widget in (self._words, self.findings):
+            widget.setVisible(False)
+        self._lock(tr("There is no restart to send yet."))
+
+    def show_result(self, result: ProofResult) -> None:
+        """Show what the restart does, and what was found."""
+        self.say("")
+        self._words.setText("\n".join(f"•  {translated(sentence)}" for sentence in result.words))
+        self.findings.show(result.findings)
+        for widget in (self._words, self.findings):
+            widget.setVisible(True)
+        self._lock(tr("The checks found errors: this restart must not be sent.") if result.refused else "")
+
+    def _lock(self, why_not: str) -> None:
+        self._send.setEnabled(not why_not)
+        self._send.setToolTip(why_not or tr("Goes on in the controller's panel: connect, work zero, start."))
+
+    def _place(self) -> Any:
+        self.line = _spin("line", 1, 1)
+        self.line.setEnabled(False)
+        self.time = _spin("time", 0, MOST_RUNS)
+        self.time.setSpecialValueText(tr("choose"))
+        self.overlap = QtGui.QDoubleSpinBox()
+        self.overlap.setObjectName(f"{NAME}overlap")
+        self.overlap.setRange(0.0, LONGEST_OVERLAP_MM)
+        self.overlap.setSingleStep(0.5)
+        self.overlap.setSuffix(f" {tr('mm')}")
+        self.overlap.setKeyboardTracking(False)
+        self.overlap.setToolTip(tr("Begin so much earlier on the same cut, so that no ridge stays"))
+        self.line.setToolTip(tr("The first line that is not certainly cut"))
+        self.line.valueChanged.connect(lambda line: self.line_chosen.emit(line, 0))
+        self.time.valueChanged.connect(lambda time: self.line_chosen.emit(self.line.value(), time))
+        self.overlap.valueChanged.connect(self.overlap_chosen)
+        form = QtGui.QFormLayout()
+        form.addRow(tr("Line"), self.line)
+        self._time_label = QtGui.QLabel(tr("Time that it is run"))
+        form.addRow(self._time_label, self.time)
+        form.addRow(tr("Overlap"), self.overlap)
+        self.ask_time(False)
+        return form
+
+    def _answer(self) -> list[Any]:
+        self._more, self._choice = _wrapped("more"), _wrapped("choice")
+        font = self._choice.font()
+        font.setBold(True)
+        self._choice.setFont(font)
+        self._message, self._words = _wrapped("message"), _wrapped("words")
+        self._busy = QtGui.QProgressBar()
+        self._busy.setObjectName(f"{NAME}busy")
+        self._busy.setRange(0, 0)
+        self._busy.setTextVisible(False)
+        self.findings = FindingsList()
+        self.findings.setMaximumHeight(FINDINGS_PX)
+        self._send = QtGui.QPushButton(icon("CNCStepper_Send"), tr("Send this restart…"))
+        self._send.setObjectName(f"{NAME}send")
+        self._send.clicked.connect(self.send)
+        self._more.hide()
+        self.say(tr("Reading the program…"), busy=True)
+        return [self._more, self._choice, self._message, self._busy, self._words, self.findings, self._send]
+
+    def _set(self, spin: Any, value: int) -> None:
+        spin.blockSignals(True)
+        spin.setValue(value)
+        spin.blockSignals(False)
+
+
+def _advice() -> str:
+    return tr(
+        "Choose a line, an entry of the list, or click a cut in the 3D view. All before it counts as cut: if unsure, "
+        "choose an earlier one."
+    )
+
+
+def _said(sentences: Sequence[str]) -> Any:
+    """Return what is known of the job that did not end."""
+    box = QtGui.QGroupBox(tr("The job that did not end"))
+    layout = QtGui.QVBoxLayout(box)
+    layout.addWidget(_wrapped("said", "\n".join(sentences)))
+    return box
+
+
+def _spin(what: str, least: int, most: int) -> Any:
+    spin = QtGui.QSpinBox()
+    spin.setObjectName(f"{NAME}{what}")
+    spin.setRange(least, most)
+    spin.setKeyboardTracking(False)
+    return spin
+
+
+def _wrapped(what: str, text: str = "") -> Any:
+    label = QtGui.QLabel(text)
+    label.setObjectName(f"{NAME}{what}")
+    label.setWordWrap(True)
+    label.setTextFormat(QtCore.Qt.TextFormat.PlainText)
+    label.setTextInteractionFlags(QtCore.Qt.TextInteractionFlag.TextSelectableByMouse)
+    return label

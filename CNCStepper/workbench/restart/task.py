@@ -1,0 +1,229 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The task of a restart: it lists the places, shows the path to click on, proves what is chosen, and sends it.
+
+program ──► reader: lines, path, contours, place under a click ──► choice ──► proof ──► words, findings ──► dock
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+from PySide import QtCore, QtGui
+
+from CNCStepper.control.outcome import error_from_json
+from CNCStepper.gcode.restart.places import Where
+from CNCStepper.job.restart_files import RestartPlace
+from CNCStepper.workbench import dock, program_file, tell
+from CNCStepper.workbench.dock.state import sentences
+from CNCStepper.workbench.editor.reader import ProgramReader
+from CNCStepper.workbench.editor.source import ObjectSource
+from CNCStepper.workbench.editor.stage import EditorStage
+from CNCStepper.workbench.features.program import job_behind
+from CNCStepper.workbench.making import machine_of
+from CNCStepper.workbench.proof import ProofResult, ProofRun
+from CNCStepper.workbench.restart.panel import RestartPanel
+from CNCStepper.workbench.restart.places import Row, line_of, rows_of
+from CNCStepper.workbench.sentences import translated
+from CNCStepper.workbench.simulation.stage import Stage, view_of
+from CNCStepper.workbench.watch import ProgramWatch
+from CNCStepper.workbench.words import tr
+
+if TYPE_CHECKING:
+    from CNCStepper.errors import CNCStepperError
+
+SETTLED_MS = 400  # so long a choice stands still before it is proven
+
+
+class RestartTask:
+    """What FreeCAD's task panel is given; `form` is its widget."""
+
+    def __init__(self, program: Any, line: int = 0, said: Sequence[str] = ()):
+        """line: the one that is proposed, 0 for none. said: what is known of the job that did not end."""
+        self.form = RestartPanel(program.Label, said)
+        self._program, self._document_name = program, program.Document.Name
+        self._source = ObjectSource(program)
+        self._where = Where(line=line) if line else None
+        self._run: ProofRun | None = None
+        self._stage: Stage | None = None
+        self._path = EditorStage(self._clicked)
+        self._reader = ProgramReader(lambda: program_file.load(program))
+        self._watch = ProgramWatch(program, self._changed, self._close_soon, self._document_closing)
+        self._settled = QtCore.QTimer()
+        self._settled.setSingleShot(True)
+        self._settled.setInterval(SETTLED_MS)
+        self._settled.timeout.connect(tell.guarded(self._prove))
+        self._connect()
+
+    # ---- what FreeCAD asks ----
+
+    def getStandardButtons(self) -> int:
+        """Show Close alone."""
+        button = QtGui.QDialogButtonBox.StandardButton.Close
+        return int(getattr(button, "value", button))
+
+    def isAllowedAlterDocument(self) -> bool:
+        """Let the document be edited meanwhile: another program is read anew."""
+        return True
+
+    def isAllowedAlterView(self) -> bool:
+        """Let the view be turned."""
+        return True
+
+    def isAllowedAlterSelection(self) -> bool:
+        """Let things be selected."""
+        return True
+
+    def reject(self) -> bool:
+        """Close, by the button or by Esc."""
+        import FreeCADGui
+
+        self.end()
+        FreeCADGui.Control.closeDialog()
+        return True
+
+    # ---- the life of the task ----
+
+    def begin(self) -> None:
+        """Read the program as it now stands in the document."""
+        machine = machine_of(job_behind(self._program))
+        self._reader.begin(self._source.language(machine))
+
+    def end(self, *_: Any) -> None:
+        """Leave nothing behind: no process, no timer, no node, nothing hidden."""
+        self._watch.end()
+        self._settled.stop()
+        self._give_up_run()
+        self._reader.forget()
+        self._path.clear()
+        if self._stage is not None:
+            self._stage.restore()
+            self._stage = None
+
+    def _connect(self) -> None:
+        reader, form, guarded = self._reader, self.form, tell.guarded
+        reader.read.connect(guarded(self._read))
+        reader.timed.connect(guarded(self._show_path))
+        reader.listed.connect(guarded(self._list))
+        reader.at_line.connect(guarded(lambda answer: self._path.show_line(answer["way"])))
+        reader.place_picked.connect(guarded(self._pick))
+        reader.failed.connect(guarded(self._refuse))
+        form.place_chosen.connect(guarded(self._choose_row))
+        form.line_chosen.connect(guarded(self._choose_line))
+        form.overlap_chosen.connect(guarded(self._prove_soon))
+        form.send.connect(guarded(self._send))
+        form.destroyed.connect(self.end)  # however FreeCAD closes the panel
+
+    # ---- what the reading tells ----
+
+    def _read(self, answer: dict[str, Any]) -> None:
+        self.form.show_lines(answer["lines"])
+
+    def _show_path(self, answer: dict[str, Any]) -> None:
+        """Show the path alone, seen from above at a slant, and ask for the list."""
+        self._path.show(self._source, self._reader.folder / answer["path"])
+        view = view_of(self._program.Document)
+        if self._stage is None and view is not None:
+            self._stage = Stage(self._program, view)
+            self._stage.look()
+        self._reader.ask({"contours": True})
+
+    def _list(self, answer: dict[str, Any]) -> None:
+        if "error_of_contours" in answer:
+            self._refuse(error_from_json(answer["error_of_contours"]))
+            return
+        self.form.show_rows(rows_of(answer), answer["more"])
+        self.form.say(tr("No place is chosen yet."))
+        if self._where is not None:
+            self._choose(self._where)
+
+    def _pick(self, answer: dict[str, Any]) -> None:
+        """Choose the place that was clicked; a click beside the cuts means nothing."""
+        if answer["place"] is not None:
+            self._choose(Where(at_mm=tuple(answer["place"])))
+            self._path.show_line([[answer["place"], answer["place"]]])
+
+    # ---- the choice ----
+
+    def _clicked(self, question: dict[str, Any]) -> None:
+        self._reader.ask({"place": question})
+
+    def _choose_row(self, row: Row) -> None:
+        self._choose(row.where)
+
+    def _choose_line(self, line: int, time: int) -> None:
+        self._choose(Where(line=line, time=time))
+
+    def _choose(self, where: Where) -> None:
+        self._where = where
+        self.form.show_choice(where)
+        self.form.ask_time(bool(where.time))
+        if line := line_of(where, self.form.places.rows):
+            self._reader.ask({"line": line})
+        self._prove_soon()
+
+    def _prove_soon(self) -> None:
+        """Prove as soon as nothing is changed any more."""
+        if self._where is None:
+            return
+        self._give_up_run()
+        self.form.say(tr("The restart is made and proven…"), busy=True)
+        self._settled.start()
+
+    @property
+    def _place(self) -> RestartPlace:
+        assert self._where is not None
+        return RestartPlace(self._where, self.form.overlap.value())
+
+    # ---- the proof ----
+
+    def _prove(self) -> None:
+        self._run = ProofRun(self._program, begins=dock.start_here(), place=self._place)
+        self._run.progress.connect(tell.guarded(lambda text: self.form.say(text, busy=True)))
+        self._run.finished.connect(tell.guarded(self._show))
+        self._run.failed.connect(tell.guarded(self._refuse))
+        self._run.start()
+
+    def _show(self, result: ProofResult) -> None:
+        self._end_run()
+        self.form.show_result(result)
+
+    def _refuse(self, error: CNCStepperError) -> None:
+        """Say why there is no restart; a line that is run more than once lets its run be chosen."""
+        self._end_run()
+        if error.code == "restart-time":
+            self.form.ask_time(True)
+        self.form.say(sentences(tell.sentence(error), translated(error.advice)))
+
+    def _send(self) -> None:
+        """Hand the restart to the dock, which asks for the work zero and sends it."""
+        program, place = self._program, self._place
+        self.reject()
+        dock.send(program, place)
+
+    def _give_up_run(self) -> None:
+        if self._run is not None:
+            self._run.cancel()
+            self._end_run()
+
+    def _end_run(self) -> None:
+        run, self._run = self._run, None
+        if run is not None:
+            run.deleteLater()
+
+    # ---- what happens to the program meanwhile ----
+
+    def _changed(self) -> None:
+        """Read the new program; a place in the old one is none in the new one."""
+        self._give_up_run()
+        self._settled.stop()
+        self._where = None
+        self.form.say(tr("The program has changed: it is read again."), busy=True)
+        QtCore.QTimer.singleShot(0, tell.guarded(self.begin))
+
+    def _close_soon(self) -> None:
+        QtCore.QTimer.singleShot(0, tell.guarded(self.reject))
+
+    def _document_closing(self, name: str) -> None:
+        if name == self._document_name:
+            self._close_soon()

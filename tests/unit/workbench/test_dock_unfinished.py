@@ -1,0 +1,100 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What the dock says of a job that did not end, and which program of the document it was."""
+
+from __future__ import annotations
+
+import threading
+import time
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from CNCStepper.control.certificate import digest_of_text
+from CNCStepper.control.journal.first_program import FirstProgram
+from CNCStepper.control.journal.group import Group
+from CNCStepper.control.journal.story import KILLED, Story
+from CNCStepper.errors import JobError
+from CNCStepper.workbench.dock.state import Moment
+from CNCStepper.workbench.dock.unfinished import NAMES, Reading, line_of, name_of, program_of, told, why_not_now
+
+HEADER = {"lines": 300, "last_line": 301, "homing": True, "goes_back": False, "port": "COM3", "file": "Plate"}
+GROUP = Group(1.8e9, 97, 60, 41, 43, 98, "Run", (-90.0, -40.0, -10.0), (10.0, 10.0, 10.0))
+WAIT_S = 30
+
+
+def story(group: Group = GROUP, **header: Any) -> Story:
+    return Story(Path("1.journal"), {**HEADER, "program_sha256": digest_of_text("G21\n"), **header}, group, KILLED)
+
+
+def wait_for(reading: Reading, happened: Callable[[], Any]) -> None:
+    until_s = time.monotonic() + WAIT_S
+    while not happened():
+        reading.poll()
+        assert time.monotonic() < until_s
+        time.sleep(0.001)
+
+
+def test_the_line_is_the_first_that_is_not_certainly_cut() -> None:
+    assert line_of(story()) == 43
+    names = [name for name, _ in told(story())]
+    assert names == [NAMES[name] for name in ("ended", "certain", "not certain", "not sent", "last seen", "position")]
+
+
+@pytest.mark.parametrize(
+    "unclear", [story(goes_back=True), story(Group(1.0, 300, 300, 300, 0, 301))], ids=["loops", "all cut"]
+)
+def test_where_a_line_would_be_wrong_none_is_proposed_and_it_is_said(unclear: Story) -> None:
+    assert line_of(unclear) == 0
+    assert NAMES["restart"] in dict(told(unclear))
+
+
+def test_the_program_is_known_by_its_text_alone() -> None:
+    programs = [("edited", "G21 (edited)\n"), ("job", "G21\n")]
+    assert program_of(story(), programs) == "job"
+    assert program_of(story(), programs[:1]) is None
+
+
+def test_a_restart_that_did_not_end_itself_leads_to_the_first_program_and_its_line() -> None:
+    first = FirstProgram("Plate", digest_of_text("G21\n"), [[40, 812]])
+    again = story(program_sha256=digest_of_text("the restart"), restart_of=first.to_content(), file="Plate-restart")
+    assert (name_of(again), line_of(again)) == ("Plate", 815)
+    assert program_of(again, [("restart", "the restart"), ("plate", "G21\n")]) == "plate"
+    assert "the program's 815" in dict(told(again))[NAMES["restart"]]
+
+
+def test_nothing_is_restarted_while_something_is_cut() -> None:
+    assert why_not_now(Moment("running", job=True)).endswith(".")
+    assert not why_not_now(Moment("idle")) and not why_not_now(Moment())
+
+
+def test_whoever_asks_does_not_wait() -> None:
+    may_answer, found = threading.Event(), []
+    reading = Reading()
+    reading.ask(lambda: may_answer.wait(WAIT_S) and story(), found.append)
+    reading.poll()
+    assert not found
+    may_answer.set()
+    wait_for(reading, lambda: found)
+    reading.poll()
+    assert found == [story()]
+
+
+def test_of_two_questions_the_newer_counts() -> None:
+    first, second = [], []
+    reading = Reading()
+    reading.ask(story, first.append)
+    reading.ask(lambda: None, second.append)
+    wait_for(reading, lambda: second)
+    assert (first, second) == ([], [None])
+
+
+def test_what_the_finding_raises_is_raised_to_whoever_looks() -> None:
+    def fail() -> Story:
+        raise JobError("journal-unreadable", "the journal cannot be read", advice="look at the machine")
+
+    reading = Reading()
+    reading.ask(fail, lambda _: None)
+    with pytest.raises(JobError, match="cannot be read"):
+        wait_for(reading, lambda: False)

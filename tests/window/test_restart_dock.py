@@ -1,0 +1,170 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A restart chosen in the window: from the list, from the picture, by line, and after a sender that was killed."""
+
+from __future__ import annotations
+
+import os
+import signal
+from collections.abc import Iterator
+from typing import Any
+
+import FreeCAD
+import FreeCADGui
+import pytest
+from hand import Hand
+from PySide import QtGui
+
+from CNCStepper.control.session_file import read_private, running_desks
+from CNCStepper.workbench import api
+from CNCStepper.workbench.dock.ports import VIRTUAL
+
+D, R = "CNCStepper_Dock_", "CNCStepper_Restart_"
+LONGEST_MS = 50.0
+CUT_LINE = 150  # in the second pocket
+
+
+@pytest.fixture(autouse=True)
+def own_sessions(tmp_path_factory: pytest.TempPathFactory, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Machines and journals of this computer are none of ours."""
+    monkeypatch.setenv("XDG_STATE_HOME", str(tmp_path_factory.mktemp("state")))
+
+
+@pytest.fixture
+def dock(hand: Hand) -> Iterator[Any]:
+    """The dock's panel, opened by its command; disconnected and closed afterwards."""
+    hand.command("CNCStepper_Controller")
+    hand.wait(lambda: FreeCADGui.getMainWindow().findChild(QtGui.QDockWidget, "CNCStepper_Dock"))
+    shown = hand.main(FreeCADGui.getMainWindow().findChild, QtGui.QDockWidget, "CNCStepper_Dock")
+    panel = hand.main(shown.widget)
+    hand.main(panel.connection.look, VIRTUAL)
+    yield panel
+    hand.main(panel.link.command, "stop")
+    hand.wait(lambda: not panel.link.moment.job_runs, 20)
+    hand.main(panel.sending.away)
+    hand.main(panel.link.leave)
+    hand.main(panel.refresh)
+    hand.main(shown.close)
+
+
+@pytest.fixture
+def job(hand: Hand) -> Any:
+    """Two pockets beside each other."""
+
+    def make() -> Any:
+        document = FreeCAD.newDocument("Pockets")
+        made = api.new_job(document, machine="table-a", stock_size_mm=(100, 70, 20))
+        cutter = api.add_tool(made, number=1, diameter_mm=6, feed_mm_min=800, plunge_mm_min=200)
+        for x_mm in (-25.0, 25.0):
+            sizes = {"radius_x_mm": 12, "radius_y_mm": 9, "depth_mm": 2.0}
+            api.add_elliptical_pocket(made, tool=cutter, centre_mm=(x_mm, 0.0, 0.0), **sizes)
+        made.Label = "Two pockets"
+        document.recompute()
+        FreeCADGui.activeDocument().activeView().fitAll()
+        return made
+
+    return hand.main(make)
+
+
+def opened(hand: Hand) -> None:
+    """Click Restart…, and wait for the list of places."""
+    hand.click(f"{D}Restart")
+    hand.wait(lambda: hand.exists(f"{R}places") and hand.find(f"{R}places").rows, 60, "the list of places")
+
+
+def proven(hand: Hand) -> str:
+    hand.wait(lambda: hand.find(f"{R}send").isEnabled(), 60, "the proof of the restart")
+    return hand.text(f"{R}words")
+
+
+def typed(hand: Hand, dock: Any, line: str, answer: str) -> None:
+    """Type a line in the console, and bring it back with the arrow key."""
+    hand.click(f"{D}ConsoleLine")
+    hand.type(line)
+    hand.key("Return")
+    hand.wait(lambda: answer in dock.console.said.toPlainText(), 20, "the answer")
+    hand.key("Up")
+    assert hand.text(f"{D}ConsoleLine") == line
+    hand.shot("restart-console")
+
+
+def at_zero(hand: Hand) -> None:
+    hand.wait(lambda: hand.exists(f"{D}Start") and "Work zero" in hand.text(f"{D}FlowTitle"), 60, "the work zero")
+
+
+def test_a_contour_is_chosen_from_the_list_and_the_rest_is_cut(hand: Hand, dock: Any, job: Any) -> None:
+    opened(hand)
+    assert not hand.main(hand.find(f"{R}send").isEnabled)
+    hand.shot("restart-list")
+    last = hand.main(lambda: hand.find(f"{R}places").rows[-1])
+    hand.item(f"{R}places", f"Contour {last.number}")
+    hand.fill(f"{R}overlap", "1")
+    with hand.watchdog() as watch:
+        words = proven(hand)
+    assert watch.max_cpu_ms < LONGEST_MS, watch
+    assert hand.text(f"{R}choice") == f"From contour {last.number}" and "all before them is taken as cut" in words
+    hand.shot("restart-proven")
+    hand.choose(f"{D}Speed", "10× speed")
+    hand.click(f"{R}send")
+    hand.wait(lambda: hand.exists(f"{D}Start") and "Connect" in hand.text(f"{D}FlowTitle"), 60, "the dock")
+    assert not hand.exists(f"{R}panel") and "Two pockets, restart" in hand.text(f"{D}FlowTitle")
+    hand.click(f"{D}Start")
+    at_zero(hand)
+    hand.click(f"{D}Start")
+    hand.wait(lambda: "Done" in hand.text(f"{D}FlowTitle"), 120, "the end of the cut")
+
+
+def test_a_place_is_clicked_in_the_picture_or_typed_as_a_line(hand: Hand, dock: Any, job: Any) -> None:
+    opened(hand)
+    cut_mm = hand.main(lambda: tuple(job.WorkOrigin + FreeCAD.Vector(25 + 9, 0, -2)))  # where the cutter's middle goes
+    hand.click_view(hand.view_point(*cut_mm))
+    hand.wait(lambda: hand.text(f"{R}choice").startswith("From the place that was clicked"), 10, "the click")
+    proven(hand)
+    hand.shot("restart-picture")
+    hand.fill(f"{R}line", str(hand.main(lambda: hand.find(f"{R}line").maximum())))
+    hand.wait(lambda: "nothing moves at line" in hand.text(f"{R}message"), 60, "the refusal")
+    assert not hand.main(hand.find(f"{R}send").isEnabled)
+    hand.shot("restart-refused")
+
+
+def test_a_simulation_gives_its_moment(hand: Hand, job: Any) -> None:
+    hand.main(FreeCADGui.Selection.addSelection, job)
+    hand.command("CNCStepper_Simulate")
+    hand.wait(lambda: hand.exists("CNCStepper_Simulation_restart"), 60, "the simulation")
+    program = hand.find("CNCStepper_Simulation_program")
+    hand.item(program, hand.main(lambda: program.model().index(CUT_LINE - 1, 0).data()))
+    hand.click("CNCStepper_Simulation_restart")
+    hand.wait(lambda: hand.exists(f"{R}choice") and hand.text(f"{R}choice"), 60, "the restart")
+    assert hand.text(f"{R}choice") == f"From line {CUT_LINE}" and hand.text(f"{R}line") == str(CUT_LINE)
+
+
+def test_a_job_whose_sender_was_killed_is_offered_and_restarted(hand: Hand, dock: Any, job: Any) -> None:
+    hand.main(FreeCADGui.Selection.addSelection, job)
+    hand.command("CNCStepper_Send")
+    hand.wait(lambda: hand.exists(f"{D}Start") and "Connect" in hand.text(f"{D}FlowTitle"), 60, "the proof")
+    hand.choose(f"{D}Speed", "10× speed")
+    hand.click(f"{D}Start")
+    at_zero(hand)
+    assert not hand.exists(f"{D}Offer")
+    hand.click(f"{D}Start")
+    hand.wait(lambda: dock.link.status and dock.link.status.acknowledged > 60, 60, "some cuts")
+    (desk,) = running_desks()
+    os.kill(read_private(desk)["process"], signal.SIGKILL)
+    hand.wait(lambda: hand.text(f"{D}State") == "Connection lost", 30)
+    hand.click(f"{D}Cancel")
+    hand.click(f"{D}Connect")
+    hand.wait(lambda: hand.exists(f"{D}Offer"), 60, "the offer")
+    assert "Two pockets" in hand.text(f"{D}Offer")
+    hand.shot("restart-offer")
+    typed(hand, dock, "$$", "$110=")
+    hand.click(f"{D}Unfinished")
+    hand.wait(lambda: hand.exists(f"{R}said"), 10, "what the journal tells")
+    said = hand.text(f"{R}said")
+    assert "Ended: killed" in said and "Certain:" in said and "Position:" in said
+    words = proven(hand)
+    line = int(hand.text(f"{R}line"))
+    assert line > 1 and f"From line {line}" == hand.text(f"{R}choice") and "goes up to Z" in words
+    hand.shot("restart-unfinished")
+    hand.click(f"{R}send")
+    at_zero(hand)
+    hand.click(f"{D}Start")
+    hand.wait(lambda: "Done" in hand.text(f"{D}FlowTitle"), 120, "the end of the cut")
