@@ -7,11 +7,13 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
+from CNCStepper.control.outcome import SenderStatus
 from CNCStepper.workbench.dock.state import RULES, STANDING, Moment, why_not
 from CNCStepper.workbench.words import later
 
 FIND, RESUME = "find", "resume"
 BACK, LINE, ENTRY, FORWARD, ASIDE = "back_mm", "line", "entry", "forward_mm", "aside"  # as `job/back_worker.py` says
+Wish = tuple[str, float | bool]  # one of these, and how far
 THERE_MM = 0.001  # no further behind is where the cut has come to
 RULE_OF = {BACK: "back", LINE: "back", ENTRY: "back", FORWARD: "forward", ASIDE: "aside", RESUME: "resume"}
 DOES = {
@@ -29,6 +31,13 @@ GOING = later("The tool moves along the cut.")
 UNKNOWN = later("The tool can go back along exactly the way by which it came.")
 
 
+def wish_of(status: SenderStatus | None) -> Wish | None:
+    """Return what the machine's buttons want, as its session tells."""
+    if status is None or (status.wanted_back_mm is None and not status.wanted_rest):
+        return None
+    return (RESUME, True) if status.wanted_back_mm is None else (BACK, status.wanted_back_mm)
+
+
 @dataclass
 class BackFlow:
     """What is under way, and where on its cut the tool stands.
@@ -42,7 +51,7 @@ class BackFlow:
     trouble: str = ""
     _pending: list[str] = field(default_factory=list)  # asked, and answered in this order
     _phase: str = ""
-    _wanted_mm: float | None = None
+    _wish: Wish | None = None  # of the machine's buttons, as it was last
 
     @property
     def asked(self) -> str:
@@ -76,14 +85,12 @@ class BackFlow:
             self.forget()
         return entered and moment.phase == "held" and moment.job_runs and not self.asked
 
-    def wish_of_machine(self, wanted_mm: float | None, moment: Moment) -> float | None:
-        """Return by how much a button of the machine wants to go back, once for each time that it is pressed."""
-        if wanted_mm == self._wanted_mm:
+    def wish_of_machine(self, wish: Wish | None, moment: Moment) -> Wish | None:
+        """Return what a button of the machine wants, once for each time that it is pressed."""
+        if wish == self._wish or (wish is not None and why_not_back(wish[0], self, moment)):
             return None
-        if wanted_mm is not None and why_not_back(BACK, self, moment):
-            return None
-        self._wanted_mm = wanted_mm
-        return wanted_mm
+        self._wish = wish
+        return wish
 
 
 def why_not_back(kind: str, flow: BackFlow, moment: Moment) -> str:

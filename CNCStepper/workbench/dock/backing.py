@@ -9,7 +9,7 @@ from typing import Any
 from CNCStepper.control.outcome import error_from_json
 from CNCStepper.errors import CNCStepperError
 from CNCStepper.workbench import tell
-from CNCStepper.workbench.dock.back import BACK, FIND, RESUME, BackFlow, why_not_back
+from CNCStepper.workbench.dock.back import FIND, RESUME, BackFlow, why_not_back, wish_of
 from CNCStepper.workbench.dock.link import Link, told
 from CNCStepper.workbench.dock.state import RETREATED, STANDING, sentences
 from CNCStepper.workbench.questioner import Questioner
@@ -54,9 +54,8 @@ class Backing:
             self.end()
         elif self.flow.follow(moment):
             self._ask(FIND, True)
-        wanted_mm = self.flow.wish_of_machine(self._link.status and self._link.status.wanted_back_mm, moment)
-        if wanted_mm is not None:
-            self.go(BACK, wanted_mm)
+        if wish := self.flow.wish_of_machine(wish_of(self._link.status), moment):
+            self.go(*wish)
 
     def end(self) -> None:
         """Ask nothing any more, and end the process."""

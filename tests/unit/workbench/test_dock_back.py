@@ -5,8 +5,21 @@ from __future__ import annotations
 
 import pytest
 
-from CNCStepper.workbench.dock import back
-from CNCStepper.workbench.dock.back import ASIDE, BACK, ENTRY, FIND, FORWARD, LINE, BackFlow, state_text, why_not_back
+from CNCStepper.control.outcome import SenderStatus
+from CNCStepper.workbench.dock import back as dock_back
+from CNCStepper.workbench.dock.back import (
+    ASIDE,
+    BACK,
+    ENTRY,
+    FIND,
+    FORWARD,
+    LINE,
+    RESUME,
+    BackFlow,
+    state_text,
+    why_not_back,
+    wish_of,
+)
 from CNCStepper.workbench.dock.state import NOT_CONNECTED, RULES, Moment
 
 KINDS = (BACK, LINE, ENTRY, FORWARD, ASIDE)
@@ -46,10 +59,10 @@ def test_every_reason_is_a_sentence() -> None:
 def test_one_way_after_another_but_a_search_does_not_lock() -> None:
     flow = BackFlow()
     flow.ask(FIND)
-    assert not why_not_back(BACK, flow, HELD) and state_text(flow, HELD) == back.FINDING
+    assert not why_not_back(BACK, flow, HELD) and state_text(flow, HELD) == dock_back.FINDING
     flow.ask(BACK)
-    assert {why_not_back(kind, flow, HELD) for kind in KINDS} == {back.UNDER_WAY}
-    assert state_text(flow, HELD) == back.PROVING and state_text(flow, RUNNING) == back.GOING
+    assert {why_not_back(kind, flow, HELD) for kind in KINDS} == {dock_back.UNDER_WAY}
+    assert state_text(flow, HELD) == dock_back.PROVING and state_text(flow, RUNNING) == dock_back.GOING
 
 
 def test_a_way_that_is_asked_for_during_the_search_is_under_way_until_its_own_answer() -> None:
@@ -66,7 +79,7 @@ def test_a_way_that_is_asked_for_during_the_search_is_under_way_until_its_own_an
 
 
 def test_nothing_lies_ahead_of_where_the_cut_has_come_to() -> None:
-    assert why_not_back(FORWARD, stood(0.0), RETREATED) == back.NOTHING_AHEAD
+    assert why_not_back(FORWARD, stood(0.0), RETREATED) == dock_back.NOTHING_AHEAD
     assert not why_not_back(FORWARD, stood(3.0), RETREATED) and not why_not_back(FORWARD, BackFlow(), HELD)
     assert "{1}" in state_text(stood(3.0), RETREATED) and "{1}" not in state_text(stood(0.0), RETREATED)
 
@@ -79,7 +92,7 @@ def test_the_place_is_looked_for_once_when_the_machine_is_held_and_forgotten_whe
     flow.follow(HELD)
     assert flow.line == 7
     flow.follow(RUNNING)
-    assert flow.line == 0 and state_text(flow, RUNNING) == back.UNKNOWN
+    assert flow.line == 0 and state_text(flow, RUNNING) == dock_back.UNKNOWN
 
 
 def test_a_machine_held_without_a_job_or_on_a_way_under_way_is_not_searched() -> None:
@@ -99,16 +112,22 @@ def test_a_refusal_is_said_until_the_next_wish_and_keeps_the_place() -> None:
 
 
 def test_a_button_of_the_machine_is_heard_once_for_each_press() -> None:
-    flow = BackFlow()
+    flow, back = BackFlow(), wish_of(SenderStatus(wanted_back_mm=5.0))
+    assert back == (BACK, 5.0) and wish_of(SenderStatus()) is None and wish_of(None) is None
     assert flow.wish_of_machine(None, RUNNING) is None
-    assert [flow.wish_of_machine(5.0, RUNNING) for _ in range(2)] == [5.0, None]
+    assert [flow.wish_of_machine(back, RUNNING) for _ in range(2)] == [back, None]
     assert flow.wish_of_machine(None, HELD) is None
-    assert flow.wish_of_machine(5.0, HELD) == 5.0
+    assert flow.wish_of_machine(back, HELD) == back
+
+
+def test_the_start_button_cuts_on_from_where_the_tool_was_led() -> None:
+    flow, rest = BackFlow(), wish_of(SenderStatus(wanted_rest=True))
+    assert rest == (RESUME, True) and flow.wish_of_machine(rest, RETREATED) == rest
 
 
 def test_a_button_of_the_machine_waits_for_the_way_under_way() -> None:
-    flow = BackFlow()
+    flow, back = BackFlow(), (BACK, 5.0)
     flow.ask(BACK)
-    assert flow.wish_of_machine(5.0, HELD) is None
+    assert flow.wish_of_machine(back, HELD) is None
     flow.answer({"line": 7, "behind_mm": 5.0, "doubt": ""})
-    assert flow.wish_of_machine(5.0, HELD) == 5.0
+    assert flow.wish_of_machine(back, HELD) == back
