@@ -52,6 +52,7 @@ class BackFlow:
     _pending: list[str] = field(default_factory=list)  # asked, and answered in this order
     _phase: str = ""
     _wish: Wish | None = None  # of the machine's buttons, as it was last
+    _due: Wish | None = None  # of theirs, what was not asked for yet
 
     @property
     def asked(self) -> str:
@@ -76,7 +77,7 @@ class BackFlow:
     def forget(self) -> None:
         """Expect no answer any more, and know nothing."""
         self._pending.clear()
-        self.line, self.behind_mm, self.trouble = 0, 0.0, ""
+        self.line, self.behind_mm, self.trouble, self._due = 0, 0.0, "", None
 
     def follow(self, moment: Moment) -> bool:
         """Follow the machine; return whether its place on the cut is to be looked for now: it was just held."""
@@ -86,11 +87,26 @@ class BackFlow:
         return entered and moment.phase == "held" and moment.job_runs and not self.asked
 
     def wish_of_machine(self, wish: Wish | None, moment: Moment) -> Wish | None:
-        """Return what a button of the machine wants, once for each time that it is pressed."""
-        if wish == self._wish or (wish is not None and why_not_back(wish[0], self, moment)):
+        """Return what to do now for the buttons of the machine, once for each time that one is pressed.
+
+        A wish leaves the status as soon as anybody asks for the place; pressed on the way, it is done after that.
+        """
+        before, self._wish = self._wish, wish
+        if wish is not None and wish != before:
+            self._due = _added(self._due, before, wish)
+        if self._due is None or why_not_back(self._due[0], self, moment):
             return None
-        self._wish = wish
+        due, self._due = self._due, None
+        return due
+
+
+def _added(due: Wish | None, before: Wish | None, wish: Wish) -> Wish:
+    """Return what is due after another press: lengths in the status, and those that wait here, add up."""
+    if wish[0] != BACK:
         return wish
+    seen_mm = before[1] if before and before[0] == BACK and before[1] < wish[1] else 0.0
+    waiting_mm = due[1] if due and due[0] == BACK else 0.0
+    return BACK, waiting_mm + wish[1] - seen_mm
 
 
 def why_not_back(kind: str, flow: BackFlow, moment: Moment) -> str:

@@ -129,5 +129,23 @@ def test_a_button_of_the_machine_waits_for_the_way_under_way() -> None:
     flow, back = BackFlow(), (BACK, 5.0)
     flow.ask(BACK)
     assert flow.wish_of_machine(back, HELD) is None
+    assert flow.wish_of_machine(None, HELD) is None  # somebody has asked for the place
     flow.answer({"line": 7, "behind_mm": 5.0, "doubt": ""})
-    assert flow.wish_of_machine(back, HELD) == back
+    assert [flow.wish_of_machine(None, HELD) for _ in range(2)] == [back, None]
+
+
+def test_presses_before_the_way_has_begun_add_up() -> None:
+    flow = BackFlow()
+    assert flow.wish_of_machine((BACK, 2.0), RUNNING) == (BACK, 2.0)
+    flow.ask(BACK)
+    assert [flow.wish_of_machine(wish, HELD) for wish in ((BACK, 4.0), None, (BACK, 2.0), None)] == [None] * 4
+    flow.answer({"line": 7, "behind_mm": 2.0, "doubt": ""})
+    assert flow.wish_of_machine(None, RETREATED) == (BACK, 4.0)
+
+
+def test_a_button_pressed_in_a_job_that_is_over_moves_nothing() -> None:
+    flow = BackFlow()
+    flow.ask(BACK)
+    flow.wish_of_machine((BACK, 5.0), HELD)
+    flow.forget()
+    assert flow.wish_of_machine((BACK, 5.0), HELD) is None
