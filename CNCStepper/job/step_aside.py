@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import time
 
-from CNCStepper.control.outcome import SenderStatus, error_from_json
+from CNCStepper.control.outcome import SenderStatus
 from CNCStepper.control.retrace import STANDS
 from CNCStepper.control.session import SessionClient
 from CNCStepper.errors import MachineRefusal
@@ -39,8 +39,8 @@ def jog(client: SessionClient, way: dict[str, float]) -> SenderStatus:
     begin_s, state = time.monotonic(), ""
     while (time.monotonic() - begin_s < BEGUN_S or state != "Idle") and client.outcome is None:
         for event in client.poll(LOOK_EVERY_S):
-            if event["event"] == "refused":
-                raise error_from_json(event["error"])
+            if event["event"] == "refused" and event.get("command") == "jog":
+                raise event["error"]
             if event["event"] == "status":
                 state = event["status"]["machine_state"]
     return client.status()
