@@ -20,6 +20,7 @@ from CNCStepper.workbench.dock.ports import VIRTUAL
 
 D, R = "CNCStepper_Dock_", "CNCStepper_Restart_"
 LONGEST_MS = 50.0
+START_S = 240  # a virtual machine whose kernels are not compiled yet
 CUT_LINE = 150  # in the second pocket
 
 
@@ -88,7 +89,7 @@ def typed(hand: Hand, dock: Any, line: str, answer: str) -> None:
 
 
 def at_zero(hand: Hand) -> None:
-    hand.wait(lambda: hand.exists(f"{D}Start") and "Work zero" in hand.text(f"{D}FlowTitle"), 60, "the work zero")
+    hand.wait(lambda: hand.exists(f"{D}Start") and "Work zero" in hand.text(f"{D}FlowTitle"), START_S, "the work zero")
 
 
 def test_a_contour_is_chosen_from_the_list_and_the_rest_is_cut(hand: Hand, dock: Any, job: Any) -> None:

@@ -3,7 +3,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from operator import attrgetter
 from typing import Any
 
 from PySide import QtCore, QtGui
@@ -17,7 +18,7 @@ HEADS = (later("Place"), later("Line"), later("Length"), later("Begins at"))
 PLACE, LINE, LENGTH, BEGINS = range(len(HEADS))
 _RIGHT = ALIGN.AlignRight | ALIGN.AlignVCenter
 NUMBERS = int(getattr(_RIGHT, "value", _RIGHT))  # as Qt 6 and Qt 5 take it
-LEAST_ROWS = 4
+LEAST_ROWS, MOST_ROWS = 2, 8  # that are seen without scrolling
 ROOM_PX = 5  # beside the letters of a cell
 
 
@@ -67,9 +68,19 @@ class PlaceList(QtGui.QTableView):
         self.setWordWrap(False)
         self.verticalHeader().hide()
         self.verticalHeader().setDefaultSectionSize(self.fontMetrics().height() + 4)
-        self.setMinimumHeight((LEAST_ROWS + 1) * (self.fontMetrics().height() + 6))
         self.rows: list[Row] = []
         self._marking = False
+
+    def sizeHint(self) -> Any:
+        """Return the room of the rows that there are, with the head and a scroll bar; Qt asks."""
+        seen = min(max(len(self.rows), LEAST_ROWS), MOST_ROWS)
+        bars_px = self.horizontalHeader().sizeHint().height() + self.horizontalScrollBar().sizeHint().height()
+        rows_px = seen * self.verticalHeader().defaultSectionSize()
+        return QtCore.QSize(super().sizeHint().width(), rows_px + bars_px + 2 * self.frameWidth())
+
+    def minimumSizeHint(self) -> Any:
+        """Return a room no lower than that; Qt asks."""
+        return QtCore.QSize(super().minimumSizeHint().width(), self.sizeHint().height())
 
     def show_rows(self, rows: list[Row]) -> None:
         """Show these rows instead of those before."""
@@ -83,6 +94,7 @@ class PlaceList(QtGui.QTableView):
             width_px = QtGui.QFontMetrics(_bold()).boundingRect(text).width()
             head_px = header.fontMetrics().boundingRect(tr(HEADS[column])).width()
             header.resizeSection(column, max(width_px, head_px) + 2 * ROOM_PX)
+        self.updateGeometry()
 
     def mark(self, row: int | None) -> None:
         """Mark a row without choosing it, or none."""
@@ -113,6 +125,15 @@ def _texts(row: Row) -> tuple[str, ...]:
 
 
 def _widest(rows: Sequence[Row]) -> list[str]:
-    """Return the longest text of each column."""
-    columns = zip(*map(_texts, rows), strict=True) if rows else [("",)] * len(HEADS)
+    """Return the longest text of each column; of thousands of rows only those that may hold it are put in words."""
+    measures: tuple[Callable[[Row], Any], ...] = (
+        lambda row: (row.kind == OPERATION, len(row.name)),
+        attrgetter("number"),
+        attrgetter("line"),
+        attrgetter("length_mm"),
+        lambda row: len(row.begins_at),
+    )
+    columns = (
+        zip(*(_texts(max(rows, key=measure)) for measure in measures), strict=True) if rows else [("",)] * len(HEADS)
+    )
     return [max(column, key=len) for column in columns]
