@@ -71,9 +71,9 @@ def story_of(bench: FaultBench) -> Story | None:
 
 
 def bring_back(board: Grbl, first: Run) -> None:
-    """Bring a machine back as its sender has said: unlocked; reset and with its zero set again where it is unknown."""
+    """Bring a machine back: reset and unlocked, and with its zero set again where it is said to be unknown."""
     known = first.claim.position_known
-    if not known:
+    if not known or board.state is State.ALARM:  # some alarms are locked until a reset; at rest it loses nothing
         board.receive(RESET)
         pass_time(board)
     if board.state is State.ALARM:
