@@ -38,10 +38,8 @@ class SecondGo:
         self.claim: Claim | None = None
         if job := self._job(lines):
             bring_back(bench.board, first)
-            go = FaultBench(lines, FaultPlan(), board=bench.board, job=job)
-            run = go.run()
+            run = FaultBench(lines, FaultPlan(), board=bench.board, job=job).run()
             self.rows, self.claim, self.at_rest = run.trace.rows, run.claim, run.trace.at_rest
-            self.outcome = go.outcome
 
     def _job(self, lines: tuple[str, ...]) -> SendJob | None:
         """Return the job of the restart from the first line that is not certainly cut; None where nothing is left."""
@@ -51,10 +49,12 @@ class SecondGo:
         try:
             proven = restart_program(text, load_machine("table-a"), where, file=FILE)
         except ProgramError as error:
-            if error.code not in (NOTHING_CUT, NOTHING_LEFT):
+            if error.code == NOTHING_LEFT:
+                return None
+            if error.code != NOTHING_CUT:
                 raise
-            self.said = replace(self.said, entrance=0) if error.code == NOTHING_CUT else self.said
-            return job_of(lines) if error.code == NOTHING_CUT else None
+            self.said = replace(self.said, entrance=0)
+            return job_of(lines)
         entrance = proven.restart.program.file_line(proven.restart.entrance.row) - 1
         self.said = replace(self.said, entrance=min(entrance, self.said.first))
         certificate = certificate_of(proven.proof)
@@ -71,9 +71,9 @@ def story_of(bench: FaultBench) -> Story | None:
 
 
 def bring_back(board: Grbl, first: Run) -> None:
-    """Bring a machine back as its sender has said: unlocked; reset and with its zero set again where it is unknown."""
+    """Bring a machine back: reset and unlocked, and with its zero set again where it is said to be unknown."""
     known = first.claim.position_known
-    if not known:
+    if not known or board.state is State.ALARM:  # some alarms are locked until a reset; at rest it loses nothing
         board.receive(RESET)
         pass_time(board)
     if board.state is State.ALARM:
