@@ -20,7 +20,7 @@ from CNCStepper.workbench.dock.ports import VIRTUAL
 
 D, R = "CNCStepper_Dock_", "CNCStepper_Restart_"
 LONGEST_MS = 50.0
-START_S = 240  # a virtual machine whose kernels are not compiled yet
+START_S = 240  # a process whose kernels are not compiled yet
 CUT_LINE = 150  # in the second pocket
 
 
@@ -69,11 +69,11 @@ def job(hand: Hand) -> Any:
 def opened(hand: Hand) -> None:
     """Click Restart…, and wait for the list of places."""
     hand.click(f"{D}Restart")
-    hand.wait(lambda: hand.exists(f"{R}places") and hand.find(f"{R}places").rows, 60, "the list of places")
+    hand.wait(lambda: hand.exists(f"{R}places") and hand.find(f"{R}places").rows, START_S, "the list of places")
 
 
 def proven(hand: Hand) -> str:
-    hand.wait(lambda: hand.find(f"{R}send").isEnabled(), 60, "the proof of the restart")
+    hand.wait(lambda: hand.find(f"{R}send").isEnabled(), START_S, "the proof of the restart")
     return hand.text(f"{R}words")
 
 
@@ -106,7 +106,7 @@ def test_a_contour_is_chosen_from_the_list_and_the_rest_is_cut(hand: Hand, dock:
     hand.shot("restart-proven")
     hand.choose(f"{D}Speed", "10× speed")
     hand.click(f"{R}send")
-    hand.wait(lambda: hand.exists(f"{D}Start") and "Connect" in hand.text(f"{D}FlowTitle"), 60, "the dock")
+    hand.wait(lambda: hand.exists(f"{D}Start") and "Connect" in hand.text(f"{D}FlowTitle"), START_S, "the dock")
     assert not hand.exists(f"{R}panel") and "Two pockets, restart" in hand.text(f"{D}FlowTitle")
     hand.click(f"{D}Start")
     at_zero(hand)
@@ -122,7 +122,7 @@ def test_a_place_is_clicked_in_the_picture_or_typed_as_a_line(hand: Hand, dock: 
     proven(hand)
     hand.shot("restart-picture")
     hand.fill(f"{R}line", str(hand.main(lambda: hand.find(f"{R}line").maximum())))
-    hand.wait(lambda: "nothing moves at line" in hand.text(f"{R}message"), 60, "the refusal")
+    hand.wait(lambda: "nothing moves at line" in hand.text(f"{R}message"), START_S, "the refusal")
     assert not hand.main(hand.find(f"{R}send").isEnabled)
     hand.shot("restart-refused")
 
@@ -130,18 +130,18 @@ def test_a_place_is_clicked_in_the_picture_or_typed_as_a_line(hand: Hand, dock: 
 def test_a_simulation_gives_its_moment(hand: Hand, job: Any) -> None:
     hand.main(FreeCADGui.Selection.addSelection, job)
     hand.command("CNCStepper_Simulate")
-    hand.wait(lambda: hand.exists("CNCStepper_Simulation_restart"), 60, "the simulation")
+    hand.wait(lambda: hand.exists("CNCStepper_Simulation_restart"), START_S, "the simulation")
     program = hand.find("CNCStepper_Simulation_program")
     hand.item(program, hand.main(lambda: program.model().index(CUT_LINE - 1, 0).data()))
     hand.click("CNCStepper_Simulation_restart")
-    hand.wait(lambda: hand.exists(f"{R}choice") and hand.text(f"{R}choice"), 60, "the restart")
+    hand.wait(lambda: hand.exists(f"{R}choice") and hand.text(f"{R}choice"), START_S, "the restart")
     assert hand.text(f"{R}choice") == f"From line {CUT_LINE}" and hand.text(f"{R}line") == str(CUT_LINE)
 
 
 def test_a_job_whose_sender_was_killed_is_offered_and_restarted(hand: Hand, dock: Any, job: Any) -> None:
     hand.main(FreeCADGui.Selection.addSelection, job)
     hand.command("CNCStepper_Send")
-    hand.wait(lambda: hand.exists(f"{D}Start") and "Connect" in hand.text(f"{D}FlowTitle"), 60, "the proof")
+    hand.wait(lambda: hand.exists(f"{D}Start") and "Connect" in hand.text(f"{D}FlowTitle"), START_S, "the proof")
     hand.choose(f"{D}Speed", "10× speed")
     hand.click(f"{D}Start")
     at_zero(hand)
@@ -153,7 +153,7 @@ def test_a_job_whose_sender_was_killed_is_offered_and_restarted(hand: Hand, dock
     hand.wait(lambda: hand.text(f"{D}State") == "Connection lost", 30)
     hand.click(f"{D}Cancel")
     hand.click(f"{D}Connect")
-    hand.wait(lambda: hand.exists(f"{D}Offer"), 60, "the offer")
+    hand.wait(lambda: hand.exists(f"{D}Offer"), START_S, "the offer")
     assert "Two pockets" in hand.text(f"{D}Offer")
     hand.shot("restart-offer")
     typed(hand, dock, "$$", "$110=")

@@ -25,6 +25,7 @@ NAMES = {
     "not certain": later("Not certain"),
     "not sent": later("Not sent"),
     "last seen": later("Last seen"),
+    "work zero": later("Work zero"),
     "position": later("Position"),
     "restart": later("Restart"),
 }

@@ -6,6 +6,7 @@ from __future__ import annotations
 import threading
 import time
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -40,6 +41,11 @@ def test_the_line_is_the_first_that_is_not_certainly_cut() -> None:
     assert line_of(story()) == 43
     names = [name for name, _ in told(story())]
     assert names == [NAMES[name] for name in ("ended", "certain", "not certain", "not sent", "last seen", "position")]
+
+
+def test_a_zero_that_was_set_within_the_job_is_told() -> None:
+    set_again = replace(story(offsets_mm={}), zero={"line": 12, "offsets_mm": {"G54": [1.0, 2.0, 3.0]}})
+    assert "line 12" in dict(told(set_again))[NAMES["work zero"]]
 
 
 @pytest.mark.parametrize(
