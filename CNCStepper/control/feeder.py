@@ -6,7 +6,7 @@ from __future__ import annotations
 from CNCStepper.control.firmware import Firmware
 from CNCStepper.control.grbl import Answered, Grbl
 from CNCStepper.control.journal.kept import Keeping, NoJournal
-from CNCStepper.control.lines import dwell_s, needs_idle, only_pauses, pauses, stores
+from CNCStepper.control.lines import dwell_s, is_move, needs_idle, only_pauses, pauses, stores
 from CNCStepper.control.send_job import SendJob
 from CNCStepper.errors import MachineRefusal, Place, ProgramError
 
@@ -41,11 +41,11 @@ class Feeder:
         """Send what fits and return how many lines; `idle` says that the machine was just seen idle."""
         before = self.sent
         permitted = min(self.total, self._journal.permitted)
-        while self.sent < permitted and self._may_go(self.job.lines[self.sent], driver, idle):
-            if only_pauses(self.job.lines[self.sent]):
+        while self.sent < permitted and self._may_go(text := self.job.lines[self.sent], driver, idle):
+            if not is_move(text) and only_pauses(text):
                 self._pass_pause()
             else:
-                driver.send(self.job.lines[self.sent], self.sent)
+                driver.send(text, self.sent)
                 self.sent += 1
         driver.flush()
         return self.sent - before
@@ -55,7 +55,7 @@ class Feeder:
         if answered.sent.index >= 0 and not answered.error:
             self.acknowledged += 1
             self._message = self.job.messages.get(answered.sent.index, self._message)
-            if pauses(answered.sent.text):
+            if self._message and pauses(answered.sent.text):
                 self._message = ""
 
     def refusal(self, answered: Answered, firmware: Firmware) -> MachineRefusal:
@@ -105,13 +105,13 @@ class Feeder:
         self._message = ""
 
     def _may_go(self, text: str, driver: Grbl, idle: bool) -> bool:
-        pausing = pauses(text)
-        if (pausing or self.by_line) and self._stands(self.sent):
+        special = not is_move(text)
+        if (special or self.by_line) and self._stands(self.sent):
             return False
-        alone = pausing or stores(text) or needs_idle(text)
+        alone = special and (pauses(text) or stores(text) or needs_idle(text))
         if driver.unanswered and (alone or self._alone):
             return False
-        if needs_idle(text) and not idle:
+        if alone and needs_idle(text) and not idle:
             return False
         if not driver.fits(text):
             self._check_window(text, driver)

@@ -30,12 +30,12 @@ HOLD, RESUME, RESET, STATUS, JOG_CANCEL = b"!", b"~", b"\x18", b"?", b"\x85"
 WINDOW_BYTES = 127  # of grbl's 128 one stays free; larger buffers say so themselves ($I, Bf)
 QUEUE_BYTES = 40  # that a real-time byte may find before it: 3.5 ms at 115 200 baud
 LONGEST_REST_S = 0.01
-PLANNER_BLOCKS = 15
+PLANNER_BLOCKS = 32  # of one that does not say it
 NOISE_LIMIT_BYTES = 4096  # without a line end
 REPORT_INCHES = 13  # the setting that switches reports to inches
 
 
-@dataclass(frozen=True)
+@dataclass(slots=True)
 class Sent:
     """A line under way; index: its place in the job from 0, or -1."""
 
@@ -43,7 +43,7 @@ class Sent:
     index: int
 
 
-@dataclass(frozen=True)
+@dataclass(slots=True)
 class Answered:
     """The answer to one line; error 0 is `ok`."""
 
@@ -206,8 +206,8 @@ class Grbl:
             raise LinkError(
                 "link-noise", f"{self.link.name} sends no line ends", advice="check the baud rate and what is connected"
             )
-        texts = (line.decode("ascii", "replace").strip() for line in lines)
-        return [text for text in texts if text]
+        texts = b"\n".join(lines).decode("ascii", "replace").split("\n")
+        return list(filter(None, map(str.strip, texts)))
 
     def _taken(self, report: Report) -> Received:
         if isinstance(report, Answer):
@@ -259,6 +259,8 @@ class Grbl:
         self._wco = status.wco or self._wco
         self.overrides = status.overrides or self.overrides
         self.outputs = self.outputs if status.outputs is None else status.outputs
+        if status.buffer:
+            self.planner_blocks = max(self.planner_blocks, status.buffer[0])
         if status.buffer and not self.unanswered:
             self._free_bytes = status.buffer[1]
             widest = 0 if self.firmware.small_receive else self.window

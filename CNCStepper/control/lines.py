@@ -10,6 +10,7 @@ from CNCStepper.errors import Place, ProgramError
 
 # Bytes that act at once wherever they stand: ! ? ~, controls, all above 0x7e.
 _ACTING = re.compile(r"[^ \"->@-}]")
+_MOVE = re.compile(r"(?:N\d+)?(?:G0?[0-3](?![\d.]))?[XYZIJKRF\d.+-]*")
 _STORING = re.compile(r"G0*(?:10(?:\.0*)?|28\.10*|30\.10*)(?![\d.])")
 _PAUSE = re.compile(r"M0*[06](?![\d.])")
 _ONLY_PAUSE = re.compile(r"(?:N\d+)?M0+")
@@ -52,6 +53,11 @@ def check_length(text: str, firmware: Firmware, window_bytes: int, place: Place 
             advice="shorten or split that line",
             place=place,
         )
+
+
+def is_move(text: str) -> bool:
+    """Return whether a line is surely a plain move, which need not be waited for: told at once, for nearly all are."""
+    return _MOVE.fullmatch(text) is not None
 
 
 def stores(text: str) -> bool:

@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING
 from CNCStepper.control.connect import Found, offsets_of
 from CNCStepper.control.grbl import Grbl
 from CNCStepper.control.grbl_report import Status, Vector
+from CNCStepper.control.journal.finished import SEGMENTS
 from CNCStepper.control.readiness import STEPS_PER_MM
 from CNCStepper.control.send_job import SendJob
 from CNCStepper.errors import MachineRefusal
@@ -25,7 +26,6 @@ if TYPE_CHECKING:
 STEPS = 2.0
 ROUNDING_MM = 0.002  # of positions and offsets as they are reported, in inches too
 STEP_MM = 0.0125  # where the controller does not report its steps/mm
-AHEAD_BLOCKS = 8  # short ones that the step generator has taken out of the planner's queue
 STANDING = ("Idle", "Run", "Hold")  # in others (door, tool, jog) a controller moves by itself, or a person it
 MODES = ("G0", "G1", "G2", "G3", "G17", "G18", "G19", "G20", "G21", "G90", "G91", "G93", "G94")
 
@@ -56,7 +56,7 @@ class PathWatch:
             return
         self._path.read(sent)
         self._tell_unknown(self._path)
-        self._path.drop_planned_before(acknowledged, self._driver.planner_blocks + AHEAD_BLOCKS)
+        self._path.drop_planned_before(acknowledged, self._driver.planner_blocks + SEGMENTS)
         if not self._path.drop_to(place[:3], self._near_mm):
             self.excursion = self._refusal(place)
 
@@ -78,7 +78,7 @@ class PathWatch:
 
     def _planned(self, found: Found, first: int = 0) -> PlannedPath | None:
         try:
-            from CNCStepper.control.planned_path import PlannedPath  # takes a second: when a machine is there only
+            from CNCStepper.control.planned_path import PlannedPath  # takes long: when a machine is there only
         except ImportError as error:
             self._warn(str(error))
             return None

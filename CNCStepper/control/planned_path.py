@@ -1,13 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The way that wire lines mean, in machine coordinates, read as they are sent and forgotten as they are done.
 
-lines sent ──► interpreter ──► stretches   | done | maybe under way | sent |
-                                                  ^ first           ^ last
+lines sent ──► interpreter ──► moves   | done | maybe under way | sent |
+                                              ^ first           ^ last
 """
 
 from __future__ import annotations
 
-from collections import deque
 from collections.abc import Sequence
 from dataclasses import dataclass
 from math import acos, atan2, ceil, nan, pi
@@ -16,87 +15,103 @@ import numpy as np
 
 from CNCStepper.errors import ProgramError
 from CNCStepper.gcode.interpret import Interpreter
-from CNCStepper.state import Start
-from CNCStepper.toolpath import ARC_CW, PLANE_AXES
+from CNCStepper.state import Start, States
+from CNCStepper.toolpath import ARC_CW, PLANE_AXES, Chunk
 
 CHORD_MM = 0.002  # how far a chord may lie inside its arc; the firmware's own default ($12)
 SAME_ANGLE = 5e-7  # at most: the firmware takes it for a whole circle
 
 
 @dataclass(frozen=True)
-class Stretch:
-    """One row's way: line: of the wire text, from 0. points: float64[k, 3], mm; NaN where nobody knows the place."""
+class Pieces:
+    """Straight pieces of way, one after the other, in machine coordinates.
 
-    line: int
-    points: np.ndarray
+    begins, ends: float64[n, 3], mm; NaN where nobody knows the place. rows: int64[n], the number of the move that each
+    is of, rising by one from move to move. lines: int64[n], its line of the wire text, from 0.
+    """
+
+    begins: np.ndarray
+    ends: np.ndarray
+    rows: np.ndarray
+    lines: np.ndarray
+
+    def __len__(self) -> int:
+        return len(self.rows)
+
+    def from_row(self, row: int) -> Pieces:
+        """Return those of a move and all after it."""
+        first = int(np.searchsorted(self.rows, row))
+        return Pieces(self.begins[first:], self.ends[first:], self.rows[first:], self.lines[first:])
+
+    def with_moves(self, points: np.ndarray, counts: np.ndarray, lines: np.ndarray) -> Pieces:
+        """Return them with further moves: points float64[k, 3] that they lead to, counts and lines one a move."""
+        rows = self.rows[-1] + 1 + np.arange(len(counts))
+        return Pieces(
+            np.concatenate([self.begins, self.ends[-1:], points[:-1]]),
+            np.concatenate([self.ends, points]),
+            np.concatenate([self.rows, np.repeat(rows, counts)]),
+            np.concatenate([self.lines, np.repeat(lines, counts)]),
+        )
 
 
 class PlannedPath:
-    """The stretches of the lines sent so far that may not be done yet.
+    """The moves of the lines sent so far that may not be done yet; there is always one, at first where it begins.
 
     start: how the machine stands. held: lines that say what else is in force there. first: the line, from 0, before
     which it stands. refused: why the way is not known from some line on, or None.
     """
 
     def __init__(self, lines: Sequence[str], start: Start, held: Sequence[str] = (), first: int = 0):
-        self._stretches: deque[Stretch] = deque()
         self.refused: ProgramError | None = None
         self._lines = lines
         self._read = first
         self._interpreter = Interpreter(start)
-        self._here = np.array(start.position_mm[:3], float)
-        self._stretches.append(Stretch(first - 1, self._here[None]))
+        here = np.array([start.position_mm[:3]], float)
+        self._pieces = Pieces(here, here, np.array([0]), np.array([first - 1]))
+        self._lines_before = first - 1 - len(held)  # of the line from which the interpreter counts
         for line in held:
             self._read_line(line)
+        self._take_moves()
 
     def read(self, sent: int) -> None:
         """Read the lines up to `sent`."""
         while self._read < sent and self.refused is None:
             self._read_line(self._lines[self._read])
             self._read += 1
+        self._take_moves()
 
     @property
     def line(self) -> int:
         """The first line of the wire text, from 0, that may not be done; -1 before all."""
-        return self._stretches[0].line
+        return int(self._pieces.lines[0])
 
     @property
     def end_mm(self) -> tuple[float, ...] | None:
         """Where the last line read ends; None where nobody knows."""
-        return None if np.isnan(self._here).any() else tuple(self._here.tolist())
+        here = self._pieces.ends[-1]
+        return None if np.isnan(here).any() else tuple(here.tolist())
 
     def drop_planned_before(self, acknowledged: int, queued: int) -> None:
         """Forget what is done for sure: the lines that are `acknowledged` are planned, and `queued` may wait then."""
-        planned = sum(stretch.line < acknowledged for stretch in self._stretches)
-        self._drop(planned - queued)
+        planned = int(np.searchsorted(self._pieces.lines, acknowledged))
+        if planned:
+            self._pieces = self._pieces.from_row(self._pieces.rows[planned - 1] + 1 - queued)
 
     def drop_to(self, place_mm: Sequence[float], near_mm: Sequence[float]) -> bool:
-        """Forget what lies before the first stretch at a place; return whether there is one.
+        """Forget what lies before the first move at a place; return whether there is one.
 
         near_mm: how far away it may be, by axis. Where nobody knows the path, every place is on it.
         """
-        away = self._away(np.asarray(place_mm), np.asarray(near_mm))
+        near, pieces = np.asarray(near_mm), self._pieces
+        away = distances(np.asarray(place_mm) / near, pieces.begins / near, pieces.ends / near)
         there = np.flatnonzero(~(away > 1.0))
         if len(there):
-            self._drop(int(there[0]))
+            self._pieces = pieces.from_row(pieces.rows[there[0]])
         return bool(len(there))
 
     def ends_at(self, place_mm: Sequence[float], near_mm: Sequence[float]) -> bool:
         """Return whether the last line read leads to a place, or nobody knows where."""
-        return not np.any(np.abs(self._here - place_mm) > near_mm)
-
-    def _drop(self, count: int) -> None:
-        for _ in range(count):
-            self._stretches.popleft()
-
-    def _away(self, place: np.ndarray, near: np.ndarray) -> np.ndarray:
-        """Return how far a place is from each stretch, in allowed distances; NaN where a stretch is not known."""
-        points = np.concatenate([stretch.points for stretch in self._stretches]) / near
-        lasts = np.cumsum([len(stretch.points) for stretch in self._stretches]) - 1
-        ends = np.append(points[1:], points[-1:], axis=0)
-        ends[lasts] = points[lasts]  # the next stretch has a begin of its own
-        firsts = np.append(0, lasts[:-1] + 1)
-        return np.minimum.reduceat(distances(place / near, points, ends), firsts)
+        return not np.any(np.abs(self._pieces.ends[-1] - place_mm) > near_mm)
 
     def _read_line(self, text: str) -> None:
         table = self._interpreter.table
@@ -106,25 +121,37 @@ class PlannedPath:
             self._interpreter.line(text)
         except ProgramError as error:
             self._lose(error)
-            return
-        for chunk in table.take():
-            for row in range(len(chunk)):
-                end = chunk.end[row, :3]
-                centre, turns = chunk.centre[row], int(chunk.turns[row])
-                clockwise, plane = int(chunk.kind[row]) == ARC_CW, int(chunk.plane[row])
-                points = arc_points(self._here, end, centre, plane, turns, clockwise) if turns else end[None]
-                self._add(np.vstack([self._here, points]))
-        if any(event.kind == "probe" for event in table.events):
-            self._lose(ProgramError("path-unknown", "where a probe stops only the controller knows"))
-        table.events.clear()
+        if table.events:
+            if any(event.kind == "probe" for event in table.events):
+                self._lose(ProgramError("path-unknown", "where a probe stops only the controller knows"))
+            table.events.clear()
 
     def _lose(self, error: ProgramError) -> None:
+        self._take_moves()
         self.refused = error
-        self._add(np.full((1, 3), nan))
+        self._pieces = self._pieces.with_moves(np.full((1, 3), nan), np.ones(1, int), np.array([self._read]))
 
-    def _add(self, points: np.ndarray) -> None:
-        self._stretches.append(Stretch(self._read, points))
-        self._here = points[-1]
+    def _take_moves(self) -> None:
+        """Put the moves that the interpreter has made behind the others, and forget its states: none is needed here."""
+        table = self._interpreter.table
+        for chunk in table.take():
+            points, counts = way_of(chunk, self._pieces.ends[-1])
+            self._pieces = self._pieces.with_moves(points, counts, chunk.line + self._lines_before)
+        table.states = States(table.states[-1:])
+
+
+def way_of(chunk: Chunk, here: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Return the points that moves from a place lead to, float64[k, 3], mm, and how many are of each, int64[moves]."""
+    ends = chunk.end[:, :3]
+    if not chunk.turns.any():
+        return ends, np.ones(len(ends), int)
+    ways = []
+    for row, end in enumerate(ends):
+        turns, clockwise = int(chunk.turns[row]), int(chunk.kind[row]) == ARC_CW
+        arc = arc_points(here, end, chunk.centre[row], int(chunk.plane[row]), turns, clockwise) if turns else end[None]
+        ways.append(arc)
+        here = end
+    return np.concatenate(ways), np.array([len(way) for way in ways])
 
 
 def arc_points(

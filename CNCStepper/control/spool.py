@@ -55,7 +55,6 @@ class _Spool:
     def __init__(self, path: Path):
         self._path = path
         self._offsets = array("q")
-        self._block: tuple[int, list[str]] = (-1, [])
         self.count = 0
         offset = 0
         with open(path, "rb") as file:
@@ -65,21 +64,13 @@ class _Spool:
                 offset += len(record)
         self._offsets.append(offset)
 
-    def record(self, index: int) -> str:
-        """Return a record by its place from 0."""
-        number, place = divmod(index, BLOCK)
-        kept, records = self._block
-        if kept != number:
-            records = self._read(number)
-            self._block = (number, records)
-        return records[place]
+    @property
+    def blocks(self) -> int:
+        """How many blocks there are."""
+        return len(self._offsets) - 1
 
-    def records(self) -> Iterator[str]:
-        """Yield all records in turn."""
-        for number in range(len(self._offsets) - 1):
-            yield from self._read(number)
-
-    def _read(self, number: int) -> list[str]:
+    def read(self, number: int) -> list[str]:
+        """Return the records of a block."""
         begin, end = self._offsets[number], self._offsets[number + 1]
         with open(self._path, "rb") as file:
             file.seek(begin)
@@ -87,17 +78,19 @@ class _Spool:
 
 
 class _Column(Sequence[Any]):
-    """One half of every record."""
+    """One half of every record; of one block they are kept."""
 
     def __init__(self, spool: _Spool, half: Callable[[str], Any]):
         self._spool = spool
         self._half = half
+        self._kept: tuple[int, list[Any]] = (-1, [])
 
     def __len__(self) -> int:
         return self._spool.count
 
     def __iter__(self) -> Iterator[Any]:
-        return map(self._half, self._spool.records())
+        for number in range(self._spool.blocks):
+            yield from map(self._half, self._spool.read(number))
 
     @overload
     def __getitem__(self, index: int) -> Any: ...
@@ -110,4 +103,9 @@ class _Column(Sequence[Any]):
             return tuple(self[place] for place in range(*index.indices(len(self))))
         if not -len(self) <= index < len(self):
             raise IndexError(index)
-        return self._half(self._spool.record(index % len(self)))
+        number, place = divmod(index % len(self), BLOCK)
+        kept, values = self._kept
+        if kept != number:
+            values = [self._half(record) for record in self._spool.read(number)]
+            self._kept = (number, values)
+        return values[place]

@@ -18,8 +18,6 @@ from CNCStepper.errors import GeometryError, ProgramError
 from CNCStepper.gcode import bare
 from CNCStepper.gcode.codes import MOTION_NAMES, NO_MOTION, Code
 from CNCStepper.gcode.moves import Arc, Flat, check_feed, end_point
-from CNCStepper.geometry.curve import Curve
-from CNCStepper.geometry.fit import fit_curve
 from CNCStepper.toolpath import ARC_CCW, ARC_CW, LINE, XY
 
 if TYPE_CHECKING:
@@ -152,9 +150,11 @@ def _pieces(nurbs: Nurbs) -> list[tuple[Flat, float]]:
     """Return the ends and bulges of the arcs, none where the curve is a point."""
     if all(point == nurbs.points[0] for point in nurbs.points):
         return []
+    from CNCStepper.geometry.fit import fit_curve  # with the kernels, which a sender does without
+
     inner = sorted({*nurbs_knots(nurbs).tolist()})
     try:
-        curve: Curve = fit_curve(lambda at: nurbs_points(nurbs, at), 0.0, inner[-1], TOLERANCE_MM, inner[1:-1])
+        curve = fit_curve(lambda at: nurbs_points(nurbs, at), 0.0, inner[-1], TOLERANCE_MM, inner[1:-1])
     except GeometryError as error:
         raise ProgramError("spline", error.what, value="", advice="write the curve as lines and arcs") from error
     return [((float(x), float(y)), float(bulge)) for (x, y), bulge in zip(curve.xy[1:], curve.bulge, strict=True)]

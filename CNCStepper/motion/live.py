@@ -13,11 +13,11 @@ from collections.abc import Sequence
 import numpy as np
 
 from CNCStepper.errors import MachineRefusal
+from CNCStepper.kernels import bare
 from CNCStepper.motion import run
 from CNCStepper.motion.limits import Limits
 from CNCStepper.motion.memory import TICKS_PER_S, new_planner
 from CNCStepper.motion.planner import push_line, set_overrides
-from CNCStepper.motion.ring import count_blocks, is_full
 from CNCStepper.motion.timeline import ends, step_table
 from CNCStepper.units import mm_min_from_mm_s, mm_s_from_mm_min
 
@@ -37,8 +37,9 @@ class Motion:
         if position_steps is not None:
             planner.position[:] = position_steps
         idle_ticks = round(limits.idle_delay_s * TICKS_PER_S)
-        self._runner = run.new_runner(planner, idle_ticks, RECORD_ROWS if record else 0)
+        self._runner = bare(run.new_runner(planner, idle_ticks, RECORD_ROWS if record else 0))
         self._clockwork = self._runner.clockwork[0]
+        self._queue, self._ramp = self._runner.planner.queue[0], self._runner.planner.ramp[0]
         self._overrides = (1.0, 1.0)
         self._overdue_ticks = 0.0  # the fraction of a tick that `advance` was asked for and did not run
         self._recorded: list[np.recarray] = []
@@ -46,7 +47,7 @@ class Motion:
     @property
     def time_s(self) -> float:
         """The simulated time since the begin."""
-        return self._clockwork.clock / TICKS_PER_S
+        return self._clockwork["clock"] / TICKS_PER_S
 
     @property
     def room(self) -> int:
@@ -56,7 +57,7 @@ class Motion:
     @property
     def blocks(self) -> int:
         """Blocks that are queued, the one being cut into segments included."""
-        return int(count_blocks(self._runner.planner))
+        return int(self._queue["head"] - self._queue["tail"]) % len(self._runner.planner.blocks)
 
     @property
     def position_steps(self) -> tuple[int, ...]:
@@ -71,12 +72,12 @@ class Motion:
     @property
     def rate_mm_min(self) -> float:
         """The speed along the path, as the controller reports it: that of the newest segment, 0 at rest."""
-        return mm_min_from_mm_s(float(self._runner.planner.ramp[0].speed)) if self._clockwork.running else 0.0
+        return mm_min_from_mm_s(float(self._ramp["speed"])) if self._clockwork["running"] else 0.0
 
     @property
     def tag(self) -> int | None:
         """The tag of the line that is running, None at rest."""
-        return int(self._runner.ring[self._clockwork.oldest].tag) if self._clockwork.running else None
+        return int(self._runner.ring["tag"][self._clockwork["oldest"]]) if self._clockwork["running"] else None
 
     @property
     def state(self) -> str:
@@ -91,32 +92,32 @@ class Motion:
     def idle(self) -> bool:
         """Whether all moves are done, the drivers' idle delay has passed and nothing is held."""
         clockwork = self._clockwork
-        waiting = self.blocks or clockwork.waiting or clockwork.ready_at > clockwork.clock
-        return not waiting and not self._runner.planner.ramp[0].hold
+        waiting = self.blocks or clockwork["waiting"] or clockwork["ready_at"] > clockwork["clock"]
+        return not waiting and not self._ramp["hold"]
 
     @property
     def holding(self) -> bool:
         """Whether a hold is braking and has not come to its stop."""
-        return bool(self._runner.planner.ramp[0].hold) and not self.held
+        return bool(self._ramp["hold"]) and not self.held
 
     @property
     def held(self) -> bool:
         """Whether a hold has come to its stop."""
-        return bool(self._clockwork.held)
+        return bool(self._clockwork["held"])
 
     @property
     def until_change_s(self) -> float:
         """The time until the running segment, or the drivers' idle delay, is over; infinite at rest."""
-        clockwork, ring = self._clockwork, self._runner.ring
+        clockwork = self._clockwork
         if self.held:
             return math.inf
-        delay = max(int(clockwork.ready_at - clockwork.clock), 0)
-        if not clockwork.waiting:
+        delay = max(int(clockwork["ready_at"] - clockwork["clock"]), 0)
+        if not clockwork["waiting"]:
             return (delay or 1) / TICKS_PER_S if delay or self.blocks else math.inf
-        place = clockwork.oldest
-        length = int(ring[place].ticks * ring[place].cycles)
-        if clockwork.running:
-            return (int(ring[place].start) + length - int(clockwork.clock)) / TICKS_PER_S
+        segment = self._runner.ring[clockwork["oldest"]]
+        length = int(segment["ticks"] * segment["cycles"])
+        if clockwork["running"]:
+            return (int(segment["start"]) + length - int(clockwork["clock"])) / TICKS_PER_S
         return (delay + length) / TICKS_PER_S
 
     def line(self, target_mm: Sequence[float], feed_mm_min: float, rapid: bool = False, tag: int = 0) -> bool:
@@ -125,7 +126,7 @@ class Motion:
         A rapid goes as fast as the axes allow, whatever `feed_mm_min` says. Raises
         MachineRefusal, and queues nothing, when there is no room or the target or feed is not a finite number.
         """
-        if is_full(self._runner.planner):
+        if not self.room:
             limit = f"{self.limits.look_ahead_blocks} blocks"
             raise MachineRefusal("planner-full", "the planner has no free block", limit=limit, advice="wait for room")
         target = np.array(target_mm, float)
@@ -140,9 +141,9 @@ class Motion:
         ticks = dt_s * TICKS_PER_S + self._overdue_ticks
         whole = int(ticks)
         self._overdue_ticks = ticks - whole
-        until = int(self._clockwork.clock) + whole
+        until = int(self._clockwork["clock"]) + whole
         run.run_until(self._runner, until)
-        while run.record_full(self._runner):
+        while self._record_full:
             self._keep_record()
             run.run_until(self._runner, until)
 
@@ -190,7 +191,11 @@ class Motion:
             pieces.append(np.column_stack([clocks / TICKS_PER_S, positions]))
         return np.concatenate(pieces)
 
+    @property
+    def _record_full(self) -> bool:
+        return 0 < len(self._runner.record) == self._clockwork["recorded"]
+
     def _keep_record(self) -> None:
-        if self._clockwork.recorded:
-            self._recorded.append(self._runner.record[: self._clockwork.recorded].copy().view(np.recarray))
-            self._clockwork.recorded = 0
+        if self._clockwork["recorded"]:
+            self._recorded.append(self._runner.record[: self._clockwork["recorded"]].copy().view(np.recarray))
+            self._clockwork["recorded"] = 0

@@ -1635,6 +1635,18 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>A job is being cut: wait for its end, or stop it.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A line for the controller, sent with Return. The arrow keys bring back the lines before.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A line of the program that was cut already.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>A machine's profile</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1787,7 +1799,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Back</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Back along the cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Backlash</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Begin so much earlier on the same cut, so that no ridge stays</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Begins at</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1835,6 +1863,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Certain</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Change</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1852,6 +1884,10 @@
         </message>
         <message>
             <source>Checking the program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Choose a line, an entry of the list, or click a cut in the 3D view. All before it counts as cut: if unsure, choose an earlier one.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1935,6 +1971,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Console</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Containers</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1944,6 +1984,10 @@
         </message>
         <message>
             <source>Contour</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Contour {0}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2000,6 +2044,10 @@
         </message>
         <message>
             <source>Cycle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Damaged</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2139,6 +2187,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Ended</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Engagement</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2156,6 +2208,10 @@
         </message>
         <message>
             <source>Error</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Every job whose journal is kept was cut to its end.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2271,7 +2327,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Forward</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Free length</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Free to jog</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2307,11 +2371,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>From contour {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>From here down the tool feeds</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>From hole to hole along X and along Y</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>From line {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>From line {0}, the time that it is run: {1}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2324,6 +2400,14 @@
         </message>
         <message>
             <source>From the middle of the circle to the holes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>From the operation {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>From the place that was clicked, {0}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2383,11 +2467,39 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Go back along the cut by this length; a machine that moves is held first.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Go back to where the tool last began to go down into the work.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Go back to where this line of the program begins, its last run before here.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Go forward again along the cut by this length, to where it had come at most.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Go on</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Go on after a hold, a pause or the door.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Go on with the program from a line, an operation, a contour or a place in the picture.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Go on with the program from the line under way, all before it taken as cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Goes on in the controller's panel: connect, work zero, start.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2488,6 +2600,10 @@
         </message>
         <message>
             <source>How far from the stock's edge cuts must stay; 0: the edge does not matter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How far one click goes along the cut.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2719,6 +2835,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Last seen</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Last stepdown</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2751,6 +2871,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Length</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Length in</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2775,6 +2899,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Let the machine be jogged: spindle or beam off; Resume goes back to the cut over a safe way.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Let the machine find its own zero with its switches.</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2796,6 +2924,10 @@
         </message>
         <message>
             <source>Lines</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Lines can be typed only while the machine is idle or in alarm.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2947,7 +3079,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>No job is unfinished.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>No job runs: there is no cut to go back along.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>No messages yet</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>No place is chosen yet.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Not certain</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3023,6 +3171,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>On its cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>On which side of the lines the tool runs</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3087,6 +3239,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Overlap</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Overrides</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3135,6 +3291,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Place</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Places</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3168,6 +3328,10 @@
         </message>
         <message>
             <source>Port</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Position</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3287,6 +3451,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Reading the program…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Rectangle</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3347,6 +3515,22 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Restart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Restart from here…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Restart: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Restart…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Resume</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3403,6 +3587,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Say how far the last job came that was not cut to its end, and restart it there.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Scale…</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3448,6 +3636,10 @@
         </message>
         <message>
             <source>Send anyway</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Send this restart…</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3627,6 +3819,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The checks found errors: this restart must not be sent.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The circles and points of a sketch, or the circular edges of a solid</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3719,6 +3915,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The first line that is not certainly cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The flat at the tip of a V-bit or engraver; 0: it is pointed</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3735,11 +3935,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The job that did not end</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The job waits on its cut. Resume cuts on from there.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The job whose machine, stock, tools and clamps the program is for</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>The job whose program is shown</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The last job of this machine, {0}, was not cut to its end. Unfinished job… says how far it came.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3768,6 +3980,10 @@
         </message>
         <message>
             <source>The machine is cutting a job.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The machine is made free to jog while a job is held.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3851,6 +4067,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The place on the cut is being looked for…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The plunge feed of the program</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3860,6 +4080,10 @@
         </message>
         <message>
             <source>The program has changed since: what is shown is the one before.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The program has changed: it is read again.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3884,6 +4108,10 @@
         </message>
         <message>
             <source>The radius of the lead's arc</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The restart is made and proven…</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3927,11 +4155,47 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The tool can go back along exactly the way by which it came.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The tool goes back along its cut while a job is cut, or is held.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The tool goes forward again only after it went back.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The tool moves along the cut.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The tool stands on line {0}, where the cut has come to.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The tool stands on line {0}, {1} behind where the cut has come to.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The tool stands where the cut has come to.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The tool that cuts it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>The tools that operations may choose from</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The way along the cut is being checked…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The way along the cut is being found: wait, hold or stop.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3959,6 +4223,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>There is no restart to send yet.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>This machine has no homing switches set up ($22=0).</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3976,6 +4244,10 @@
         </message>
         <message>
             <source>Time in the program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Time that it is run</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4004,6 +4276,14 @@
         </message>
         <message>
             <source>To the end</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>To the entry</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>To the line</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4048,6 +4328,14 @@
         </message>
         <message>
             <source>Turns of the motor for one of screw or pulley</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Type a line: $$, $#, G0 X10</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Unfinished job…</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4255,6 +4543,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>absolute</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4400,6 +4692,10 @@
         </message>
         <message>
             <source>changes the tool</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>choose</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4620,6 +4916,10 @@
         </message>
         <message>
             <source>mist on</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4967,6 +5267,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{0} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} more contours: choose them by line, or in the 3D view.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{0} moves</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4991,6 +5299,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{0} was not cut to its end, and its program, as it was sent, is in no open document.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{0} ×</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5000,6 +5312,10 @@
         </message>
         <message>
             <source>{0}, line {1}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0}, restart</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5522,6 +5838,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a job runs, and the machine does not stand</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a jog needs a way and a feed</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5934,6 +6254,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>all before line {0} is cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>all {0} lines are cut, the machine is idle</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6067,6 +6391,10 @@
         </message>
         <message>
             <source>at most {0} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>at most {0} times</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6362,6 +6690,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>choose the pass yourself: the program sends lines again, so line {0} alone is no place</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>choose the right machine profile, or correct the settings</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6379,6 +6711,10 @@
         </message>
         <message>
             <source>close it and home again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>close it and resume, then go back</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6443,6 +6779,10 @@
         </message>
         <message>
             <source>compute it in several lines</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>connect again</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6754,6 +7094,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>every line is cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>every line is cut, only the program's end was not seen</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>exclusively lock</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6827,6 +7175,10 @@
         </message>
         <message>
             <source>free the probe, reset, then home the machine</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>from {0} at line {1}, to {2} at line {3}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6958,10 +7310,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>give that button another act</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>give the arc's centre with I and J</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7038,11 +7386,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>go line by line while a job runs</source>
+            <source>go back along the cut while a job runs</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>go on with `cncstepper back --resume`</source>
+            <source>go back with `cncstepper back`, and on with `cncstepper back --resume`</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>go line by line while a job runs</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7090,7 +7442,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>hold it first: Ctrl-C at `cncstepper send`</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>hold or stop it where it was started, or wait until it has ended</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>home all axes with $H</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>home it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7131,6 +7495,10 @@
         </message>
         <message>
             <source>home the machine, or unlock it with $X</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>home the machine; or move the tool to the work zero, set the zero of all axes there, and send without moving it in between</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7246,11 +7614,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>it was a restart itself: the first line not certainly cut is the program's {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>it would forget the settings: write the settings that are to change one by one</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>its file '{0}' is neither here nor in ../Bit</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>its machine position is not 0</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7274,7 +7650,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>jog with `cncstepper jog`: it lets the controller give up its lines first</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>kept only if the controller has had power ever since and was not reset in motion; a greeting, an alarm or a place that is not right says that it was: then {0}; {1}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>kerf_mm is not what this tool cuts</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>killed: the sender or its computer stopped without a word; what the controller held it may have made</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7291,6 +7679,10 @@
         </message>
         <message>
             <source>laser mode: 1 is on, 0 off</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>last seen</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7410,6 +7802,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>line {0} may not have been begun, line {1} may have been sent</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>line {0} of the journal is damaged</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7475,6 +7871,10 @@
         </message>
         <message>
             <source>look at the controller's file system, then try again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>look at the machine</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7846,6 +8246,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>nobody leads the tool along its cut; the program's lines for that are not at the controller</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>not a DXF file: {0}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7902,11 +8306,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>not certain</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>not finite: {0}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>not known on {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>not sent</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7923,6 +8335,10 @@
         </message>
         <message>
             <source>nothing has been cut yet, so there is no way back</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>nothing is certainly cut</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7987,6 +8403,10 @@
         </message>
         <message>
             <source>on its line a contour has no wall for dog-bones, a finishing pass or stock to leave</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>on the path</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8418,11 +8838,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>set again at the pause at line {0}: {1} (machine, mm); what comes after counts from there, what was before from the old one</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>set backlash_mm to 0 in the machine profile</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>set it again, and do not start before it is right</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>set its zero again</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8447,6 +8875,10 @@
         </message>
         <message>
             <source>set the zero with G10 L2 instead</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>set them by hand, then try again</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8918,6 +9350,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the controller restarted when its port was opened, so the machine's position is unknown: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the controller restarted when its port was opened; it counts from where it stands</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8927,6 +9363,10 @@
         </message>
         <message>
             <source>the controller sleeps and its motors are off: unlock it, then home it or set its zero again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the controller takes no jog while it is held</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9014,7 +9454,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the desk does not answer</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the desk failed by a fault of its own</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the desk has ended</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9222,6 +9670,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the file system could not be formatted</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the file system is busy</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9266,11 +9718,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the job has ended: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the job has no operations</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>the job is about to go on</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the job still runs, on {0}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9546,6 +10006,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the machine's buttons lead nothing back any more: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the machine's position is unknown</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9626,6 +10090,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the overrides are not what they were before the reset</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the parameters of the file are not in the order of their numbers</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9678,6 +10146,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the pocket is so narrow that its way at this engagement would be too long beside parallels</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the pocket is too narrow for a {0}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9715,6 +10187,10 @@
         </message>
         <message>
             <source>the probe was not in its start state</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the process of {0} has ended</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9787,6 +10263,10 @@
         </message>
         <message>
             <source>the program has too many parameters</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the program has {0}, which goes by the machine's own zero</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9922,6 +10402,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the safety door is open</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the safety door is open or the machine is parking ({0}): resume later</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9959,10 +10443,6 @@
         </message>
         <message>
             <source>the session does not answer</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>the session has ended: {0}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10198,10 +10678,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the tool was taken back along the cut, so the program's lines are no longer at the controller</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>the tool's radius is compensated along this way (G41, G42)</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10242,6 +10718,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the way back along the cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the way back cannot be read: {0}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10267,6 +10747,10 @@
         </message>
         <message>
             <source>the work systems G59.1 to G59.3 do not exist here</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the work zero cannot be set here: what lies behind was cut from another one</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10399,10 +10883,6 @@
         </message>
         <message>
             <source>there is no such verb</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>there is no {0} here</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10630,7 +11110,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>unknown: {0} before the restart; {1}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>unlock it in the settings, or use another work system</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>until then nothing but homing, jogging and setting the zero is safe</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10750,6 +11238,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>use an engagement_max_deg of {0} or more with a stepover_mm of {1} or more, a smaller tool, or another pattern</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>use entry "helix" or "ramp"</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10858,6 +11350,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>what comes after that</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>what happens between the moves would not be the same</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10898,6 +11394,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>which of several passes was cut cannot be told for certain, so the earliest that fits is taken: line {0}, not {1}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>which run of line {0} is meant is not clear</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10919,6 +11419,10 @@
         </message>
         <message>
             <source>words were left over that no command uses</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>work zero</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11222,6 +11726,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{0} (work, mm)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{0} and {1} may not share a line: they set the same mode</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11235,6 +11743,10 @@
         </message>
         <message>
             <source>{0} asks for more than {1} passes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} at work {1}, machine {2} mm, {3}{4}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11447,6 +11959,10 @@
         </message>
         <message>
             <source>{0} is not read in {1}, a plane of the axes U, V and W</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} is not reported</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11691,6 +12207,10 @@
         </message>
         <message>
             <source>{0} was refused</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} was set before</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

@@ -1635,6 +1635,18 @@
             <translation>Um trabalho está sendo usinado: pare-o antes.</translation>
         </message>
         <message>
+            <source>A job is being cut: wait for its end, or stop it.</source>
+            <translation>Um trabalho está sendo cortado: espere o fim ou pare-o.</translation>
+        </message>
+        <message>
+            <source>A line for the controller, sent with Return. The arrow keys bring back the lines before.</source>
+            <translation>Uma linha para o controlador, enviada com Enter. As setas trazem de volta as linhas anteriores.</translation>
+        </message>
+        <message>
+            <source>A line of the program that was cut already.</source>
+            <translation>Uma linha do programa que já foi cortada.</translation>
+        </message>
+        <message>
             <source>A machine's profile</source>
             <translation>Perfil de uma máquina</translation>
         </message>
@@ -1787,8 +1799,24 @@
             <translation>Eixo cujo sinal muda</translation>
         </message>
         <message>
+            <source>Back</source>
+            <translation>Voltar</translation>
+        </message>
+        <message>
+            <source>Back along the cut</source>
+            <translation>De volta ao longo do corte</translation>
+        </message>
+        <message>
             <source>Backlash</source>
             <translation>Folga</translation>
+        </message>
+        <message>
+            <source>Begin so much earlier on the same cut, so that no ridge stays</source>
+            <translation>Começa tanto antes no mesmo corte, para que não fique nenhuma rebarba</translation>
+        </message>
+        <message>
+            <source>Begins at</source>
+            <translation>Começa em</translation>
         </message>
         <message>
             <source>Belt's pitch</source>
@@ -1835,6 +1863,10 @@
             <translation>Centro</translation>
         </message>
         <message>
+            <source>Certain</source>
+            <translation>Certo</translation>
+        </message>
+        <message>
             <source>Change</source>
             <translation>Alterar</translation>
         </message>
@@ -1853,6 +1885,10 @@
         <message>
             <source>Checking the program</source>
             <translation>Verificando o programa</translation>
+        </message>
+        <message>
+            <source>Choose a line, an entry of the list, or click a cut in the 3D view. All before it counts as cut: if unsure, choose an earlier one.</source>
+            <translation>Escolha uma linha, uma entrada da lista ou clique em um corte na vista 3D. Tudo antes conta como cortado: na dúvida, escolha um lugar anterior.</translation>
         </message>
         <message>
             <source>Choose a port, or type an address.</source>
@@ -1935,6 +1971,10 @@
             <translation>Conexão perdida</translation>
         </message>
         <message>
+            <source>Console</source>
+            <translation>Console</translation>
+        </message>
+        <message>
             <source>Containers</source>
             <translation>Recipientes</translation>
         </message>
@@ -1945,6 +1985,10 @@
         <message>
             <source>Contour</source>
             <translation>Contorno</translation>
+        </message>
+        <message>
+            <source>Contour {0}</source>
+            <translation>Contorno {0}</translation>
         </message>
         <message>
             <source>Controller</source>
@@ -2001,6 +2045,10 @@
         <message>
             <source>Cycle</source>
             <translation>Ciclo</translation>
+        </message>
+        <message>
+            <source>Damaged</source>
+            <translation>Danificado</translation>
         </message>
         <message>
             <source>Degrees, counter-clockwise</source>
@@ -2139,6 +2187,10 @@
             <translation>Ângulo final</translation>
         </message>
         <message>
+            <source>Ended</source>
+            <translation>Fim</translation>
+        </message>
+        <message>
             <source>Engagement</source>
             <translation>Engajamento</translation>
         </message>
@@ -2157,6 +2209,10 @@
         <message>
             <source>Error</source>
             <translation>Erro</translation>
+        </message>
+        <message>
+            <source>Every job whose journal is kept was cut to its end.</source>
+            <translation>Todo trabalho cujo diário está guardado foi cortado até o fim.</translation>
         </message>
         <message>
             <source>F is one over the minutes that a move takes</source>
@@ -2271,8 +2327,16 @@
             <translation>Forma</translation>
         </message>
         <message>
+            <source>Forward</source>
+            <translation>Avançar</translation>
+        </message>
+        <message>
             <source>Free length</source>
             <translation>Comprimento livre</translation>
+        </message>
+        <message>
+            <source>Free to jog</source>
+            <translation>Liberar o movimento</translation>
         </message>
         <message>
             <source>FreeCAD's Python lacks numba. All works without, but planning and simulating are slow.</source>
@@ -2307,12 +2371,24 @@
             <translation>De X às linhas do padrão</translation>
         </message>
         <message>
+            <source>From contour {0}</source>
+            <translation>A partir do contorno {0}</translation>
+        </message>
+        <message>
             <source>From here down the tool feeds</source>
             <translation>Daqui para baixo a ferramenta avança em velocidade de corte</translation>
         </message>
         <message>
             <source>From hole to hole along X and along Y</source>
             <translation>De furo a furo ao longo de X e ao longo de Y</translation>
+        </message>
+        <message>
+            <source>From line {0}</source>
+            <translation>A partir da linha {0}</translation>
+        </message>
+        <message>
+            <source>From line {0}, the time that it is run: {1}</source>
+            <translation>A partir da linha {0}, na vez em que é executada: {1}</translation>
         </message>
         <message>
             <source>From one to the next</source>
@@ -2325,6 +2401,14 @@
         <message>
             <source>From the middle of the circle to the holes</source>
             <translation>Do meio do círculo até os furos</translation>
+        </message>
+        <message>
+            <source>From the operation {0}</source>
+            <translation>A partir da operação {0}</translation>
+        </message>
+        <message>
+            <source>From the place that was clicked, {0}</source>
+            <translation>A partir do lugar clicado, {0}</translation>
         </message>
         <message>
             <source>From the tip to the holder; 0: not given</source>
@@ -2383,12 +2467,40 @@
             <translation>Redução</translation>
         </message>
         <message>
+            <source>Go back along the cut by this length; a machine that moves is held first.</source>
+            <translation>Volta este comprimento ao longo do corte; uma máquina em movimento é parada antes.</translation>
+        </message>
+        <message>
+            <source>Go back to where the tool last began to go down into the work.</source>
+            <translation>Volta até onde a ferramenta começou a descer na peça pela última vez.</translation>
+        </message>
+        <message>
+            <source>Go back to where this line of the program begins, its last run before here.</source>
+            <translation>Volta até onde esta linha do programa começa, na última passagem antes daqui.</translation>
+        </message>
+        <message>
+            <source>Go forward again along the cut by this length, to where it had come at most.</source>
+            <translation>Avança de novo este comprimento ao longo do corte, no máximo até onde ele tinha chegado.</translation>
+        </message>
+        <message>
             <source>Go on</source>
             <translation>Continuar</translation>
         </message>
         <message>
             <source>Go on after a hold, a pause or the door.</source>
             <translation>Continua após uma pausa, uma espera ou a porta.</translation>
+        </message>
+        <message>
+            <source>Go on with the program from a line, an operation, a contour or a place in the picture.</source>
+            <translation>Continua o programa a partir de uma linha, uma operação, um contorno ou um lugar na vista.</translation>
+        </message>
+        <message>
+            <source>Go on with the program from the line under way, all before it taken as cut</source>
+            <translation>Continua o programa a partir da linha em andamento, tendo tudo antes dela como cortado</translation>
+        </message>
+        <message>
+            <source>Goes on in the controller's panel: connect, work zero, start.</source>
+            <translation>Continua no painel do controlador: conectar, zero-peça, iniciar.</translation>
         </message>
         <message>
             <source>Greatest chip load</source>
@@ -2489,6 +2601,10 @@
         <message>
             <source>How far from the stock's edge cuts must stay; 0: the edge does not matter</source>
             <translation>A que distância da borda do bloco os cortes devem ficar; 0: a borda não importa</translation>
+        </message>
+        <message>
+            <source>How far one click goes along the cut.</source>
+            <translation>Quanto um clique avança ao longo do corte.</translation>
         </message>
         <message>
             <source>How far one click moves the machine.</source>
@@ -2719,6 +2835,10 @@
             <translation>Último furo</translation>
         </message>
         <message>
+            <source>Last seen</source>
+            <translation>Visto por último</translation>
+        </message>
+        <message>
             <source>Last stepdown</source>
             <translation>Última profundidade de corte</translation>
         </message>
@@ -2751,6 +2871,10 @@
             <translation>Deixar fora do programa</translation>
         </message>
         <message>
+            <source>Length</source>
+            <translation>Comprimento livre</translation>
+        </message>
+        <message>
             <source>Length in</source>
             <translation>Comprimento entrada</translation>
         </message>
@@ -2775,6 +2899,10 @@
             <translation>Libera o controlador.</translation>
         </message>
         <message>
+            <source>Let the machine be jogged: spindle or beam off; Resume goes back to the cut over a safe way.</source>
+            <translation>Permite mover a máquina manualmente: spindle ou feixe desligado; Retomar volta ao corte por um caminho seguro.</translation>
+        </message>
+        <message>
             <source>Let the machine find its own zero with its switches.</source>
             <translation>Deixa a máquina encontrar o próprio zero com os fins de curso.</translation>
         </message>
@@ -2797,6 +2925,10 @@
         <message>
             <source>Lines</source>
             <translation>Linhas</translation>
+        </message>
+        <message>
+            <source>Lines can be typed only while the machine is idle or in alarm.</source>
+            <translation>Só se pode digitar linhas com a máquina parada ou em alarme.</translation>
         </message>
         <message>
             <source>Look at the findings, then decide.</source>
@@ -2947,8 +3079,24 @@
             <translation>Nenhum controlador está conectado.</translation>
         </message>
         <message>
+            <source>No job is unfinished.</source>
+            <translation>Nenhum trabalho está inacabado.</translation>
+        </message>
+        <message>
+            <source>No job runs: there is no cut to go back along.</source>
+            <translation>Nenhum trabalho está em execução: não há corte ao longo do qual voltar.</translation>
+        </message>
+        <message>
             <source>No messages yet</source>
             <translation>Nenhuma mensagem ainda</translation>
+        </message>
+        <message>
+            <source>No place is chosen yet.</source>
+            <translation>Nenhum lugar foi escolhido ainda.</translation>
+        </message>
+        <message>
+            <source>Not certain</source>
+            <translation>Incerto</translation>
         </message>
         <message>
             <source>Not connected</source>
@@ -3023,6 +3171,10 @@
             <translation>Desligada</translation>
         </message>
         <message>
+            <source>On its cut</source>
+            <translation>Sobre o corte</translation>
+        </message>
+        <message>
             <source>On which side of the lines the tool runs</source>
             <translation>De que lado das linhas a ferramenta corre</translation>
         </message>
@@ -3087,6 +3239,10 @@
             <translation>Passagem da borda</translation>
         </message>
         <message>
+            <source>Overlap</source>
+            <translation>Sobreposição</translation>
+        </message>
+        <message>
             <source>Overrides</source>
             <translation>Ajustes (override)</translation>
         </message>
@@ -3135,6 +3291,10 @@
             <translation>Passo</translation>
         </message>
         <message>
+            <source>Place</source>
+            <translation>Lugar</translation>
+        </message>
+        <message>
             <source>Places</source>
             <translation>Lugares</translation>
         </message>
@@ -3169,6 +3329,10 @@
         <message>
             <source>Port</source>
             <translation>Porta</translation>
+        </message>
+        <message>
+            <source>Position</source>
+            <translation>Posição</translation>
         </message>
         <message>
             <source>Preview</source>
@@ -3287,6 +3451,10 @@
             <translation>Relendo o programa…</translation>
         </message>
         <message>
+            <source>Reading the program…</source>
+            <translation>Lendo o programa…</translation>
+        </message>
+        <message>
             <source>Rectangle</source>
             <translation>Retângulo</translation>
         </message>
@@ -3347,6 +3515,22 @@
             <translation>Cantos com resto</translation>
         </message>
         <message>
+            <source>Restart</source>
+            <translation>Reinício</translation>
+        </message>
+        <message>
+            <source>Restart from here…</source>
+            <translation>Reiniciar daqui…</translation>
+        </message>
+        <message>
+            <source>Restart: {0}</source>
+            <translation>Reinício: {0}</translation>
+        </message>
+        <message>
+            <source>Restart…</source>
+            <translation>Reiniciar…</translation>
+        </message>
+        <message>
             <source>Resume</source>
             <translation>Retomar</translation>
         </message>
@@ -3403,6 +3587,10 @@
             <translation>{0} salvo</translation>
         </message>
         <message>
+            <source>Say how far the last job came that was not cut to its end, and restart it there.</source>
+            <translation>Diz até onde chegou o último trabalho que não foi cortado até o fim, e o reinicia ali.</translation>
+        </message>
+        <message>
             <source>Scale…</source>
             <translation>Escalar…</translation>
         </message>
@@ -3449,6 +3637,10 @@
         <message>
             <source>Send anyway</source>
             <translation>Enviar assim mesmo</translation>
+        </message>
+        <message>
+            <source>Send this restart…</source>
+            <translation>Enviar este reinício…</translation>
         </message>
         <message>
             <source>Shape</source>
@@ -3627,6 +3819,10 @@
             <translation>A verificação encontrou erros: nada foi enviado. Corrija-os e envie de novo.</translation>
         </message>
         <message>
+            <source>The checks found errors: this restart must not be sent.</source>
+            <translation>A verificação encontrou erros: este reinício não pode ser enviado.</translation>
+        </message>
+        <message>
             <source>The circles and points of a sketch, or the circular edges of a solid</source>
             <translation>Os círculos e pontos de um esboço ou as arestas circulares de um sólido</translation>
         </message>
@@ -3719,6 +3915,10 @@
             <translation>A impressão digital do programa do trabalho a partir do qual este foi editado</translation>
         </message>
         <message>
+            <source>The first line that is not certainly cut</source>
+            <translation>A primeira linha que não está certamente cortada</translation>
+        </message>
+        <message>
             <source>The flat at the tip of a V-bit or engraver; 0: it is pointed</source>
             <translation>O plano na ponta de uma fresa em V ou de gravação; 0: ela é pontiaguda</translation>
         </message>
@@ -3735,12 +3935,24 @@
             <translation>O trabalho está sendo usinado.</translation>
         </message>
         <message>
+            <source>The job that did not end</source>
+            <translation>O trabalho que não terminou</translation>
+        </message>
+        <message>
+            <source>The job waits on its cut. Resume cuts on from there.</source>
+            <translation>O trabalho espera sobre o corte. Retomar continua o corte dali.</translation>
+        </message>
+        <message>
             <source>The job whose machine, stock, tools and clamps the program is for</source>
             <translation>O trabalho para cuja máquina, bloco, ferramentas e grampos o programa é feito</translation>
         </message>
         <message>
             <source>The job whose program is shown</source>
             <translation>O trabalho cujo programa é mostrado</translation>
+        </message>
+        <message>
+            <source>The last job of this machine, {0}, was not cut to its end. Unfinished job… says how far it came.</source>
+            <translation>O último trabalho desta máquina, {0}, não foi cortado até o fim. Trabalho inacabado… diz até onde ele chegou.</translation>
         </message>
         <message>
             <source>The last pass at the wall, ae_acab; 0: none</source>
@@ -3769,6 +3981,10 @@
         <message>
             <source>The machine is cutting a job.</source>
             <translation>A máquina está usinando um trabalho.</translation>
+        </message>
+        <message>
+            <source>The machine is made free to jog while a job is held.</source>
+            <translation>A máquina é liberada para o movimento manual enquanto um trabalho está parado.</translation>
         </message>
         <message>
             <source>The machine is moved by hand.</source>
@@ -3851,6 +4067,10 @@
             <translation>As peças e corpos com que o desenho se move</translation>
         </message>
         <message>
+            <source>The place on the cut is being looked for…</source>
+            <translation>O lugar no corte está sendo procurado…</translation>
+        </message>
+        <message>
             <source>The plunge feed of the program</source>
             <translation>O avanço de mergulho do programa</translation>
         </message>
@@ -3861,6 +4081,10 @@
         <message>
             <source>The program has changed since: what is shown is the one before.</source>
             <translation>O programa mudou desde então: o que se vê é o anterior.</translation>
+        </message>
+        <message>
+            <source>The program has changed: it is read again.</source>
+            <translation>O programa mudou: ele está sendo lido de novo.</translation>
         </message>
         <message>
             <source>The program is being checked with this work zero.</source>
@@ -3885,6 +4109,10 @@
         <message>
             <source>The radius of the lead's arc</source>
             <translation>O raio do arco de entrada ou saída</translation>
+        </message>
+        <message>
+            <source>The restart is made and proven…</source>
+            <translation>O reinício está sendo criado e verificado…</translation>
         </message>
         <message>
             <source>The sketch, wire, B-spline or freehand line to follow</source>
@@ -3927,12 +4155,48 @@
             <translation>O cavaco mais fino de um dente, abaixo do qual ele só atrita; 0: não informado</translation>
         </message>
         <message>
+            <source>The tool can go back along exactly the way by which it came.</source>
+            <translation>A ferramenta pode voltar exatamente pelo caminho por onde veio.</translation>
+        </message>
+        <message>
+            <source>The tool goes back along its cut while a job is cut, or is held.</source>
+            <translation>A ferramenta volta ao longo do corte enquanto um trabalho é cortado ou está parado.</translation>
+        </message>
+        <message>
+            <source>The tool goes forward again only after it went back.</source>
+            <translation>A ferramenta só avança de novo depois de ter voltado.</translation>
+        </message>
+        <message>
+            <source>The tool moves along the cut.</source>
+            <translation>A ferramenta se move ao longo do corte.</translation>
+        </message>
+        <message>
+            <source>The tool stands on line {0}, where the cut has come to.</source>
+            <translation>A ferramenta está na linha {0}, onde o corte chegou.</translation>
+        </message>
+        <message>
+            <source>The tool stands on line {0}, {1} behind where the cut has come to.</source>
+            <translation>A ferramenta está na linha {0}, {1} atrás de onde o corte chegou.</translation>
+        </message>
+        <message>
+            <source>The tool stands where the cut has come to.</source>
+            <translation>A ferramenta está onde o corte chegou.</translation>
+        </message>
+        <message>
             <source>The tool that cuts it</source>
             <translation>A ferramenta que a executa</translation>
         </message>
         <message>
             <source>The tools that operations may choose from</source>
             <translation>As ferramentas que as operações podem escolher</translation>
+        </message>
+        <message>
+            <source>The way along the cut is being checked…</source>
+            <translation>O caminho ao longo do corte está sendo verificado…</translation>
+        </message>
+        <message>
+            <source>The way along the cut is being found: wait, hold or stop.</source>
+            <translation>O caminho ao longo do corte está sendo determinado: espere, pause ou pare.</translation>
         </message>
         <message>
             <source>The width of one pass at most, ae</source>
@@ -3959,6 +4223,10 @@
             <translation>O plano de trabalho é visto de lado: gire a vista para desenhar nele.</translation>
         </message>
         <message>
+            <source>There is no restart to send yet.</source>
+            <translation>Ainda não há reinício para enviar.</translation>
+        </message>
+        <message>
             <source>This machine has no homing switches set up ($22=0).</source>
             <translation>Esta máquina não tem fins de curso de referência configurados ($22=0).</translation>
         </message>
@@ -3977,6 +4245,10 @@
         <message>
             <source>Time in the program</source>
             <translation>Tempo no programa</translation>
+        </message>
+        <message>
+            <source>Time that it is run</source>
+            <translation>Vez em que é executada</translation>
         </message>
         <message>
             <source>Timing the moves…</source>
@@ -4005,6 +4277,14 @@
         <message>
             <source>To the end</source>
             <translation>Ao fim</translation>
+        </message>
+        <message>
+            <source>To the entry</source>
+            <translation>Até a entrada</translation>
+        </message>
+        <message>
+            <source>To the line</source>
+            <translation>Até a linha</translation>
         </message>
         <message>
             <source>Tolerance</source>
@@ -4049,6 +4329,14 @@
         <message>
             <source>Turns of the motor for one of screw or pulley</source>
             <translation>Voltas do motor por volta do fuso ou da polia</translation>
+        </message>
+        <message>
+            <source>Type a line: $$, $#, G0 X10</source>
+            <translation>Digite uma linha: $$, $#, G0 X10</translation>
+        </message>
+        <message>
+            <source>Unfinished job…</source>
+            <translation>Trabalho inacabado…</translation>
         </message>
         <message>
             <source>Units</source>
@@ -4255,6 +4543,10 @@
             <translation>um parâmetro</translation>
         </message>
         <message>
+            <source>a program</source>
+            <translation>um programa</translation>
+        </message>
+        <message>
             <source>absolute</source>
             <translation>absoluto</translation>
         </message>
@@ -4401,6 +4693,10 @@
         <message>
             <source>changes the tool</source>
             <translation>troca a ferramenta</translation>
+        </message>
+        <message>
+            <source>choose</source>
+            <translation>escolha</translation>
         </message>
         <message>
             <source>climb</source>
@@ -4621,6 +4917,10 @@
         <message>
             <source>mist on</source>
             <translation>névoa ligada</translation>
+        </message>
+        <message>
+            <source>mm</source>
+            <translation>mm</translation>
         </message>
         <message>
             <source>moves in step with the spindle</source>
@@ -4967,6 +5267,14 @@
             <translation>{0} linhas mudam:</translation>
         </message>
         <message>
+            <source>{0} mm</source>
+            <translation>{0} mm</translation>
+        </message>
+        <message>
+            <source>{0} more contours: choose them by line, or in the 3D view.</source>
+            <translation>Mais {0} contornos: escolha-os pela linha ou na vista 3D.</translation>
+        </message>
+        <message>
             <source>{0} moves</source>
             <translation>{0} movimentos</translation>
         </message>
@@ -4991,6 +5299,10 @@
             <translation>{0} ferramentas importadas</translation>
         </message>
         <message>
+            <source>{0} was not cut to its end, and its program, as it was sent, is in no open document.</source>
+            <translation>{0} não foi cortado até o fim, e seu programa, como foi enviado, não está em nenhum documento aberto.</translation>
+        </message>
+        <message>
             <source>{0} ×</source>
             <translation>{0} ×</translation>
         </message>
@@ -5001,6 +5313,10 @@
         <message>
             <source>{0}, line {1}</source>
             <translation>{0}, linha {1}</translation>
+        </message>
+        <message>
+            <source>{0}, restart</source>
+            <translation>{0}, reinício</translation>
         </message>
         <message>
             <source>{0}:</source>
@@ -5522,6 +5838,10 @@
             <translation>um trabalho está em curso</translation>
         </message>
         <message>
+            <source>a job runs, and the machine does not stand</source>
+            <translation>um trabalho está em andamento, e a máquina não está parada</translation>
+        </message>
+        <message>
             <source>a jog needs a way and a feed</source>
             <translation>um movimento manual precisa de distância e avanço</translation>
         </message>
@@ -5934,6 +6254,10 @@
             <translation>depois de uma parada o primeiro movimento nomeia todos os seus eixos, em um só trajeto reto: deixe a máquina acima da peça</translation>
         </message>
         <message>
+            <source>all before line {0} is cut</source>
+            <translation>tudo antes da linha {0} está cortado</translation>
+        </message>
+        <message>
             <source>all {0} lines are cut, the machine is idle</source>
             <translation>todas as {0} linhas foram usinadas, a máquina está pronta</translation>
         </message>
@@ -6068,6 +6392,10 @@
         <message>
             <source>at most {0} mm</source>
             <translation>no máximo {0} mm</translation>
+        </message>
+        <message>
+            <source>at most {0} times</source>
+            <translation>no máximo {0} vezes</translation>
         </message>
         <message>
             <source>attach to it again</source>
@@ -6362,6 +6690,10 @@
             <translation>escolha um destes: {0}</translation>
         </message>
         <message>
+            <source>choose the pass yourself: the program sends lines again, so line {0} alone is no place</source>
+            <translation>escolha você mesmo o passe: o programa envia linhas de novo, por isso só a linha {0} não é um lugar</translation>
+        </message>
+        <message>
             <source>choose the right machine profile, or correct the settings</source>
             <translation>escolha o perfil de máquina certo, ou corrija as configurações</translation>
         </message>
@@ -6380,6 +6712,10 @@
         <message>
             <source>close it and home again</source>
             <translation>feche-a e referencie de novo</translation>
+        </message>
+        <message>
+            <source>close it and resume, then go back</source>
+            <translation>feche-a e retome, depois volte</translation>
         </message>
         <message>
             <source>close it first</source>
@@ -6444,6 +6780,10 @@
         <message>
             <source>compute it in several lines</source>
             <translation>calcule-a em várias linhas</translation>
+        </message>
+        <message>
+            <source>connect again</source>
+            <translation>conecte de novo</translation>
         </message>
         <message>
             <source>constant surface speed became a speed a move</source>
@@ -6754,6 +7094,14 @@
             <translation>entrada "plunge"</translation>
         </message>
         <message>
+            <source>every line is cut</source>
+            <translation>todas as linhas estão cortadas</translation>
+        </message>
+        <message>
+            <source>every line is cut, only the program's end was not seen</source>
+            <translation>todas as linhas estão cortadas, só o fim do programa não foi visto</translation>
+        </message>
+        <message>
             <source>exclusively lock</source>
             <translation>exclusively lock</translation>
         </message>
@@ -6828,6 +7176,10 @@
         <message>
             <source>free the probe, reset, then home the machine</source>
             <translation>solte o apalpador, reinicie e referencie a máquina</translation>
+        </message>
+        <message>
+            <source>from {0} at line {1}, to {2} at line {3}</source>
+            <translation>de {0} na linha {1} a {2} na linha {3}</translation>
         </message>
         <message>
             <source>full circles became two arcs</source>
@@ -6958,10 +7310,6 @@
             <translation>dê peck_mm ou use G81</translation>
         </message>
         <message>
-            <source>give that button another act</source>
-            <translation>dê outra ação a esse botão</translation>
-        </message>
-        <message>
             <source>give the arc's centre with I and J</source>
             <translation>dê o centro do arco com I e J</translation>
         </message>
@@ -7038,12 +7386,16 @@
             <translation>volte ao longo do corte enquanto um trabalho está retido</translation>
         </message>
         <message>
-            <source>go line by line while a job runs</source>
-            <translation>avance linha por linha enquanto um trabalho está em execução</translation>
+            <source>go back along the cut while a job runs</source>
+            <translation>volte ao longo do corte enquanto um trabalho está em execução</translation>
         </message>
         <message>
-            <source>go on with `cncstepper back --resume`</source>
-            <translation>continue com `cncstepper back --resume`</translation>
+            <source>go back with `cncstepper back`, and on with `cncstepper back --resume`</source>
+            <translation>volte com `cncstepper back` e continue com `cncstepper back --resume`</translation>
+        </message>
+        <message>
+            <source>go line by line while a job runs</source>
+            <translation>avance linha por linha enquanto um trabalho está em execução</translation>
         </message>
         <message>
             <source>go on, or stop the job</source>
@@ -7090,8 +7442,20 @@
             <translation>retenha-o primeiro</translation>
         </message>
         <message>
+            <source>hold it first: Ctrl-C at `cncstepper send`</source>
+            <translation>pause-o primeiro: Ctrl-C no `cncstepper send`</translation>
+        </message>
+        <message>
+            <source>hold or stop it where it was started, or wait until it has ended</source>
+            <translation>pause-o ou pare-o onde foi iniciado, ou espere até terminar</translation>
+        </message>
+        <message>
             <source>home all axes with $H</source>
             <translation>referencie todos os eixos com $H</translation>
+        </message>
+        <message>
+            <source>home it</source>
+            <translation>referencie-a</translation>
         </message>
         <message>
             <source>home it, or set the zero of all axes again, before it is sent a program</source>
@@ -7132,6 +7496,10 @@
         <message>
             <source>home the machine, or unlock it with $X</source>
             <translation>referencie a máquina, ou destrave-a com $X</translation>
+        </message>
+        <message>
+            <source>home the machine; or move the tool to the work zero, set the zero of all axes there, and send without moving it in between</source>
+            <translation>referencie a máquina; ou leve a ferramenta ao zero da peça, defina ali o zero de todos os eixos e envie sem movê-la nesse intervalo</translation>
         </message>
         <message>
             <source>homing can be stopped</source>
@@ -7246,12 +7614,20 @@
             <translation>deveria ser *{0}</translation>
         </message>
         <message>
+            <source>it was a restart itself: the first line not certainly cut is the program's {0}</source>
+            <translation>ele já era um reinício: a primeira linha não certamente cortada é a {0} do programa</translation>
+        </message>
+        <message>
             <source>it would forget the settings: write the settings that are to change one by one</source>
             <translation>ele esqueceria as configurações: escreva uma a uma as que devem mudar</translation>
         </message>
         <message>
             <source>its file '{0}' is neither here nor in ../Bit</source>
             <translation>o seu arquivo '{0}' não está aqui nem em ../Bit</translation>
+        </message>
+        <message>
+            <source>its machine position is not 0</source>
+            <translation>a posição de máquina não é 0</translation>
         </message>
         <message>
             <source>its number is above {0}</source>
@@ -7274,8 +7650,20 @@
             <translation>mova menos</translation>
         </message>
         <message>
+            <source>jog with `cncstepper jog`: it lets the controller give up its lines first</source>
+            <translation>mova com `cncstepper jog`: ele primeiro faz o controlador largar as suas linhas</translation>
+        </message>
+        <message>
+            <source>kept only if the controller has had power ever since and was not reset in motion; a greeting, an alarm or a place that is not right says that it was: then {0}; {1}</source>
+            <translation>mantida só se o controlador ficou ligado desde então e não foi reiniciado em movimento; uma saudação, um alarme ou um lugar errado dizem que foi: então {0}; {1}</translation>
+        </message>
+        <message>
             <source>kerf_mm is not what this tool cuts</source>
             <translation>kerf_mm não é o que esta ferramenta corta</translation>
+        </message>
+        <message>
+            <source>killed: the sender or its computer stopped without a word; what the controller held it may have made</source>
+            <translation>morto: o emissor ou seu computador parou sem avisar; o controlador pode ter executado o que tinha na memória</translation>
         </message>
         <message>
             <source>large cuts are being prepared, once after an installation</source>
@@ -7292,6 +7680,10 @@
         <message>
             <source>laser mode: 1 is on, 0 off</source>
             <translation>modo laser: 1 ligado, 0 desligado</translation>
+        </message>
+        <message>
+            <source>last seen</source>
+            <translation>visto por último</translation>
         </message>
         <message>
             <source>lay the work in its axes</source>
@@ -7410,6 +7802,10 @@
             <translation>a linha {0} faz vários movimentos e é executada desde o início</translation>
         </message>
         <message>
+            <source>line {0} may not have been begun, line {1} may have been sent</source>
+            <translation>a linha {0} pode não ter sido começada, a linha {1} pode ter sido enviada</translation>
+        </message>
+        <message>
             <source>line {0} of the journal is damaged</source>
             <translation>a linha {0} do diário está danificada</translation>
         </message>
@@ -7476,6 +7872,10 @@
         <message>
             <source>look at the controller's file system, then try again</source>
             <translation>verifique o sistema de arquivos do controlador e tente de novo</translation>
+        </message>
+        <message>
+            <source>look at the machine</source>
+            <translation>veja a máquina</translation>
         </message>
         <message>
             <source>look at the machine, and restart the program by hand</source>
@@ -7846,6 +8246,10 @@
             <translation>ninguém confirmou o zero-peça</translation>
         </message>
         <message>
+            <source>nobody leads the tool along its cut; the program's lines for that are not at the controller</source>
+            <translation>ninguém conduz a ferramenta ao longo do seu corte; as linhas do programa para isso não estão no controlador</translation>
+        </message>
+        <message>
             <source>not a DXF file: {0}</source>
             <translation>não é um arquivo DXF: {0}</translation>
         </message>
@@ -7902,12 +8306,20 @@
             <translation>nem toda a parede é vista do meio do espaço</translation>
         </message>
         <message>
+            <source>not certain</source>
+            <translation>incerto</translation>
+        </message>
+        <message>
             <source>not finite: {0}</source>
             <translation>não é finito: {0}</translation>
         </message>
         <message>
             <source>not known on {0}</source>
             <translation>não se sabe em {0}</translation>
+        </message>
+        <message>
+            <source>not sent</source>
+            <translation>não enviado</translation>
         </message>
         <message>
             <source>not the numbers of a curve: {0}</source>
@@ -7924,6 +8336,10 @@
         <message>
             <source>nothing has been cut yet, so there is no way back</source>
             <translation>nada foi cortado ainda, portanto não há caminho de volta</translation>
+        </message>
+        <message>
+            <source>nothing is certainly cut</source>
+            <translation>nada está certamente cortado</translation>
         </message>
         <message>
             <source>nothing is cut before this place</source>
@@ -7988,6 +8404,10 @@
         <message>
             <source>on its line a contour has no wall for dog-bones, a finishing pass or stock to leave</source>
             <translation>sobre a linha, um contorno não tem parede para alívio de cantos, passe de acabamento ou sobremetal</translation>
+        </message>
+        <message>
+            <source>on the path</source>
+            <translation>no caminho</translation>
         </message>
         <message>
             <source>one pass is {0} mm deep, deeper than the tool's diameter of {1} mm; give stepdown_mm</source>
@@ -8418,12 +8838,20 @@
             <translation>use $32=0 ou um firmware com PWM</translation>
         </message>
         <message>
+            <source>set again at the pause at line {0}: {1} (machine, mm); what comes after counts from there, what was before from the old one</source>
+            <translation>definido de novo na pausa da linha {0}: {1} (máquina, mm); o que vem depois conta a partir daí, o que veio antes, a partir do antigo</translation>
+        </message>
+        <message>
             <source>set backlash_mm to 0 in the machine profile</source>
             <translation>ponha backlash_mm em 0 no perfil da máquina</translation>
         </message>
         <message>
             <source>set it again, and do not start before it is right</source>
             <translation>defina-o de novo, e não inicie antes que esteja certo</translation>
+        </message>
+        <message>
+            <source>set its zero again</source>
+            <translation>defina o zero dela de novo</translation>
         </message>
         <message>
             <source>set ramp_deg and no tabs, or use a mill that cuts over its centre</source>
@@ -8448,6 +8876,10 @@
         <message>
             <source>set the zero with G10 L2 instead</source>
             <translation>defina o zero com G10 L2</translation>
+        </message>
+        <message>
+            <source>set them by hand, then try again</source>
+            <translation>ajuste-as à mão e tente de novo</translation>
         </message>
         <message>
             <source>set up a program of that name on the machine</source>
@@ -8918,6 +9350,10 @@
             <translation>o controlador reiniciou no meio do trabalho</translation>
         </message>
         <message>
+            <source>the controller restarted when its port was opened, so the machine's position is unknown: {0}</source>
+            <translation>o controlador reiniciou ao abrir a porta, por isso a posição da máquina é desconhecida: {0}</translation>
+        </message>
+        <message>
             <source>the controller restarted when its port was opened; it counts from where it stands</source>
             <translation>o controlador reiniciou quando a porta foi aberta; ele conta a partir de onde está</translation>
         </message>
@@ -8928,6 +9364,10 @@
         <message>
             <source>the controller sleeps and its motors are off: unlock it, then home it or set its zero again</source>
             <translation>o controlador dorme e os motores estão desligados: destrave-o, depois referencie ou defina o zero de novo</translation>
+        </message>
+        <message>
+            <source>the controller takes no jog while it is held</source>
+            <translation>o controlador não aceita movimento manual enquanto está em pausa</translation>
         </message>
         <message>
             <source>the controller wants to know who you are</source>
@@ -9014,8 +9454,16 @@
             <translation>a mesa de controle não pode ser iniciada: {0}</translation>
         </message>
         <message>
+            <source>the desk does not answer</source>
+            <translation>a conexão da janela não responde</translation>
+        </message>
+        <message>
             <source>the desk failed by a fault of its own</source>
             <translation>a mesa de controle falhou por um defeito próprio</translation>
+        </message>
+        <message>
+            <source>the desk has ended</source>
+            <translation>a conexão da janela terminou</translation>
         </message>
         <message>
             <source>the desk of {0} is not there, or was killed</source>
@@ -9222,6 +9670,10 @@
             <translation>o sistema de arquivos não pode ser montado</translation>
         </message>
         <message>
+            <source>the file system could not be formatted</source>
+            <translation>o sistema de arquivos não pôde ser formatado</translation>
+        </message>
+        <message>
             <source>the file system is busy</source>
             <translation>o sistema de arquivos está ocupado</translation>
         </message>
@@ -9266,12 +9718,20 @@
             <translation>o trabalho não pode ser lido: {0}</translation>
         </message>
         <message>
+            <source>the job has ended: {0}</source>
+            <translation>o trabalho terminou: {0}</translation>
+        </message>
+        <message>
             <source>the job has no operations</source>
             <translation>o trabalho não tem operações</translation>
         </message>
         <message>
             <source>the job is about to go on</source>
             <translation>o trabalho está prestes a continuar</translation>
+        </message>
+        <message>
+            <source>the job still runs, on {0}</source>
+            <translation>o trabalho ainda está em andamento, em {0}</translation>
         </message>
         <message>
             <source>the job was deleted</source>
@@ -9546,6 +10006,10 @@
             <translation>a máquina foi parada de imediato</translation>
         </message>
         <message>
+            <source>the machine's buttons lead nothing back any more: {0}</source>
+            <translation>os botões da máquina não conduzem mais nada de volta: {0}</translation>
+        </message>
+        <message>
             <source>the machine's position is unknown</source>
             <translation>a posição da máquina é desconhecida</translation>
         </message>
@@ -9626,6 +10090,10 @@
             <translation>a sobreposição é de apenas {0} mm: o corte começa ali</translation>
         </message>
         <message>
+            <source>the overrides are not what they were before the reset</source>
+            <translation>os ajustes de velocidade não são os de antes do reinício</translation>
+        </message>
+        <message>
             <source>the parameters of the file are not in the order of their numbers</source>
             <translation>os parâmetros do arquivo não estão na ordem de seus números</translation>
         </message>
@@ -9678,6 +10146,10 @@
             <translation>a folga dos eixos é compensada nas linhas enviadas, portanto o caminho de volta não é o dos motores</translation>
         </message>
         <message>
+            <source>the pocket is so narrow that its way at this engagement would be too long beside parallels</source>
+            <translation>o bolsão é tão estreito que seu caminho com este engajamento seria longo demais em relação às paralelas</translation>
+        </message>
+        <message>
             <source>the pocket is too narrow for a {0}</source>
             <translation>o bolsão é estreito demais para uma {0}</translation>
         </message>
@@ -9716,6 +10188,10 @@
         <message>
             <source>the probe was not in its start state</source>
             <translation>o apalpador não estava no estado inicial</translation>
+        </message>
+        <message>
+            <source>the process of {0} has ended</source>
+            <translation>o processo de {0} terminou</translation>
         </message>
         <message>
             <source>the process that knows the part at every moment has ended</source>
@@ -9788,6 +10264,10 @@
         <message>
             <source>the program has too many parameters</source>
             <translation>o programa tem parâmetros demais</translation>
+        </message>
+        <message>
+            <source>the program has {0}, which goes by the machine's own zero</source>
+            <translation>o programa tem {0}, que parte do zero próprio da máquina</translation>
         </message>
         <message>
             <source>the program is larger than the travel of {0}</source>
@@ -9922,6 +10402,10 @@
             <translation>as linhas de alturas têm comprimentos diferentes</translation>
         </message>
         <message>
+            <source>the safety door is open</source>
+            <translation>a porta de segurança está aberta</translation>
+        </message>
+        <message>
             <source>the safety door is open or the machine is parking ({0}): resume later</source>
             <translation>a porta de segurança está aberta ou a máquina está estacionando ({0}): retome depois</translation>
         </message>
@@ -9960,10 +10444,6 @@
         <message>
             <source>the session does not answer</source>
             <translation>a sessão não responde</translation>
-        </message>
-        <message>
-            <source>the session has ended: {0}</source>
-            <translation>a sessão terminou: {0}</translation>
         </message>
         <message>
             <source>the session refused {0}</source>
@@ -10198,10 +10678,6 @@
             <translation>a tabela de ferramentas não pode ser lida de novo</translation>
         </message>
         <message>
-            <source>the tool was taken back along the cut, so the program's lines are no longer at the controller</source>
-            <translation>a ferramenta voltou ao longo do corte, portanto as linhas do programa não estão mais no controlador</translation>
-        </message>
-        <message>
             <source>the tool's radius is compensated along this way (G41, G42)</source>
             <translation>o raio da ferramenta é compensado neste trecho (G41, G42)</translation>
         </message>
@@ -10242,6 +10718,10 @@
             <translation>o caminho ao longo do corte não pode ser enviado como foi escrito</translation>
         </message>
         <message>
+            <source>the way back along the cut</source>
+            <translation>o caminho de volta ao longo do corte</translation>
+        </message>
+        <message>
             <source>the way back cannot be read: {0}</source>
             <translation>o caminho de volta não pode ser lido: {0}</translation>
         </message>
@@ -10268,6 +10748,10 @@
         <message>
             <source>the work systems G59.1 to G59.3 do not exist here</source>
             <translation>os sistemas de coordenadas G59.1 a G59.3 não existem aqui</translation>
+        </message>
+        <message>
+            <source>the work zero cannot be set here: what lies behind was cut from another one</source>
+            <translation>o zero da peça não pode ser definido aqui: o que ficou para trás foi cortado a partir de outro</translation>
         </message>
         <message>
             <source>the work zero is not known, so the program's place on the table is unknown</source>
@@ -10400,10 +10884,6 @@
         <message>
             <source>there is no such verb</source>
             <translation>não existe esse verbo</translation>
-        </message>
-        <message>
-            <source>there is no {0} here</source>
-            <translation>não há {0} aqui</translation>
         </message>
         <message>
             <source>there is nothing to find</source>
@@ -10630,8 +11110,16 @@
             <translation>chaves desconhecidas {0}</translation>
         </message>
         <message>
+            <source>unknown: {0} before the restart; {1}</source>
+            <translation>desconhecida: {0} antes do reinício; {1}</translation>
+        </message>
+        <message>
             <source>unlock it in the settings, or use another work system</source>
             <translation>destrave-o nas configurações, ou use outro sistema de coordenadas</translation>
+        </message>
+        <message>
+            <source>until then nothing but homing, jogging and setting the zero is safe</source>
+            <translation>até lá só é seguro referenciar, mover manualmente e definir o zero</translation>
         </message>
         <message>
             <source>up to</source>
@@ -10750,6 +11238,10 @@
             <translation>use em vez disso um sistema de coordenadas (G54)</translation>
         </message>
         <message>
+            <source>use an engagement_max_deg of {0} or more with a stepover_mm of {1} or more, a smaller tool, or another pattern</source>
+            <translation>use um engagement_max_deg de {0} ou mais com um stepover_mm de {1} ou mais, uma ferramenta menor ou outro padrão</translation>
+        </message>
+        <message>
             <source>use entry "helix" or "ramp"</source>
             <translation>use a entrada "helix" ou "ramp"</translation>
         </message>
@@ -10858,6 +11350,10 @@
             <translation>o valor de #{0} só é conhecido quando o programa é executado</translation>
         </message>
         <message>
+            <source>what comes after that</source>
+            <translation>o que vem depois disso</translation>
+        </message>
+        <message>
             <source>what happens between the moves would not be the same</source>
             <translation>o que acontece entre os movimentos não seria o mesmo</translation>
         </message>
@@ -10898,6 +11394,10 @@
             <translation>não se sabe onde este trecho começa</translation>
         </message>
         <message>
+            <source>which of several passes was cut cannot be told for certain, so the earliest that fits is taken: line {0}, not {1}</source>
+            <translation>não se pode dizer com certeza qual de vários passes foi cortado, por isso vale o primeiro que se ajusta: linha {0}, não {1}</translation>
+        </message>
+        <message>
             <source>which run of line {0} is meant is not clear</source>
             <translation>não está claro qual execução da linha {0} se quer</translation>
         </message>
@@ -10920,6 +11420,10 @@
         <message>
             <source>words were left over that no command uses</source>
             <translation>sobraram palavras que nenhum comando usa</translation>
+        </message>
+        <message>
+            <source>work zero</source>
+            <translation>zero da peça</translation>
         </message>
         <message>
             <source>work_offset must be one of {0}</source>
@@ -11222,6 +11726,10 @@
             <translation>zero de {0} definido em {1}</translation>
         </message>
         <message>
+            <source>{0} (work, mm)</source>
+            <translation>{0} (peça, mm)</translation>
+        </message>
+        <message>
             <source>{0} and {1} may not share a line: they set the same mode</source>
             <translation>{0} e {1} não podem ficar na mesma linha: definem o mesmo modo</translation>
         </message>
@@ -11236,6 +11744,10 @@
         <message>
             <source>{0} asks for more than {1} passes</source>
             <translation>{0} pede mais de {1} passes</translation>
+        </message>
+        <message>
+            <source>{0} at work {1}, machine {2} mm, {3}{4}</source>
+            <translation>{0} na peça em {1}, na máquina em {2} mm, {3}{4}</translation>
         </message>
         <message>
             <source>{0} became lines, at most {1} mm away</source>
@@ -11448,6 +11960,10 @@
         <message>
             <source>{0} is not read in {1}, a plane of the axes U, V and W</source>
             <translation>{0} não é lido em {1}, um plano dos eixos U, V e W</translation>
+        </message>
+        <message>
+            <source>{0} is not reported</source>
+            <translation>{0} não é informado</translation>
         </message>
         <message>
             <source>{0} is not the work system in force</source>
@@ -11692,6 +12208,10 @@
         <message>
             <source>{0} was refused</source>
             <translation>{0} foi recusado</translation>
+        </message>
+        <message>
+            <source>{0} was set before</source>
+            <translation>{0} foi definido antes</translation>
         </message>
         <message>
             <source>{0} while the tool is compensated</source>

@@ -5,11 +5,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from CNCStepper.control.grbl import Received
+from CNCStepper.control.grbl import PLANNER_BLOCKS, Received
 from CNCStepper.control.grbl_report import Feedback, Status
 from CNCStepper.control.journal.finished import SEGMENTS
-
-PLANNER_BLOCKS = 32  # of one that does not say it
 
 
 class Capacity:

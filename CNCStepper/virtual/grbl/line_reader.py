@@ -8,12 +8,14 @@ Real-time bytes never reach the ring: the machine picks them out wherever they s
 
 from __future__ import annotations
 
-from collections import deque
+import re
 
 from CNCStepper.virtual.grbl.firmware import GRBL, Firmware
 
 LINE_ENDS = b"\r\n"
 PARENTHESES, SEMICOLON, OVERFLOW = ord("("), ord(";"), -1
+_LINE = re.compile(rb"[^\r\n]*[\r\n]?")
+_PLAIN = re.compile(rb"[!-'*-.0-:<-~]*")  # no blanks, comments, `/`
 
 
 class RxRing:
@@ -21,7 +23,7 @@ class RxRing:
 
     def __init__(self, size: int = GRBL.receive_bytes) -> None:
         self._size = size
-        self._bytes: deque[int] = deque()
+        self._bytes = b""
         self.lost = 0
 
     @property
@@ -34,20 +36,21 @@ class RxRing:
         """Whether nothing waits in it."""
         return not self._bytes
 
-    def put(self, byte: int) -> None:
-        """Take a byte from the wire, or lose it."""
-        if self.free:
-            self._bytes.append(byte)
-        else:
-            self.lost += 1
+    def put(self, data: bytes) -> None:
+        """Take bytes from the wire, or lose those for which there is no room."""
+        self.lost += max(len(data) - self.free, 0)
+        self._bytes += data[: self.free]
 
-    def take(self) -> int | None:
-        """Return the oldest byte, or None."""
-        return self._bytes.popleft() if self._bytes else None
+    def take(self) -> bytes:
+        """Return the oldest bytes: a line with one byte of its end, or all when there is no end."""
+        line = _LINE.match(self._bytes)
+        assert line  # the pattern matches nothing, too
+        self._bytes = self._bytes[line.end() :]
+        return line[0]
 
     def clear(self) -> None:
         """Forget all that waits."""
-        self._bytes.clear()
+        self._bytes = b""
 
 
 class LineReader:
@@ -65,13 +68,22 @@ class LineReader:
 
     def next_line(self, ring: RxRing) -> str | None:
         """Return the next whole line, or None when the ring is empty; a line too long is `TOO_LONG`."""
-        while (byte := ring.take()) is not None:
-            if byte in LINE_ENDS:
-                line = TOO_LONG if self._skipping == OVERFLOW else self._line.decode("ascii")
-                self.clear()
-                return line
-            self._add(byte)
-        return None
+        taken = ring.take()
+        text = taken.rstrip(LINE_ENDS)
+        if self._is_new and len(text) <= self._firmware.line_characters and _PLAIN.fullmatch(text):
+            self._line += text.upper()
+        else:
+            for byte in text:
+                self._add(byte)
+        if len(text) == len(taken):
+            return None
+        line = TOO_LONG if self._skipping == OVERFLOW else self._line.decode("ascii")
+        self.clear()
+        return line
+
+    @property
+    def _is_new(self) -> bool:
+        return not (self._line or self._blanks or self._skipping)
 
     def _add(self, byte: int) -> None:
         if self._skipping:

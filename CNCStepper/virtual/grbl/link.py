@@ -10,7 +10,8 @@ from __future__ import annotations
 from CNCStepper.virtual.grbl.machine import Grbl
 
 BITS_PER_BYTE = 10  # start bit, eight data bits, stop bit
-ADAPTER_BYTES = 64  # what a USB adapter takes from the computer ahead of the wire
+ADAPTER_BYTES = 64  # what a USB adapter takes from the computer ahead of the wire, at least
+ADAPTER_S = 0.002  # and of a quick line: two of the frames in which USB hands it bytes
 
 
 class _Wire:
@@ -42,11 +43,12 @@ class Link:
         self._in = _Wire(baud / BITS_PER_BYTE)
         self._out = _Wire(baud / BITS_PER_BYTE)
         self._received = bytearray()
+        self._adapter_bytes = max(ADAPTER_BYTES, round(ADAPTER_S * baud / BITS_PER_BYTE))
 
     @property
     def room(self) -> int:
         """How many bytes the line takes now; a client's further bytes wait on its own side."""
-        return max(ADAPTER_BYTES - len(self._in.waiting), 0)
+        return max(self._adapter_bytes - len(self._in.waiting), 0)
 
     @property
     def quiet(self) -> bool:

@@ -33,7 +33,7 @@ from CNCStepper.virtual.grbl.line_reader import TOO_LONG, LineReader, RxRing
 from CNCStepper.virtual.grbl.memory import Memory
 from CNCStepper.virtual.grbl.overrides import Overrides
 from CNCStepper.virtual.grbl.probe import Probe
-from CNCStepper.virtual.grbl.realtime import COMMANDS, FIRST_EXTENDED
+from CNCStepper.virtual.grbl.realtime import ACTING, COMMANDS, FIRST_EXTENDED
 from CNCStepper.virtual.grbl.settings import HARD_LIMITS, HOMING, SOFT_LIMITS, Settings
 from CNCStepper.virtual.grbl.spindle import Spindle
 from CNCStepper.virtual.grbl.states import AT_REST, MOVING, State
@@ -42,9 +42,6 @@ from CNCStepper.virtual.grbl.suspension import Suspension
 Waiting = Generator[None, None, None]
 LOCKED = "[MSG:'$H'|'$X' to unlock]"
 MOMENT_S = 1e-9
-# What the 16 MHz processor takes to read and plan a move, fitted to recordings of it: it counts where the
-# queue is shorter than the way to brake, because then each free block costs speed.
-PLANNING_S = 0.0005
 LIMIT_ALARMS = (ALARM_HARD_LIMIT, ALARM_SOFT_LIMIT)
 
 
@@ -86,11 +83,11 @@ class Grbl:
 
     def receive(self, data: bytes) -> None:
         """Take bytes from the wire."""
-        for byte in data:
-            if byte in COMMANDS:
-                COMMANDS[byte](self, byte)
-            elif byte < FIRST_EXTENDED:
-                self.ring.put(byte)
+        for part in filter(None, ACTING.split(data)):
+            if part[0] in COMMANDS:
+                COMMANDS[part[0]](self, part[0])
+            elif part[0] < FIRST_EXTENDED:
+                self.ring.put(part)
 
     def take_output(self) -> bytes:
         """Return what the board has sent since the last call."""
@@ -151,7 +148,7 @@ class Grbl:
         while not self.axes.room:
             self.start_cycle()
             yield
-        yield from self.wait(PLANNING_S)
+        yield from self.wait(self.firmware.planning_s)
         self.axes.line(target_mm, feed_mm_min, rapid)
 
     def wait(self, seconds: float) -> Waiting:
@@ -362,7 +359,7 @@ class Grbl:
             self.finish_cycle()
 
     def _look_at_switches(self) -> None:
-        if any(self.axes.pressed_switches()):
+        if self.memory.settings.on(HARD_LIMITS) and any(self.axes.pressed_switches()):
             self.reach_limit()
 
     def _stand_still(self) -> Waiting:

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
@@ -106,3 +107,4 @@ COMMANDS: dict[int, Command] = {
     TOOL_CHANGED: _tool_changed,
     **dict.fromkeys(OVERRIDES, _override),
 }
+ACTING = re.compile(b"([" + re.escape(bytes(COMMANDS)) + rb"\x80-\xff])")  # what never reaches the ring

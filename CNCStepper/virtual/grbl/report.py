@@ -86,7 +86,8 @@ def parameters(machine: Grbl) -> list[str]:
 
 def build_info(memory: Memory, firmware: Firmware = GRBL) -> list[str]:
     """Return the answer to `$I`."""
-    return [line.format(memory.build_text) for line in firmware.build]
+    blocks = memory.settings.machine.planner.look_ahead_blocks
+    return [line.format(memory.build_text, blocks) for line in firmware.build]
 
 
 class StatusReport:

@@ -26,7 +26,7 @@ from CNCStepper.control.grbl_report import (
     Unknown,
     parse,
 )
-from CNCStepper.control.lines import check_length, check_line, dwell_s, is_plain, needs_idle, pauses, stores
+from CNCStepper.control.lines import check_length, check_line, dwell_s, is_move, is_plain, needs_idle, pauses, stores
 from CNCStepper.control.outcome import error_from_json, error_to_json
 from CNCStepper.control.readiness import check_offsets, differences, offset_differences
 from CNCStepper.control.transport import Link, open_link, port_names
@@ -102,6 +102,26 @@ def test_lines_that_write_permanent_memory_are_known(line):
 @pytest.mark.parametrize("line", ["$J=G91X1F100", "$$", "G28", "G30X0", "G1X10", "G100", "M10", "G92X0", "G43.1Z1"])
 def test_lines_that_do_not_write_are_not_sent_alone(line):
     assert not stores(line)
+
+
+@pytest.mark.parametrize("line", ["X1.5", "G1X-3Y.5F600", "G00Z5", "G2X1Y1I.5J0", "N10G3X0R4", "Y-12.345"])
+def test_moves_are_known_at_once(line):
+    assert is_move(line)
+
+
+@pytest.mark.parametrize(
+    "line", ["M0", "X1M0", "$H", "G28.1", "G30", "G10L20P1X0", "G0X1M6", "G4P1", "G1X1G28.1", "M3S100"]
+)
+def test_no_line_that_may_have_to_be_waited_for_is_a_mere_move(line):
+    assert not is_move(line)
+
+
+@given(
+    st.lists(st.sampled_from(["G0", "G1", "G10", "G28.1", "G2", "8.1", "M0", "M6", "$", "X1", "Y-2.", "P1", "N3", "0"]))
+)
+def test_a_mere_move_neither_pauses_nor_stores_nor_waits(words):
+    line = "".join(words)
+    assert not is_move(line) or not (pauses(line) or stores(line) or needs_idle(line))
 
 
 def test_pauses_dwells_and_system_lines_are_known():

@@ -3,10 +3,14 @@
 
 from __future__ import annotations
 
+import subprocess
+import sys
+
 import numpy as np
 import pytest
 from fake_controller import FakeClock, FakeController, FakeLink
 
+from CNCStepper.control.grbl import Grbl
 from CNCStepper.control.grbl_report import Status, Unknown, parse
 from CNCStepper.control.planned_path import PlannedPath, arc_points
 from CNCStepper.control.send_job import SendJob
@@ -47,6 +51,30 @@ def test_lines_that_fill_the_queue_push_the_others_out():
     path.drop_planned_before(59, 20)
     assert path.line == 39
     assert not path.drop_to((30, 0, 0), NEAR_MM) and path.drop_to((45.5, 0, 0), NEAR_MM)
+
+
+def test_line_by_line_and_all_at_once_the_path_is_the_same():
+    lines = ("G21G90G94G17", "G1X10F600", "G2X20Y0I5J0", "G0Z5", "G28", "G91G1X-3F50", "G3X-4I-2")
+    at_once, by_line = path_of(lines, len(lines)), path_of(lines, 0)
+    for sent in range(len(lines) + 1):
+        by_line.read(sent)
+    for place in ((4, 0, 0), (15, 5, 0), (20, 0, 3), (0, 0, 0), (-2, 0, 0), (-5, 2, 0)):
+        assert at_once.drop_to(place, NEAR_MM) and by_line.drop_to(place, NEAR_MM), place
+        assert at_once.line == by_line.line
+
+
+def test_planner_is_as_large_as_the_controller_has_said_it_is():
+    clock = FakeClock()
+    driver = Grbl(FakeLink(controller := FakeController(clock), clock), clock)
+    controller.say("[OPT:V,15,1024]")
+    controller.say("<Idle|MPos:0.000,0.000,0.000|Bf:35,1023|FS:0,0>")
+    driver.receive(0.1)
+    assert driver.planner_blocks == 35
+
+
+def test_path_needs_no_kernels():
+    code = "import sys, CNCStepper.control.planned_path; sys.exit('numba' in sys.modules)"
+    subprocess.run([sys.executable, "-c", code], check=True)
 
 
 def test_end_is_that_of_the_last_line():

@@ -57,7 +57,7 @@ def talk(machine: Machine) -> Callable[..., Talk]:
     """Return a board that has been switched on and has said its greeting."""
 
     def switched_on(**options: object) -> Talk:
-        talker = Talk(Grbl(machine, **options))  # type: ignore[arg-type]
+        talker = Talk(Grbl(options.pop("machine", machine), **options))  # type: ignore[arg-type]
         talker.greeting = talker.say(b"")  # type: ignore[attr-defined]
         return talker
 

@@ -6,6 +6,8 @@ from __future__ import annotations
 import pytest
 
 from CNCStepper.virtual.grbl.firmware import FIRMWARES, FLUIDNC, GRBL, GRBLHAL
+from CNCStepper.virtual.grbl.link import Link
+from CNCStepper.virtual.grbl.machine import Grbl
 
 
 @pytest.mark.parametrize(
@@ -89,3 +91,20 @@ def test_tool_change_can_be_reset_and_is_no_command_of_grbl(talk):
     board.say(b"\x18", 0.1)
     assert board.status()[""] == "Idle"
     assert talk().say(b"M6\n") == ["error:20"]
+
+
+def test_each_tells_the_blocks_of_its_planner(machine, talk):
+    assert "[OPT:V,15,128]" in talk().say("$I\n")
+    planner = machine.planner.model_copy(update={"look_ahead_blocks": 35})
+    board = talk(firmware=GRBLHAL, machine=machine.model_copy(update={"planner": planner}))
+    assert "[OPT:VNMSL,35,1024,3,0]" in board.say("$I\n")
+    assert board.status()["Bf"].startswith("35,")
+
+
+def test_line_takes_as_many_bytes_as_it_carries(machine):
+    link, sent = Link(Grbl(machine, firmware=GRBLHAL), 1_000_000), 0
+    for _ in range(10):
+        sent += link.room
+        link.send(b" " * link.room)
+        link.advance(0.001)
+    assert sent >= 1000

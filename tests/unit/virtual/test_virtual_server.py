@@ -29,6 +29,7 @@ from CNCStepper.virtual.grbl.link import Link
 from CNCStepper.virtual.grbl.machine import Grbl
 from CNCStepper.virtual.grbl.ports import Port, PtyPort, TcpPort
 from CNCStepper.virtual.grbl.server import Server, serve
+from CNCStepper.virtual.grbl.trace import Trace
 
 LIMIT_S = 10.0
 DATA = Path(__file__).parents[2] / "data" / "firmware"
@@ -223,34 +224,62 @@ def test_imports_without_terminals() -> None:
     subprocess.run([sys.executable, "-c", code], check=True)
 
 
+class Streaming:
+    """A port whose client streams lines by character counting, and leaves; also the clock, which waits alone move."""
+
+    address = "streaming"
+    window_bytes = 127
+
+    def __init__(self, lines: list[bytes]):
+        self.now_s = 0.0
+        self._waiting, self._unanswered = deque(lines), deque[int]()
+        self._out = self._answers = b""
+
+    @property
+    def connected(self) -> bool:
+        return bool(self._waiting or self._unanswered)
+
+    def wait(self, timeout_s: float) -> bool:
+        while self._waiting and sum(self._unanswered) + len(self._waiting[0]) <= self.window_bytes:
+            self._unanswered.append(len(self._waiting[0]))
+            self._out += self._waiting.popleft()
+        if not self._out:
+            self.sleep(timeout_s)
+        return bool(self._out)
+
+    def read(self, count: int) -> bytes:
+        data, self._out = self._out[:count], self._out[count:]
+        return data
+
+    def write(self, data: bytes) -> None:
+        *answers, self._answers = (self._answers + data).split(b"\r\n")
+        for answer in answers:
+            assert answer in (b"", b"ok") or answer.startswith(b"Grbl")
+            if answer == b"ok":
+                self._unanswered.popleft()
+
+    def monotonic(self) -> float:
+        return self.now_s
+
+    def sleep(self, wait_s: float) -> None:
+        self.now_s += max(wait_s, 1e-6)
+
+
 @pytest.mark.slow
-def test_a_minute_of_cutting_takes_three_seconds_at_speed_20(tmp_path: Path) -> None:
+def test_a_minute_of_cutting_takes_three_seconds_at_speed_20(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     recording = json.loads((DATA / "brazil_b.json").read_text("utf-8"))
-    trace = tmp_path / "trace.csv"
-    options = {"pty": str(tmp_path / "port"), "speed": 20, "trace": str(trace)}
-    with process("table-b", **options) as (address, _), opened(address) as link:
-        read_until(link, "Grbl")
-        begin_s = time.monotonic()
-        stream(link, [line.encode("ascii") + b"\n" for line in [*recording["program"], "G4 P0"]])
-        assert time.monotonic() - begin_s < 2 * recording["duration_s"] / 20
-    rows = np.loadtxt(trace, delimiter=",", skiprows=2)
+    client = Streaming([line.encode("ascii") + b"\n" for line in [*recording["program"], "G4 P0"]])
+    monkeypatch.setattr(server_module, "time", client)
+    board = Grbl(load_machine("table-b"))
+    with contextlib.closing(Trace(tmp_path / "trace.csv", board)) as trace:
+        begin_s = time.process_time()
+        Server(Link(board), client, speed=20, trace=trace, until_left=True).run()
+        assert time.process_time() - begin_s < 2 * recording["duration_s"] / 20
+    assert client.now_s == pytest.approx(recording["duration_s"] / 20, rel=0.1)
+    rows = np.loadtxt(tmp_path / "trace.csv", delimiter=",", skiprows=2)
     assert rows[-1, 0] - rows[0, 0] == pytest.approx(recording["duration_s"], rel=0.01)
     assert list(rows[-1, 1:]) == recording["end_mpos_mm"]
     assert np.max(np.abs(np.diff(rows[:, 1:], axis=0))) < 1 / 160 + 1e-5  # no step is left out
-
-
-def stream(link: serial.SerialBase, lines: list[bytes]) -> None:
-    """Send lines by character counting with a window of 127 bytes."""
-    unanswered: deque[int] = deque()
-    waiting, received = deque(lines), b""
-    while waiting or unanswered:
-        while waiting and sum(unanswered) + len(waiting[0]) <= 127:
-            unanswered.append(len(waiting[0]))
-            link.write(waiting.popleft())
-        *answers, received = (received + link.read(link.in_waiting or 1)).split(b"\r\n")
-        for answer in answers:
-            assert answer == b"ok"
-            unanswered.popleft()
 
 
 @pytest.mark.parametrize("address", ["0.0.0.0:0", "192.168.1.1:2300", "127.0.0.1:x"])
