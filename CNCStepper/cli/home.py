@@ -14,8 +14,8 @@ def command(port: str, baud: int) -> None:
     """Let the machine at --port find its own zero with its limit switches ($H), and wait until it has.
 
     The axes move to their switches: see that the way is free. Ctrl-C stops it; the position is unknown then.
-    Many boards restart when their port is opened anew and forget what they have found: then home from `cncstepper
-    console`, which keeps the port open for what comes next.
+    Many boards restart when their port is opened anew and forget what they have found: then home with `cncstepper send
+    --home`, or from `cncstepper console`, which keeps the port open for what comes next.
     """
     with Talk(port, baud) as talk:
         try:

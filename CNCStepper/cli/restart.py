@@ -60,6 +60,7 @@ _SENDING = (
     click.option("--port", help="Send it: a serial port (COM3, /dev/ttyUSB0) or a URL (socket://127.0.0.1:2217)."),
     click.option("--baud", type=click.IntRange(min=300), default=115200, show_default=True),
     click.option("--zero-confirmed", is_flag=True, help="As of `cncstepper send`; the tool is in."),
+    click.option("--home", "home_first", is_flag=True, help="Let the machine home itself first ($H)."),
     click.option("--resume-pauses", is_flag=True, help="Go on by itself at M0: for a virtual machine or a dry run."),
     click.option(
         "--allow-differences",
@@ -78,6 +79,7 @@ class _Sending:
     port: str | None
     baud: int
     zero_confirmed: bool
+    home_first: bool
     resume_pauses: bool
     allow_differences: bool
 
@@ -241,5 +243,6 @@ def _send(proven: ProvenRestart, sending: _Sending) -> None:
         port=sending.port,
         baud=sending.baud,
         allow_differences=sending.allow_differences,
+        home_first=sending.home_first,
     )
     conclude(watch(confirmed(job, sending.zero_confirmed), sending.resume_pauses))

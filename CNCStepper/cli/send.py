@@ -59,6 +59,9 @@ if TYPE_CHECKING:
     "without this option you are asked.",
 )
 @click.option(
+    "--home", "home_first", is_flag=True, help="Let the machine home itself first ($H): see that the way is free."
+)
+@click.option(
     "--step", "by_line", is_flag=True, help="Line by line: Enter sends the next one and waits till it is cut."
 )
 @click.option("--resume-pauses", is_flag=True, help="Go on by itself at M0: for a virtual machine or a dry run.")
@@ -79,6 +82,7 @@ def command(
     dialect: str | None,
     baud: int,
     zero_confirmed: bool,
+    home_first: bool,
     by_line: bool,
     resume_pauses: bool,
     allow_differences: bool,
@@ -93,9 +97,10 @@ def command(
     first: with --machine, with --job (whose machine counts where none is given), or not at all if told so by
     --unchecked. The controller's settings, and its work zero where the proof knows it, are compared.
 
-    Many boards restart when their port is opened, and count from where they stand then: the position is unknown. Such a
-    board is sent nothing unless its zero is that very place: move the tool to the work zero, `cncstepper zero`, then
-    send without moving it in between.
+    Many boards restart when their port is opened, and count from where they stand then: the position is unknown. Where
+    the machine has limit switches, --home lets it find its own zero again. Without, such a board is sent nothing unless
+    its zero is that very place: move the tool to the work zero, `cncstepper zero`, then send without moving it in
+    between.
 
     Ctrl-C holds the machine and asks what to do. A stop here is not an emergency stop.
 
@@ -121,7 +126,7 @@ def command(
         job = _checked(wanted, dialect_name(dialect, wanted.machine), unchecked)
     sha256 = digest_of_text(wanted.text)
     job = replace(job, port=port, baud=baud, allow_differences=allow_differences, program_sha256=sha256)
-    conclude(watch(confirmed(replace(job, by_line=by_line), zero_confirmed), resume_pauses))
+    conclude(watch(confirmed(replace(job, by_line=by_line, home_first=home_first), zero_confirmed), resume_pauses))
 
 
 def _check_proof(is_certified: bool, can_be_checked: bool, unchecked: bool, despite_certificate: bool) -> None:

@@ -13,6 +13,7 @@ from CNCStepper.control.console import Console
 from CNCStepper.control.firmware import TOOL_CHANGED
 from CNCStepper.control.grbl import HOLD, RESUME, Answered, Grbl, Received
 from CNCStepper.control.grbl_report import Alarm, Feedback, Greeting, Status
+from CNCStepper.control.home_first import HOME
 from CNCStepper.control.jogger import Jogger, Way, check_in_time
 from CNCStepper.control.moment import moment
 from CNCStepper.control.outcome import SenderStatus
@@ -32,7 +33,6 @@ LOCKED = {
     "Alarm": "the controller is locked: home the machine, or unlock it if its position is surely right",
     "Sleep": "the controller sleeps and its motors are off: unlock it, then home it or set its zero again",
 }
-HOME = "$H"
 HOMED = "the machine is homed"
 CRITICAL = "Reset to continue"
 

@@ -153,13 +153,17 @@ class JobRun:
             self._retrace.begin(self.driver, found)
             self._path = PathWatch(self.job, self.driver, found, self._tell)
         except Stopped:
-            return self._outcome(STOPPED, "stopped before the first line was sent", True)
+            known = self._stands() or not self.job.home_first
+            return self._outcome(STOPPED, "stopped before the first line was sent", known)
         except CNCStepperError as error:
-            seen = self.driver.status if self.driver else None
-            known = seen is not None and seen.state != "Alarm" and error.code != UNKNOWN
-            return self._outcome(REFUSED, str(error), known, error)
+            return self._outcome(REFUSED, str(error), self._stands() and error.code != UNKNOWN, error)
         self._phases.set("running")
         return None
+
+    def _stands(self) -> bool:
+        """Return whether the machine was seen where it can be trusted."""
+        seen = self.driver.status if self.driver else None
+        return seen is not None and seen.state != "Alarm"
 
     # --- streaming -----------------------------------------------------------------------------
 

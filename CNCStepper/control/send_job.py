@@ -26,7 +26,8 @@ class SendJob:
     retrace: what a way back along the cut is proven with (dialect, start, machine: `job.certify`); empty: not known.
     plan: lines of the file in rising order, each with the planned time by its end, s; empty: not known.
     by_line: wait before each line until somebody resumes. inputs: the machine's own buttons, as `machine.inputs.Input`
-    has them. restart_of: the program that a restart goes on with, as `journal.first_program` has it; empty: it is none.
+    has them. home_first: let the machine find its own zero before.
+    restart_of: the program that a restart goes on with, as `journal.first_program` has it; empty: it is none.
     """
 
     port: str
@@ -48,6 +49,7 @@ class SendJob:
     by_line: bool = False
     inputs: Sequence[Mapping[str, Any]] = ()
     restart_of: Mapping[str, Any] = field(default_factory=dict)
+    home_first: bool = False
 
     def __post_init__(self) -> None:
         if len(self.file_lines) not in (0, len(self.lines)):

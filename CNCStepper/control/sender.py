@@ -11,6 +11,7 @@ from CNCStepper.control.button import buttons_of
 from CNCStepper.control.buttons import Buttons
 from CNCStepper.control.command import JOB_COMMANDS, Command, Inbox
 from CNCStepper.control.grbl import Grbl, Received
+from CNCStepper.control.home_first import home
 from CNCStepper.control.journal.kept import Journals
 from CNCStepper.control.moment import tell_words
 from CNCStepper.control.outcome import Outcome, SenderStatus
@@ -87,7 +88,7 @@ class Sender:
     def _connected(self) -> connect.Found:
         self._inbox.link = self._opener(self.job.port, self.job.baud)
         self._run.driver = driver = Grbl(self._inbox.link, self._clock, self._listen)
-        found = connect.meet(driver, self._timing)
+        found = self._homed(driver) if self.job.home_first else connect.meet(driver, self._timing)
         if found.greeted:
             self._tell("warning", "the controller restarted when its port was opened; it counts from where it stands")
             check_counts_from_here(driver)
@@ -96,6 +97,12 @@ class Sender:
         for command in self._early:
             self._inbox.put(command)
         return found
+
+    def _homed(self, driver: Grbl) -> connect.Found:
+        connect.wake_up(driver, self._timing, locked=True)
+        self._tell("message", "the machine finds its own zero")
+        home(driver, self._timing)
+        return connect.meet(driver, self._timing)
 
     def _listen(self, received: list[Received]) -> None:
         """Count and tell what came; while connecting, obey a stop too, all else waits for the first line."""

@@ -9938,6 +9938,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the machine finds its own zero</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the machine has no {0} coolant</source>
             <translation type="unfinished"></translation>
         </message>

@@ -9938,6 +9938,10 @@
             <translation>a máquina não está onde o caminho de volta começa</translation>
         </message>
         <message>
+            <source>the machine finds its own zero</source>
+            <translation>a máquina procura o seu próprio zero</translation>
+        </message>
+        <message>
             <source>the machine has no {0} coolant</source>
             <translation>a máquina não tem refrigeração {0}</translation>
         </message>

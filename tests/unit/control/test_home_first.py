@@ -1,0 +1,62 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A job whose machine homes itself first, on a virtual board that is locked until it has."""
+
+from __future__ import annotations
+
+from desk_table import Person, Table
+
+from CNCStepper.control.grbl import RESET
+from CNCStepper.control.outcome import DONE, REFUSED, STOPPED, Outcome
+from CNCStepper.control.send_job import SendJob
+from CNCStepper.control.sender import Sender
+
+LINES = ("G21G90G54", "G1X-40Y-30F1000", "G1X-42")
+
+
+class Bench:
+    def __init__(self, home_first: bool, **table):
+        self.table = Table(**table)
+        self.sender = Sender(
+            SendJob("table", LINES, zero_confirmed=True, home_first=home_first),
+            opener=lambda name, baud: self.table,
+            clock=self.table.clock,
+        )
+
+    def run(self) -> Outcome:
+        return self.sender.run()
+
+    @property
+    def lines(self) -> list[bytes]:
+        return b"".join(data for _, data in self.table.written).split(b"\n")
+
+
+def test_locked_machine_homes_itself_and_cuts() -> None:
+    bench = Bench(True, homing=True)
+    outcome = bench.run()
+    assert outcome.kind == DONE, outcome.text
+    assert b"$H" in b"".join(bench.lines[: bench.lines.index(LINES[0].encode())])
+    assert abs(bench.table.x_mm() + 42) < 0.02
+
+
+def test_locked_machine_is_refused_without() -> None:
+    outcome = Bench(False, homing=True).run()
+    assert outcome.kind == REFUSED and "machine-alarm" in outcome.text
+
+
+def test_machine_that_cannot_home_is_refused_in_words() -> None:
+    outcome = Bench(True).run()
+    assert outcome.kind == REFUSED and "homing is not enabled" in outcome.text
+
+
+def test_stop_while_it_homes_stops_the_axes_and_the_place_is_unknown() -> None:
+    bench = Bench(True, homing=True)
+
+    def person() -> Person:
+        yield lambda: bench.table.board.state.value == "Home"
+        yield 0.5
+        bench.sender.stop()
+
+    bench.table.person = person()
+    outcome = bench.run()
+    assert outcome.kind == STOPPED and not outcome.position_known
+    assert bench.table.sent(RESET)
