@@ -73,12 +73,14 @@ def learn_units(driver: Grbl, timing: Timing) -> None:
     driver.send(question)
     said = {report.text.lower() for report in _answer(driver, timing) if isinstance(report, NamedSetting)}
     if not said & {"true", "false"}:
-        raise MachineRefusal(
-            "units-unknown",
-            "the controller does not say whether it reports in mm or in inches",
-            advice="update its firmware",
-        )
+        raise _units_unknown()
     driver.settings[REPORT_INCHES] = float("true" in said)
+
+
+def check_units(driver: Grbl) -> None:
+    """Refuse a controller whose positions mean nothing, as its $13 was not reported; raises MachineRefusal."""
+    if REPORT_INCHES not in driver.settings:
+        raise _units_unknown()
 
 
 def read_offsets(driver: Grbl, timing: Timing) -> dict[str, Vector]:
@@ -205,6 +207,14 @@ def _not_grbl(driver: Grbl, timing: Timing, said: list[Received]) -> LinkError:
         f"{heard} at {driver.link.name}",
         value=f"{timing.wake_s:g} s",
         advice="check power, cable, port and baud rate of the controller",
+    )
+
+
+def _units_unknown() -> MachineRefusal:
+    return MachineRefusal(
+        "units-unknown",
+        "the controller does not say whether it reports in mm or in inches",
+        advice="update its firmware",
     )
 
 

@@ -21,7 +21,6 @@ from CNCStepper.control import connect
 from CNCStepper.control.acts import fresh_status
 from CNCStepper.control.button import buttons_of
 from CNCStepper.control.buttons import Buttons
-from CNCStepper.control.certificate import sendable
 from CNCStepper.control.command import VALUES, Command, Inbox
 from CNCStepper.control.grbl import Grbl, Received
 from CNCStepper.control.grbl_report import Vector
@@ -32,9 +31,10 @@ from CNCStepper.control.outcome import REFUSED, Outcome, SenderStatus
 from CNCStepper.control.readiness import check_state
 from CNCStepper.control.run import JobRun, Refuse, Stopped, Tell
 from CNCStepper.control.send_job import SendJob
+from CNCStepper.control.spooler import spooled
 from CNCStepper.control.timing import Timing
 from CNCStepper.control.transport import Link, open_link
-from CNCStepper.errors import CNCStepperError, JobError
+from CNCStepper.errors import CNCStepperError
 from CNCStepper.state import WORK_SYSTEMS
 
 
@@ -43,7 +43,7 @@ class Desk:
 
     tell, refuse, ended: hear what happens, as of a `JobRun`, and how a job ended. alone_s: how long nobody has
     been there; a desk that is alone and has nothing to do ends. journals: the folder for those of its jobs; None
-    keeps none. during_job: entered for the time of each job.
+    keeps none. during_job: entered for the time of each job. spool: the file that holds the lines of the last job.
     """
 
     commands: tuple[str, ...] = tuple(VALUES)
@@ -53,6 +53,7 @@ class Desk:
         port: str,
         baud: int = 115_200,
         *,
+        spool: Path,
         opener: Callable[[str, int], Link] = open_link,
         timing: Timing | None = None,
         clock: Callable[[], float] = time.monotonic,
@@ -65,6 +66,7 @@ class Desk:
     ):
         self.port = port
         self._baud = baud
+        self._spool = spool
         self._opener = opener
         self._timing = timing or Timing()
         self._tell = tell
@@ -211,9 +213,11 @@ class Desk:
     def _run_file(self, idle: Idle, file: str, zero_confirmed: bool, allow_differences: bool) -> None:
         """Let the job of a file run; however it ends, its outcome is told."""
         self._tell("job", file)
+        own = {"port": self.port, "baud": self._baud}
+        consents = {"zero_confirmed": zero_confirmed, "allow_differences": allow_differences}
         try:
-            job = self._read(Path(file), zero_confirmed, allow_differences)
-        except JobError as error:
+            job = spooled(Path(file), self._spool, **own, **consents)
+        except CNCStepperError as error:
             known = idle.position_known is not False
             self._ended(Outcome(REFUSED, str(error), known, replace(self.status(), phase=REFUSED), error))
             return
@@ -243,15 +247,6 @@ class Desk:
             idle.lose_position()
         self._last_done = job if outcome.done else None
         self._ended(outcome)
-
-    def _read(self, file: Path, zero_confirmed: bool, allow_differences: bool) -> SendJob:
-        try:
-            text = file.read_text("utf-8")
-        except (OSError, ValueError) as error:
-            raise JobError("send-job", f"the job cannot be read: {error}", advice="make it again") from error
-        return sendable(
-            text, port=self.port, baud=self._baud, zero_confirmed=zero_confirmed, allow_differences=allow_differences
-        )
 
     def _ready(self) -> connect.Found:
         """Return what the machine is, read anew: somebody may have changed it since it was met."""

@@ -16,7 +16,7 @@ from CNCStepper.control.awake import awake
 from CNCStepper.control.desk import Desk
 from CNCStepper.control.outcome import error_to_json
 from CNCStepper.control.own_process import stop_on_signals
-from CNCStepper.control.session_file import OUTCOME, DeskFile, write_private
+from CNCStepper.control.session_file import OUTCOME, WIRE, DeskFile, write_private
 from CNCStepper.control.session_server import SessionServer
 from CNCStepper.control.worker import SWITCH_S
 from CNCStepper.errors import CNCStepperError, LinkError
@@ -31,6 +31,7 @@ def main(arguments: list[str]) -> int:
     desk = Desk(
         port,
         baud,
+        spool=path.with_suffix(WIRE),
         tell=server.tell,
         refuse=server.refuse,
         ended=server.tell_outcome,
@@ -44,6 +45,7 @@ def main(arguments: list[str]) -> int:
     error = _run(desk, desk_file)
     write_private(path.with_suffix(OUTCOME), {"error": error_to_json(error) if error else None})
     server.finish()
+    path.with_suffix(WIRE).unlink(missing_ok=True)
     desk_file.remove()
     return 1 if error else 0
 

@@ -2,7 +2,7 @@
 """The files of a session, readable by their owner only: how to reach it, how it ended, what it logged.
 
 NAME.session   port, token and process, while it runs       NAME.outcome   afterwards       NAME.log
-NAME.wire      the lines to send, while it runs
+NAME.wire      the lines to send, while it runs; of a desk, those of its last job
 NAME.desk      the same of a desk, touched every second     (one that nobody touches is a killed desk's)
 """
 

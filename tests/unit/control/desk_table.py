@@ -105,6 +105,7 @@ class Visit:
         self._file = tmp_path / "a job ç.json"
         self.desk = Desk(
             "table",
+            spool=tmp_path / "desk ç.wire",
             opener=lambda name, baud: self.table,
             timing=timing,
             clock=self.table.clock,

@@ -33,6 +33,7 @@ class DeskCut(Cut):
         self._job_file.write_text(self.job.to_json(), "utf-8")
         self.sender = Desk(
             "table",
+            spool=folder / "desk.wire",
             opener=lambda name, baud: self.table,
             clock=self.table.clock,
             tell=self._hear,

@@ -158,6 +158,15 @@ def test_fluidnc_that_does_not_say_its_units_is_refused():
         bench.meet()
 
 
+@pytest.mark.parametrize("key", ["grbl", "grblhal"])
+def test_job_is_refused_before_its_first_line_where_the_units_of_positions_are_not_known(key):
+    bench = Bench(key)
+    del bench.controller.settings[13]
+    outcome = bench.send("G21G90", "G1X1F600", allow_differences=True)
+    assert outcome.kind == REFUSED and outcome.error.code == "units-unknown"
+    assert outcome.status.sent == 0
+
+
 @pytest.mark.parametrize(("key", "length", "kind"), [("grbl", 80, REFUSED), ("grblhal", 80, DONE)])
 def test_line_length_is_the_firmwares(key, length, kind):
     bench = Bench(key, rx_bytes=1024)

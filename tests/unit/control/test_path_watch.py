@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import subprocess
 import sys
+import tracemalloc
 
 import numpy as np
 import pytest
@@ -164,3 +165,18 @@ def test_reset_that_is_lost_on_its_way_is_sent_again(lost):
     controller.reset = deaf
     outcome, _ = sent(controller, clock, LINES)
     assert outcome.position_known and controller.realtime.count("\x18") == lost + 1
+
+
+def test_memory_of_the_path_does_not_grow_with_the_program():
+    def most_bytes(count: int) -> int:
+        path = PlannedPath([f"G1X{number}F{600 + number % 2}" for number in range(count)], Start.at_zero())
+        tracemalloc.start()
+        for sent in range(0, count, 50):
+            path.read(sent)
+            path.drop_planned_before(sent - 10, 16)
+        most = tracemalloc.get_traced_memory()[1]
+        tracemalloc.stop()
+        return most
+
+    few, many = most_bytes(1000), most_bytes(4000)
+    assert many < few + 3000 * 8, (few, many)

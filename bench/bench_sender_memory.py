@@ -1,0 +1,148 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Resident memory of the sender's process and of a desk's, with a short program and a long one; Linux only.
+
+The controller answers at once and stands where its last line ends, so that positions are compared with the path.
+"""
+
+from __future__ import annotations
+
+import json
+import multiprocessing
+import re
+import resource
+import socket
+import sys
+import tempfile
+import threading
+import time
+from collections.abc import Callable, Iterator
+from multiprocessing.connection import Connection
+from pathlib import Path
+
+from CNCStepper.control.desk_client import DeskClient
+from CNCStepper.control.outcome import SenderStatus
+from CNCStepper.control.send_job import SendJob
+from CNCStepper.control.session import SessionClient
+from CNCStepper.control.session_file import read_private
+from CNCStepper.control.spooler import spooled
+
+COUNTS = (100_000, 10_000_000)
+STREAMED = 90_000  # lines after which the memory is read
+BAUD = 4_000_000  # by which the sender paces itself
+LIMIT_S = 600.0
+ANSWERS = {
+    b"$I": "[VER:1.1h.20190830:]\r\n[OPT:V,35,1024]\r\n",
+    b"$$": "$13=0\r\n$100=80.000\r\n$101=80.000\r\n$102=80.000\r\n",
+    b"$#": "".join(f"[{name}:0.000,0.000,0.000]\r\n" for name in ("G54", "G92")),
+    b"$G": "[GC:G0 G54 G17 G21 G90 G94 M5 M9 T0 F0 S0]\r\n",
+}
+PLACE = re.compile(rb"X([\d.]+)Y([\d.]+)")
+
+
+def lines(count: int) -> Iterator[str]:
+    """Yield a program of short moves, to and fro."""
+    yield "G21G90G1F6000"
+    for number in range(count - 1):
+        yield f"X{number % 1000 / 10:.3f}Y{number // 1000 % 1000 / 10:.3f}"
+
+
+def control(told: Connection) -> None:
+    """Be the controller, anew for each client."""
+    server = socket.create_server(("127.0.0.1", 0))
+    told.send(server.getsockname()[1])
+    while True:
+        threading.Thread(target=serve, args=(server.accept()[0],), daemon=True).start()
+
+
+def serve(client: socket.socket) -> None:
+    """Answer a client until it leaves."""
+    client.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+    tail, place, held = b"", (0.0, 0.0), False
+    while data := client.recv(4096):
+        asked = data.count(b"?")
+        *texts, tail = (tail + re.sub(rb"[?!~\x18\x80-\xff]", b"", data)).split(b"\n")
+        held = held or b"!" in data
+        answer = "Grbl 1.1h ['$' for help]\r\n" if b"\x18" in data else ""
+        for text in texts:
+            if found := PLACE.search(text):
+                place = float(found[1]), float(found[2])
+            answer += ANSWERS.get(text, "") + "ok\r\n"
+        held = held and b"\x18" not in data
+        state = "Hold:0" if held else "Run" if texts else "Idle"
+        answer += asked * f"<{state}|MPos:{place[0]:.3f},{place[1]:.3f},0.000|Bf:35,1024|FS:0,0>\r\n"
+        client.sendall(answer.encode("ascii"))
+
+
+def resident(session_file: Path) -> str:
+    """Return the memory that the process of a session has, and the most that it has had."""
+    content = read_private(session_file)
+    assert content
+    status = Path(f"/proc/{content['process']}/status").read_text("ascii")
+    now, most = (int(re.search(rf"{name}:\s+(\d+) kB", status)[1]) / 1000 for name in ("VmRSS", "VmHWM"))
+    return f"{now:.1f} MB, at most {most:.1f} MB"
+
+
+def await_lines(status: Callable[[], SenderStatus]) -> SenderStatus:
+    """Wait until enough lines are acknowledged."""
+    end_s = time.monotonic() + LIMIT_S
+    while (seen := status()).acknowledged < STREAMED:
+        assert time.monotonic() < end_s, seen
+        time.sleep(0.02)
+    return seen
+
+
+def show_sender(port: str, count: int, folder: Path) -> None:
+    """Print the memory of the process that `cncstepper send` starts."""
+    job = SendJob(port, list(lines(count)), baud=BAUD, zero_confirmed=True)
+    with SessionClient.start(job, folder=folder) as client:
+        seen = await_lines(client.status)
+        print(f"sender, {count} lines, after {seen.acknowledged}: {resident(client.session_file)}", flush=True)
+        client.stop()
+        client.wait(limit_s=LIMIT_S)
+
+
+def write_job(file: Path, count: int) -> None:
+    """Write a program as the job of a file, as `SendJob.to_json` has it."""
+    with file.open("w", encoding="ascii") as out:
+        out.write('{"lines": [')
+        out.writelines(("," if number else "") + json.dumps(line) for number, line in enumerate(lines(count)))
+        out.write('], "file": "long.nc"}')
+
+
+def show_desk(port: str, count: int, folder: Path) -> None:
+    """Print the memory of a desk, and of the process that writes its spool."""
+    file = folder / "job.json"
+    write_job(file, count)
+    client = DeskClient.launch(port, BAUD, folder)
+
+    def status() -> SenderStatus:
+        for event in client.poll():
+            assert event["event"] not in ("refused", "outcome"), (event, client.outcome)
+        return client.status
+
+    while status().phase != "idle":
+        time.sleep(0.02)
+    client.run(file, zero_confirmed=True)
+    seen = await_lines(status)
+    print(f"desk, {count} lines, after {seen.acknowledged}: {resident(client.session_file)}", flush=True)
+    client.stop()
+    client.leave()
+    spooled(file, folder / "alone.wire", port=port)
+    most_mb = resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss / 1000
+    print(f"its spooler, {count} lines: at most {most_mb:.0f} MB, until the first line", flush=True)
+
+
+def main(counts: tuple[int, ...]) -> None:
+    """Print the memory of both with each program."""
+    here, there = multiprocessing.Pipe()
+    process = multiprocessing.get_context("spawn").Process(target=control, args=(there,), daemon=True)
+    process.start()
+    port = f"socket://127.0.0.1:{here.recv()}"
+    for show in (show_desk, show_sender):
+        for count in counts:
+            with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as folder:
+                show(port, count, Path(folder))
+
+
+if __name__ == "__main__":
+    main(tuple(map(int, sys.argv[1:])) or COUNTS)
