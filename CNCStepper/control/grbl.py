@@ -7,7 +7,7 @@ sent is remembered with its length until its answer comes; answers come in the o
     unanswered   | G1X10 | G1X20Y5 | G1X30 |            sum of (length + 1) <= window
                    ^ the next answer is for this one
 
-Of these at most QUEUE_BYTES wait in this computer; the others are kept here until there is room.
+Of these at most the link's `queue_bytes` wait in this computer; the others are kept here until there is room.
 
 Real-time bytes are no lines: they are written at once, are never counted and may pass lines by.
 """
@@ -28,7 +28,6 @@ from CNCStepper.units import mm_from_inch
 
 HOLD, RESUME, RESET, STATUS, JOG_CANCEL = b"!", b"~", b"\x18", b"?", b"\x85"
 WINDOW_BYTES = 127  # of grbl's 128 one stays free; larger buffers say so themselves ($I, Bf)
-QUEUE_BYTES = 40  # that a real-time byte may find before it: 3.5 ms at 115 200 baud
 LONGEST_REST_S = 0.01
 PLANNER_BLOCKS = 32  # of one that does not say it
 NOISE_LIMIT_BYTES = 4096  # without a line end
@@ -109,7 +108,7 @@ class Grbl:
 
     def flush(self) -> None:
         """Write of the queued lines what may wait before the line; `receive` writes the rest in time."""
-        if self._to_write and (room := QUEUE_BYTES - self._waiting_bytes()) > 0:
+        if self._to_write and (room := self.link.queue_bytes - self._waiting_bytes()) > 0:
             self.link.write(bytes(self._to_write[:room]))
             del self._to_write[:room]
 
@@ -196,8 +195,9 @@ class Grbl:
     def _filled_s(self) -> float:
         """Fill the queue before the line; return when it must be filled again."""
         self.flush()
-        unread = self._bytes_under_way - len(self._to_write) - QUEUE_BYTES
-        return self.link.leaving_s(QUEUE_BYTES if 2 * unread > self.window else QUEUE_BYTES * 3 // 4)
+        most = self.link.queue_bytes
+        unread = self._bytes_under_way - len(self._to_write) - most
+        return self.link.leaving_s(most if 2 * unread > self.window else most * 3 // 4)
 
     def _lines(self, data: bytes) -> list[str]:
         *lines, self._tail = (self._tail + data).replace(b"\r", b"\n").split(b"\n")

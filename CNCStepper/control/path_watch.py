@@ -49,6 +49,11 @@ class PathWatch:
         axes = (driver.settings.get(STEPS_PER_MM + axis, 1 / STEP_MM) for axis in range(3))
         self._near_mm = tuple(STEPS / max(steps, 1.0) + ROUNDING_MM for steps in axes)
 
+    def read_on(self, sent: int) -> None:
+        """Read the lines sent by now: a few at a time, while all since the last report would hold the stream up."""
+        if self._path:
+            self._path.read_on(sent)
+
     def take(self, status: Status, acknowledged: int, sent: int) -> None:
         """Compare a report; acknowledged: lines that were answered before it. sent: lines sent by now."""
         place = self._driver.mm(status.mpos) or self._driver.mpos_mm

@@ -74,11 +74,15 @@ class PlannedPath:
         self._take_moves()
 
     def read(self, sent: int) -> None:
-        """Read the lines up to `sent`."""
+        """Read the lines up to `sent`, and take their moves."""
+        self.read_on(sent)
+        self._take_moves()
+
+    def read_on(self, sent: int) -> None:
+        """Read lines whose moves the next `read` takes, so that it has few left to read."""
         while self._read < sent and self.refused is None:
             self._read_line(self._lines[self._read])
             self._read += 1
-        self._take_moves()
 
     @property
     def line(self) -> int:

@@ -196,6 +196,8 @@ class JobRun:
         self._keep_journal(driver, idle)
         if self._phases.feeding and self._feeder.feed(driver, idle):
             self._watch.heard_s = self._clock()
+            if self._path:
+                self._path.read_on(self._feeder.sent)
         every_s = self._timing.poll_s if self._phases.name == "running" else self._timing.quick_poll_s
         for report in driver.receive(min(self._watch.poll(driver, every_s), self._stand.turn())):
             self._take(driver, report)

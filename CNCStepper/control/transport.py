@@ -33,7 +33,8 @@ class Link:
     """An open port; reading waits at most as long as it is told and ends early when `wake` is called.
 
     `port` is a pyserial port, or anything with its read, write and close, opened with timeout 0. baud: the rate of
-    the line that the bytes take. woken: whether `wake` ended the last `read`.
+    the line that the bytes take. woken: whether `wake` ended the last `read`. queue_bytes: how many bytes may wait
+    before the line.
     Every failure of the port is a LinkError with code "link-lost".
     """
 
@@ -42,6 +43,7 @@ class Link:
         self.woken = False
         self._port = port
         self._queue = WireQueue(port, baud, clock)
+        self.queue_bytes = self._queue.most_bytes
         self._descriptor = _descriptor(port)
         self._alarm_clock, self._bell = socket.socketpair()
         for end in (self._alarm_clock, self._bell):

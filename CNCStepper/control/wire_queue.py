@@ -15,17 +15,23 @@ from collections.abc import Callable
 from math import ceil
 from typing import Any
 
+QUEUE_BYTES = 40  # that a real-time byte may find before it: 3.5 ms at 115 200 baud
+QUEUE_S = 0.002  # where 40 last less: they would be gone before a sender that sleeps meanwhile is awake
 BITS_PER_BYTE = 10  # start bit, eight data bits, stop bit
 SIOCOUTQNSD = 0x894B  # Linux: bytes of a socket that were not sent yet
 ROUNDING = 1e-3  # of the clock, in bytes
 
 
 class WireQueue:
-    """The bytes between a program and the line; the caller tells what it writes."""
+    """The bytes between a program and the line; the caller tells what it writes.
+
+    most_bytes: how many may wait, so that a real-time byte goes out at once.
+    """
 
     def __init__(self, port: Any, baud: int, clock: Callable[[], float]):
         self._said_bytes = _what_says(port)
         self._bytes_per_s = baud / BITS_PER_BYTE
+        self.most_bytes = max(QUEUE_BYTES, int(QUEUE_S * self._bytes_per_s))
         self._clock = clock
         self._empty_s = float("-inf")  # when the line will have carried all that was written
 

@@ -224,6 +224,7 @@ class Unqueued:
 
     clock: FakeClock
     woken = False
+    queue_bytes = 40
 
     def rest(self, wait_s: float) -> None:
         self.woken = False

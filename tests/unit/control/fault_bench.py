@@ -42,6 +42,7 @@ class SimulatedLink:
     """A `transport.Link` to a board in memory; time passes while it is read."""
 
     name = "simulated"
+    queue_bytes = 40
 
     def __init__(self, line: FaultyLink):
         self.line = line
