@@ -81,6 +81,7 @@ class Seen:
     end_real_s: float = 0.0
     starved: int = 0
     lost: int = 0
+    cpu_s: float = 0.0  # of the machine's process, compiling and all
     was_empty: bool = True
 
     def look(self, board: Grbl) -> None:
@@ -118,6 +119,7 @@ def control(kind: Kind, notes: Connection) -> None:
         ready=notes.send,
         visit=visit,
     )
+    seen.cpu_s = time.process_time()
     notes.send(seen)
 
 
@@ -179,6 +181,7 @@ def show_stream(kind: Kind, blocks: int) -> None:
     print(
         f"{kind.name}: {took_s:.2f} s, not below {bound_s:.2f} s, ratio {took_s / bound_s:.4f}, planner empty "
         f"{seen.starved} times, bytes lost {seen.lost}, sender {cpu_s:.2f} s, {100 * cpu_s / took_s:.1f} % of a core; "
+        f"the machine {seen.cpu_s:.2f} s of processor, "
         f"{real_s:.2f} s by this computer's clock, load {os.getloadavg()[0]:.1f}",
         flush=True,
     )

@@ -130,7 +130,7 @@ class Motion:
             limit = f"{self.limits.look_ahead_blocks} blocks"
             raise MachineRefusal("planner-full", "the planner has no free block", limit=limit, advice="wait for room")
         target = np.array(target_mm, float)
-        if not (np.isfinite(target).all() and math.isfinite(feed_mm_min)):
+        if not (all(map(math.isfinite, target_mm)) and math.isfinite(feed_mm_min)):
             raise MachineRefusal(
                 "not-finite", "a move to no known place", value=f"{list(target_mm)}", advice="give every axis a number"
             )
