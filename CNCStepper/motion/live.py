@@ -39,9 +39,7 @@ class Motion:
         idle_ticks = round(limits.idle_delay_s * TICKS_PER_S)
         self._runner = bare(run.new_runner(planner, idle_ticks, RECORD_ROWS if record else 0))
         self._clockwork = self._runner.clockwork[0]
-        self._ramp = self._runner.planner.ramp[0]
-        self._head, self._tail = (memoryview(planner.queue[name]) for name in ("head", "tail"))  # read most of all
-        self._places = len(planner.blocks)
+        self._queue, self._ramp = self._runner.planner.queue[0], self._runner.planner.ramp[0]
         self._overrides = (1.0, 1.0)
         self._overdue_ticks = 0.0  # the fraction of a tick that `advance` was asked for and did not run
         self._recorded: list[np.recarray] = []
@@ -59,7 +57,7 @@ class Motion:
     @property
     def blocks(self) -> int:
         """Blocks that are queued, the one being cut into segments included."""
-        return int(self._head[0] - self._tail[0]) % self._places
+        return int(self._queue["head"] - self._queue["tail"]) % len(self._runner.planner.blocks)
 
     @property
     def position_steps(self) -> tuple[int, ...]:
