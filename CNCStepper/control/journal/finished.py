@@ -3,10 +3,11 @@
 
 `ok` means planned, not done: as many moves as the planner and the segments after it hold may still be to come.
 Lines count as moves only where their own words prove that an axis goes some way; all else (a G0Z5 at 5, a line
-without axes) may have taken no place in the planner.
+without axes) may have taken no place in the planner. The last `ok` of all says nothing: a controller that is reset,
+by its button too, leaves the line that it was at with an `ok`, even a pause that waited for the moves before it.
 
-    acknowledged   G0Z5 | G1X1 | G1X2 | G1X2 | G1X3 |      a planner of 2: X3 and X2 may be to come,
-                            ^ the first that may be        all before the first X2 is cut
+    acknowledged   G0Z5 | G1X1 | G1X2 | G1X2 | G1X3 | S900 |      a planner of 2: X3 and X2 may be to come,
+                            ^ the first that may be               all before the first X2 is cut
 """
 
 from __future__ import annotations
@@ -30,11 +31,12 @@ def finished_lines(lines: Sequence[str], acknowledged: int, blocks: int, step_mm
     """Return how many of the acknowledged lines are certainly cut; 0 when that cannot be said.
 
     blocks: how many moves the controller holds at most. step_mm: the longest step of an axis. Going back from the
-    last line, each stretch of lines over which an axis goes some way holds a move at least.
+    last line but one, each stretch of lines over which an axis goes some way holds a move at least.
     """
     moves = 0
     later: dict[str, float] = {}  # by axis: the place at the end of the stretch
-    for index in range(acknowledged - 1, max(acknowledged - 1 - LOOK_BACK, -1), -1):
+    last = acknowledged - 2
+    for index in range(last, max(last - LOOK_BACK, -1), -1):
         text = lines[index]
         words = _words(text)
         if ("M", _PAUSE) in words or ("G", _DWELL) in words:

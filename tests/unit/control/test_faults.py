@@ -157,6 +157,14 @@ def test_killed_sender_is_restarted_from_its_journal(tmp_path):
     assert verdict.kind == f"{STOPPED_UNKNOWN}, restarted", verdict.why
 
 
+def test_dwell_that_a_reset_ends_is_no_proof_that_all_before_it_is_cut(tmp_path):
+    lines = (*HEAD, "G0Z2", "G0X1Y1", "G1Z-1F500", "G1X5F100", "G4P0.2", *TAIL)
+    bench = FaultBench(lines, FaultPlan(fault=(Fault(kind="reset", at_s=3.0, when="motion"),)), folder=tmp_path)
+    run, verdict = judged(bench)
+    assert b"ALARM:3\r\nok\r\n" in run.said
+    assert verdict.kind == f"{STOPPED_UNKNOWN}, restarted", verdict.why
+
+
 def test_journal_that_takes_acknowledged_lines_for_cut_fails_the_judge(tmp_path, monkeypatch):
     monkeypatch.setattr(Journal, "_certain", lambda self, acknowledged, is_idle: acknowledged)
     _, verdict = judged(damaging(tmp_path))

@@ -67,15 +67,20 @@ def test_no_line_whose_move_may_be_queued_is_called_finished(seed):
 
 def test_plain_lines_lag_by_what_the_planner_holds():
     lines = [f"G1X{number}F600" for number in range(100)]
-    assert finished_lines(lines, 80, 27, 0.0125) == 53
+    assert finished_lines(lines, 80, 27, 0.0125) == 52
     assert finished_lines(lines, 20, 27, 0.0125) == 0
 
 
 def test_lines_without_a_way_do_not_count():
-    lines = ["G0Z5", "G0Z5", "S1000", *(f"X{number}" for number in (1, 2, 2, 2, 3))]
-    assert finished_lines(lines, 8, 2, 0.0125) == 4
+    lines = ["G0Z5", "G0Z5", "S1000", *(f"X{number}" for number in (1, 2, 2, 2, 3)), "S900"]
+    assert finished_lines(lines, 9, 2, 0.0125) == 4
 
 
 def test_a_pause_that_was_answered_ends_all_before_it():
     lines = ["G1X1F600", "G1X2", "M0", "G1X3"]
     assert finished_lines(lines, 4, 27, 0.0125) == 3
+
+
+@pytest.mark.parametrize("pause", ["M0", "G4P0.5"])
+def test_a_pause_that_a_reset_may_have_answered_ends_nothing(pause):
+    assert finished_lines(["G1X1F600", "G1X2", pause, "G1X3"], 3, 27, 0.0125) == 0
