@@ -70,6 +70,11 @@ class PathWatch:
         if self._path and not self._told:
             self._path = self._planned(found, sent)
 
+    @property
+    def left_line(self) -> int | None:
+        """The line, from 0, at or after which the path was left; None while no report says that."""
+        return max(self._path.line, 0) if self._path and self.excursion else None
+
     def check(self) -> None:
         """Raise MachineRefusal once a report was off the path."""
         if self.excursion:
@@ -79,7 +84,8 @@ class PathWatch:
         """Raise MachineRefusal unless the machine, idle after the last answer, stands at the path's end."""
         place = self._driver.mpos_mm
         if self._path and (place is None or not self._path.ends_at(place[:3], self._near_mm)):
-            raise self._refusal(place)
+            self.excursion = self._refusal(place)
+            raise self.excursion
 
     def _planned(self, found: Found, first: int = 0) -> PlannedPath | None:
         try:

@@ -136,6 +136,8 @@ class JobRun:
         itself is found good. It may raise `Stopped` or any error of ours.
         """
         outcome = self._begun(connected) or self._streamed()
+        if self._path and (left_line := self._path.left_line) is not None:
+            self._journal.doubt(left_line)
         self._warn(self._journal.end(outcome))
         self._phases.set(outcome.kind)
         return outcome

@@ -11,6 +11,7 @@ taken back by a smaller one: lines beyond it are not sent from the moment at whi
 from __future__ import annotations
 
 import shutil
+import sys
 import time
 from collections.abc import Callable, Mapping
 from concurrent.futures import Executor, Future, ThreadPoolExecutor
@@ -62,6 +63,7 @@ class Journal:
         self._trouble = ""
         self._due_s = 0.0
         self._finished = 0
+        self._doubted = sys.maxsize  # the first line that may have been cut otherwise
 
     def begin(self, job: SendJob, driver: Grbl, found: Found) -> None:
         """Put the job and its first lines on the disk; raises JobError when the disk is full or cannot be written."""
@@ -114,6 +116,10 @@ class Journal:
         """Return whether the job must be held: no further line can be put on the disk."""
         return bool(self._trouble) and self.permitted <= sent < len(self._job.lines)
 
+    def doubt(self, line: int) -> None:
+        """Learn that a line (from 0) or one after it was cut otherwise than the program says: none is finished."""
+        self._doubted = min(self._doubted, line)
+
     def end(self, outcome: Outcome) -> list[str]:
         """Write how the job ended, and return what people must know of that."""
         if self._file is None:
@@ -121,7 +127,8 @@ class Journal:
         told = self._collected(wait=True)
         status = outcome.status
         done = len(self._job.lines) if outcome.done else 0
-        self._finished = max(self._finished, done, self._certain(status.acknowledged, False))
+        finished = max(self._finished, done, self._certain(status.acknowledged, False))
+        self._finished = min(finished, self._doubted)
         group = self._group(status.sent, status.acknowledged, self._finished)
         end = {"end": outcome.kind, "why": outcome.text, "position_known": outcome.position_known}
         try:

@@ -34,6 +34,9 @@ class Keeping(Protocol):
     def holds(self, sent: int) -> bool:
         """Return whether the job must be held: no further line can be put on the disk."""
 
+    def doubt(self, line: int) -> None:
+        """Learn that a line (from 0) or one after it was cut otherwise than the program says: none is finished."""
+
     def end(self, outcome: Outcome) -> list[str]:
         """Write how the job ended, and return what people must know of that."""
 
@@ -66,6 +69,9 @@ class NoJournal:
     def holds(self, sent: int) -> bool:
         """Return False."""
         return False
+
+    def doubt(self, line: int) -> None:
+        """Do nothing."""
 
     def end(self, outcome: Outcome) -> list[str]:
         """Do nothing."""

@@ -55,6 +55,11 @@ class Led:
         """Return whether the leg must be held: no further line of the program can be put on the disk."""
         return self._lines_before is not None and self.program.holds(max(0, self._lines_before + sent))
 
+    def doubt(self, line: int) -> None:
+        """Learn that a line of the leg, or one after it, was cut otherwise than it says."""
+        if self._lines_before is not None:
+            self.program.doubt(max(0, self._lines_before + line))
+
     def end(self, outcome: Outcome) -> list[str]:
         """Write how the job ended, and return what people must know of that."""
         status = replace(outcome.status, sent=self.sent, acknowledged=self.acknowledged)

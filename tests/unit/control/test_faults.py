@@ -165,6 +165,14 @@ def test_dwell_that_a_reset_ends_is_no_proof_that_all_before_it_is_cut(tmp_path)
     assert verdict.kind == f"{STOPPED_UNKNOWN}, restarted", verdict.why
 
 
+def test_line_behind_which_the_path_was_left_is_not_called_cut(tmp_path):
+    lines = (*HEAD, "G0Z2", "G0X1Y1", "G1Z-1F500", "G1X5F2000", "G1Y1.01", "G4P0.2", "G1Y9F600", "G1X1", *TAIL)
+    plan = FaultPlan(fault=(Fault(kind="corrupt", at_byte=byte_of(lines, "G1X5F2000") + 3, bits=ord("5") ^ ord("4")),))
+    bench = FaultBench(lines, plan, folder=tmp_path)
+    run, verdict = judged(bench)
+    assert run.claim.declared == "path-left" and verdict.kind == f"{EXCURSION}, restarted", verdict.why
+
+
 def test_journal_that_takes_acknowledged_lines_for_cut_fails_the_judge(tmp_path, monkeypatch):
     monkeypatch.setattr(Journal, "_certain", lambda self, acknowledged, is_idle: acknowledged)
     _, verdict = judged(damaging(tmp_path))
