@@ -201,7 +201,9 @@ class JobRun:
             if self._path:
                 self._path.read_on(self._feeder.sent)
         every_s = self._timing.poll_s if self._phases.name == "running" else self._timing.quick_poll_s
-        for report in driver.receive(min(self._watch.poll(driver, every_s), self._stand.turn())):
+        received = driver.receive(min(self._watch.poll(driver, every_s), self._stand.turn()))
+        self._trouble += (report for report in received if isinstance(report, (Alarm, Greeting)))
+        for report in received:
             self._take(driver, report)
         self._obey(driver)
         self._wishes.turn(self._phases.name in STANDS)
@@ -234,10 +236,9 @@ class JobRun:
                 self._stand.answered(report)
             elif report.error:
                 raise self._feeder.refusal(report, driver.firmware)
-        elif isinstance(report, (Alarm, Greeting)):
-            self._trouble.append(report)
-            if isinstance(report, Alarm):
-                raise connect.alarm_refusal(report, driver.firmware)
+        elif isinstance(report, Alarm):
+            raise connect.alarm_refusal(report, driver.firmware)
+        elif isinstance(report, Greeting):
             raise connect.restart_refusal(report)
         elif isinstance(report, Status):
             if not self._stand.is_off_path:

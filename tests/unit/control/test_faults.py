@@ -173,6 +173,13 @@ def test_line_behind_which_the_path_was_left_is_not_called_cut(tmp_path):
     assert run.claim.declared == "path-left" and verdict.kind == f"{EXCURSION}, restarted", verdict.why
 
 
+def test_restart_that_is_told_together_with_an_alarm_is_not_overheard():
+    faults = (Fault(kind="alarm", at_s=1.93, when="motion", code=2), Fault(kind="power", at_s=1.93, when="rest"))
+    run = FaultBench(program_of(4484), FaultPlan(fault=faults)).run()
+    assert any(b"ALARM:2" in data and b"Grbl" in data for _, data in run.heard)
+    assert judge(run).kind == STOPPED_UNKNOWN
+
+
 def test_journal_that_takes_acknowledged_lines_for_cut_fails_the_judge(tmp_path, monkeypatch):
     monkeypatch.setattr(Journal, "_certain", lambda self, acknowledged, is_idle: acknowledged)
     _, verdict = judged(damaging(tmp_path))
