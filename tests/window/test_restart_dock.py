@@ -5,46 +5,20 @@ from __future__ import annotations
 
 import os
 import signal
-from collections.abc import Iterator
 from typing import Any
 
 import FreeCAD
 import FreeCADGui
 import pytest
 from hand import Hand
-from PySide import QtGui
+from test_dock import LONGEST_MS, D, dock, own_sessions  # noqa: F401
 
 from CNCStepper.control.session_file import read_private, running_desks
 from CNCStepper.workbench import api
-from CNCStepper.workbench.dock.ports import VIRTUAL
 
-D, R = "CNCStepper_Dock_", "CNCStepper_Restart_"
-LONGEST_MS = 50.0
+R = "CNCStepper_Restart_"
 START_S = 240  # a process whose kernels are not compiled yet
 CUT_LINE = 150  # in the second pocket
-
-
-@pytest.fixture(autouse=True)
-def own_sessions(tmp_path_factory: pytest.TempPathFactory, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Machines and journals of this computer are none of ours."""
-    monkeypatch.setenv("XDG_STATE_HOME", str(tmp_path_factory.mktemp("state")))
-
-
-@pytest.fixture
-def dock(hand: Hand) -> Iterator[Any]:
-    """The dock's panel, opened by its command; disconnected and closed afterwards."""
-    hand.command("CNCStepper_Controller")
-    hand.wait(lambda: FreeCADGui.getMainWindow().findChild(QtGui.QDockWidget, "CNCStepper_Dock"))
-    shown = hand.main(FreeCADGui.getMainWindow().findChild, QtGui.QDockWidget, "CNCStepper_Dock")
-    panel = hand.main(shown.widget)
-    hand.main(panel.connection.look, VIRTUAL)
-    yield panel
-    hand.main(panel.link.command, "stop")
-    hand.wait(lambda: not panel.link.moment.job_runs, 20)
-    hand.main(panel.sending.away)
-    hand.main(panel.link.leave)
-    hand.main(panel.refresh)
-    hand.main(shown.close)
 
 
 @pytest.fixture
@@ -77,7 +51,7 @@ def proven(hand: Hand) -> str:
     return hand.text(f"{R}words")
 
 
-def typed(hand: Hand, dock: Any, line: str, answer: str) -> None:
+def typed(hand: Hand, dock: Any, line: str, answer: str) -> None:  # noqa: F811
     """Type a line in the console, and bring it back with the arrow key."""
     hand.click(f"{D}ConsoleLine")
     hand.type(line)
@@ -92,7 +66,7 @@ def at_zero(hand: Hand) -> None:
     hand.wait(lambda: hand.exists(f"{D}Start") and "Work zero" in hand.text(f"{D}FlowTitle"), START_S, "the work zero")
 
 
-def test_a_contour_is_chosen_from_the_list_and_the_rest_is_cut(hand: Hand, dock: Any, job: Any) -> None:
+def test_a_contour_is_chosen_from_the_list_and_the_rest_is_cut(hand: Hand, dock: Any, job: Any) -> None:  # noqa: F811
     opened(hand)
     assert not hand.main(hand.find(f"{R}send").isEnabled)
     hand.shot("restart-list")
@@ -114,7 +88,7 @@ def test_a_contour_is_chosen_from_the_list_and_the_rest_is_cut(hand: Hand, dock:
     hand.wait(lambda: "Done" in hand.text(f"{D}FlowTitle"), 120, "the end of the cut")
 
 
-def test_a_place_is_clicked_in_the_picture_or_typed_as_a_line(hand: Hand, dock: Any, job: Any) -> None:
+def test_a_place_is_clicked_in_the_picture_or_typed_as_a_line(hand: Hand, dock: Any, job: Any) -> None:  # noqa: F811
     opened(hand)
     cut_mm = hand.main(lambda: tuple(job.WorkOrigin + FreeCAD.Vector(-25 + 9, 0, -2)))  # where the cutter's middle goes
     hand.click_view(hand.view_point(*cut_mm))
@@ -138,7 +112,7 @@ def test_a_simulation_gives_its_moment(hand: Hand, job: Any) -> None:
     assert hand.text(f"{R}choice") == f"From line {CUT_LINE}" and hand.text(f"{R}line") == str(CUT_LINE)
 
 
-def test_a_job_whose_sender_was_killed_is_offered_and_restarted(hand: Hand, dock: Any, job: Any) -> None:
+def test_a_job_whose_sender_was_killed_is_offered_and_restarted(hand: Hand, dock: Any, job: Any) -> None:  # noqa: F811
     hand.main(FreeCADGui.Selection.addSelection, job)
     hand.command("CNCStepper_Send")
     hand.wait(lambda: hand.exists(f"{D}Start") and "Connect" in hand.text(f"{D}FlowTitle"), START_S, "the proof")

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
-from PySide import QtCore, QtGui
+from PySide import QtCore
 
 from CNCStepper.control.outcome import error_from_json
 from CNCStepper.gcode.restart.places import Where
@@ -21,6 +21,7 @@ from CNCStepper.workbench.editor.source import ObjectSource
 from CNCStepper.workbench.editor.stage import EditorStage
 from CNCStepper.workbench.features.program import job_behind
 from CNCStepper.workbench.making import machine_of
+from CNCStepper.workbench.panels.view_task import ViewTask
 from CNCStepper.workbench.proof import ProofResult, ProofRun
 from CNCStepper.workbench.restart.panel import RestartPanel
 from CNCStepper.workbench.restart.places import Row, line_of, rows_of
@@ -35,8 +36,8 @@ if TYPE_CHECKING:
 SETTLED_MS = 400  # so long a choice stands still before it is proven
 
 
-class RestartTask:
-    """What FreeCAD's task panel is given; `form` is its widget."""
+class RestartTask(ViewTask):
+    """What FreeCAD's task panel is given; `form` is its widget. An edit of the program is shown, or told, at once."""
 
     def __init__(self, program: Any, line: int = 0, said: Sequence[str] = ()):
         """line: the one that is proposed, 0 for none. said: what is known of the job that did not end."""
@@ -54,33 +55,6 @@ class RestartTask:
         self._settled.setInterval(SETTLED_MS)
         self._settled.timeout.connect(tell.guarded(self._prove))
         self._connect()
-
-    # ---- what FreeCAD asks ----
-
-    def getStandardButtons(self) -> int:
-        """Show Close alone."""
-        button = QtGui.QDialogButtonBox.StandardButton.Close
-        return int(getattr(button, "value", button))
-
-    def isAllowedAlterDocument(self) -> bool:
-        """Let the document be edited meanwhile: another program is read anew."""
-        return True
-
-    def isAllowedAlterView(self) -> bool:
-        """Let the view be turned."""
-        return True
-
-    def isAllowedAlterSelection(self) -> bool:
-        """Let things be selected."""
-        return True
-
-    def reject(self) -> bool:
-        """Close, by the button or by Esc."""
-        import FreeCADGui
-
-        self.end()
-        FreeCADGui.Control.closeDialog()
-        return True
 
     # ---- the life of the task ----
 

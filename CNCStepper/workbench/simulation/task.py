@@ -10,9 +10,10 @@ from collections.abc import Iterator
 from itertools import chain
 from typing import TYPE_CHECKING, Any
 
-from PySide import QtCore, QtGui
+from PySide import QtCore
 
 from CNCStepper.workbench import dock, tell
+from CNCStepper.workbench.panels.view_task import ViewTask
 from CNCStepper.workbench.proof import ProofResult, ProofRun
 from CNCStepper.workbench.sentences import translated
 from CNCStepper.workbench.simulation.kept_mesh import keep_mesh
@@ -30,8 +31,8 @@ if TYPE_CHECKING:
     from CNCStepper.workbench.simulation.scene import Scene
 
 
-class SimulationTask:
-    """What FreeCAD's task panel is given; `form` is its widget."""
+class SimulationTask(ViewTask):
+    """What FreeCAD's task panel is given; `form` is its widget. An edit of the program is shown, or told, at once."""
 
     def __init__(self, job: Any):
         self.form = SimulationPanel(job.Label)
@@ -53,33 +54,6 @@ class SimulationTask:
         self._loader = QtCore.QTimer()
         self._loader.setInterval(0)
         self._loader.timeout.connect(tell.guarded(self._load_on))
-
-    # ---- what FreeCAD asks ----
-
-    def getStandardButtons(self) -> int:
-        """Show Close alone."""
-        button = QtGui.QDialogButtonBox.StandardButton.Close
-        return int(getattr(button, "value", button))
-
-    def isAllowedAlterDocument(self) -> bool:
-        """Let the job be edited meanwhile: the panel then says that it shows what was."""
-        return True
-
-    def isAllowedAlterView(self) -> bool:
-        """Let the view be turned."""
-        return True
-
-    def isAllowedAlterSelection(self) -> bool:
-        """Let things be selected."""
-        return True
-
-    def reject(self) -> bool:
-        """Close, by the button or by Esc."""
-        import FreeCADGui
-
-        self.end()
-        FreeCADGui.Control.closeDialog()
-        return True
 
     # ---- the life of a simulation ----
 

@@ -11,6 +11,7 @@ from concurrent.futures import Executor, Future
 
 import pytest
 from fake_controller import FakeClock, FakeController, FakeLink
+from fault_disk import AtOnce
 
 from CNCStepper.control.connect import Found
 from CNCStepper.control.feeder import Feeder
@@ -30,18 +31,6 @@ from CNCStepper.errors import JobError
 LINES = tuple(f"G1X{number}Y{number % 7}F600" for number in range(400))
 
 
-class Now(Executor):
-    """Does at once what it is given."""
-
-    def submit(self, function, /, *arguments, **words):
-        done: Future = Future()
-        try:
-            done.set_result(function(*arguments, **words))
-        except OSError as error:
-            done.set_exception(error)
-        return done
-
-
 class Bench:
     """A sender with a journal and a controller, all in memory but the journal's file."""
 
@@ -49,7 +38,7 @@ class Bench:
         self.clock = FakeClock()
         self.controller = FakeController(self.clock)
         self.told: list[str] = []
-        self.journal = Journal(folder, executor=Now(), clock=self.clock)
+        self.journal = Journal(folder, executor=AtOnce(), clock=self.clock)
         self.on_text: dict[str, object] = {}
         self.sender = Sender(
             SendJob("fake", lines, **{"zero_confirmed": True, "file": "part.nc"} | job),
@@ -242,7 +231,7 @@ class Program(Sequence):
 def begun(folder, clock, lines):
     driver = Grbl(FakeLink(FakeController(clock), clock), clock)
     driver.status = Status("Run", mpos=(1.0, 2.0, 3.0))
-    journal = Journal(folder, executor=Now(), clock=clock)
+    journal = Journal(folder, executor=AtOnce(), clock=clock)
     journal.begin(SendJob("fake", lines), driver, Found("1.1h"))
     return journal
 

@@ -1,0 +1,39 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What FreeCAD asks a task panel that shows something and leaves document, view and selection to the person."""
+
+from __future__ import annotations
+
+from PySide import QtGui
+
+
+class ViewTask:
+    """A task with Close alone; `end` takes away all that it shows."""
+
+    def end(self) -> None:
+        """Take away all that is shown."""
+        raise NotImplementedError
+
+    def getStandardButtons(self) -> int:
+        """Show Close alone."""
+        button = QtGui.QDialogButtonBox.StandardButton.Close
+        return int(getattr(button, "value", button))
+
+    def isAllowedAlterDocument(self) -> bool:
+        """Let the document be edited meanwhile."""
+        return True
+
+    def isAllowedAlterView(self) -> bool:
+        """Let the view be turned."""
+        return True
+
+    def isAllowedAlterSelection(self) -> bool:
+        """Let things be selected."""
+        return True
+
+    def reject(self) -> bool:
+        """Close, by the button or by Esc."""
+        import FreeCADGui
+
+        self.end()
+        FreeCADGui.Control.closeDialog()
+        return True
