@@ -24,7 +24,7 @@ import kinds
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
 MARK = "CNCSTEPPER_WINDOW_RUN"
-LIMIT_S = float(os.environ.get("CNCSTEPPER_WINDOW_LIMIT_S", "900"))
+LIMIT_S = float(os.environ.get("CNCSTEPPER_WINDOW_LIMIT_S", "1500"))  # a run that hangs; a slow one takes 900
 LEAVE_S = float(
     os.environ.get("CNCSTEPPER_WINDOW_LEAVE_S", "15")
 )  # so long may our own processes take to end after FreeCAD did
