@@ -97,10 +97,9 @@ def command(
     first: with --machine, with --job (whose machine counts where none is given), or not at all if told so by
     --unchecked. The controller's settings, and its work zero where the proof knows it, are compared.
 
-    Many boards restart when their port is opened, and count from where they stand then: the position is unknown. Where
-    the machine has limit switches, --home lets it find its own zero again. Without, such a board is sent nothing unless
-    its zero is that very place: move the tool to the work zero, `cncstepper zero`, then send without moving it in
-    between.
+    Many boards restart when their port is opened, and count from where they stand: the position is unknown. Where there
+    are limit switches, --home lets the machine find its zero again. Without, such a board is sent nothing unless its
+    zero is that very place: move the tool to the work zero, `cncstepper zero`, then send and move nothing in between.
 
     Ctrl-C holds the machine and asks what to do. A stop here is not an emergency stop.
 
@@ -109,24 +108,23 @@ def command(
     --step. Who jogged is taken back first: up, over, and slowly down to where the program stood.
     """
     from CNCStepper.cli.watch import watch
-    from CNCStepper.control.certificate import digest_of_text
     from CNCStepper.job.model import load_job
 
     if not certificate or job_path:
         check_stock(stock, tool, job_path)
-    if by_line and resume_pauses:
-        raise click.UsageError("--step waits at each line, --resume-pauses at none: give one of them")
+    _check_pauses(by_line, resume_pauses)
     _check_proof(bool(certificate), bool(machine or job_path), unchecked, despite_certificate)
     wanted = _Wanted(read_program(program), str(program), machine, stock_of(stock, origin), tool, given.start())
     if job_path:
         wanted = wanted.of_job(*load_job(job_path), is_certified=certificate is not None)
-    if certificate:
-        job = _certified(certificate, wanted, dialect, despite_certificate)
-    else:
-        job = _checked(wanted, dialect_name(dialect, wanted.machine), unchecked)
-    sha256 = digest_of_text(wanted.text)
-    job = replace(job, port=port, baud=baud, allow_differences=allow_differences, program_sha256=sha256)
+    job = _proven(wanted, certificate, dialect, unchecked, despite_certificate)
+    job = replace(job, port=port, baud=baud, allow_differences=allow_differences)
     conclude(watch(confirmed(replace(job, by_line=by_line, home_first=home_first), zero_confirmed), resume_pauses))
+
+
+def _check_pauses(by_line: bool, resume_pauses: bool) -> None:
+    if by_line and resume_pauses:
+        raise click.UsageError("--step waits at each line, --resume-pauses at none: give one of them")
 
 
 def _check_proof(is_certified: bool, can_be_checked: bool, unchecked: bool, despite_certificate: bool) -> None:
@@ -159,6 +157,17 @@ class _Wanted:
         return replace(
             self, machine=machine, stock=job.stock.stock(), tools=job.on(machine).tools, start=start, job=job
         )
+
+
+def _proven(wanted: _Wanted, certificate: Path | None, dialect: str | None, unchecked: bool, despite: bool) -> SendJob:
+    """Return the job of a program, by its certificate or by a check made now."""
+    from CNCStepper.control.certificate import digest_of_text
+
+    if certificate:
+        job = _certified(certificate, wanted, dialect, despite)
+    else:
+        job = _checked(wanted, dialect_name(dialect, wanted.machine), unchecked)
+    return replace(job, program_sha256=digest_of_text(wanted.text))
 
 
 def _certified(path: Path, wanted: _Wanted, dialect: str | None, despite: bool) -> SendJob:
