@@ -13,7 +13,7 @@ from CNCStepper.control.outcome import error_from_json
 from CNCStepper.control.python_finder import PROOF, command, seek_python
 from CNCStepper.errors import CNCStepperError
 from CNCStepper.workbench import tell
-from CNCStepper.workbench.worker import kill, start_worker
+from CNCStepper.workbench.worker import Worker, start_worker
 
 LOOK_EVERY_MS = 20
 
@@ -32,7 +32,7 @@ class Questioner(QtCore.QObject):
         super().__init__(parent)
         self._worker, self._needs = worker, needs
         self._waiting: list[dict[str, Any]] = []  # asked before the process is there
-        self._process: Any = None
+        self._process: Worker | None = None
         self._python: Future[str] | None = None
         self._timer = QtCore.QTimer(self)
         self._timer.setInterval(LOOK_EVERY_MS)
@@ -55,7 +55,7 @@ class Questioner(QtCore.QObject):
         self._python = None
         process, self._process = self._process, None
         if process is not None:
-            kill(process)
+            process.stop()
 
     def _look(self) -> None:
         """Start the process as soon as its Python is found."""
@@ -65,28 +65,29 @@ class Questioner(QtCore.QObject):
         python, self._python = self._python, None
         try:
             words = command(python.result(), self._worker)
+            heard, lost = tell.guarded(self._hear), tell.guarded(self._lost)
+            self._process = start_worker(self, words, heard, lost)
         except CNCStepperError as error:
             self._fail(error)
             return
-        lost = tell.guarded(self._lost)
-        self._process = start_worker(self, words, tell.guarded(self._hear), lost, lost)
         self._send()
 
     def _send(self) -> None:
+        assert self._process is not None
         for question in self._waiting:
             self._process.write(json.dumps(question).encode("ascii") + b"\n")
         self._waiting.clear()
 
     def _hear(self) -> None:
         """Hand on the answers whose lines are whole."""
-        while self._process is not None and self._process.canReadLine():
-            answer = json.loads(bytes(self._process.readLine()))
+        while self._process is not None and (line := self._process.line()):
+            answer = json.loads(line)
             if "error" in answer:
                 self._fail(error_from_json(answer["error"]))
             else:
                 self.answered.emit(answer)
 
-    def _lost(self, *_: Any) -> None:
+    def _lost(self) -> None:
         """Tell that the process ended by itself."""
         if self._process is not None:
             what = f"the process of {self._worker} has ended"

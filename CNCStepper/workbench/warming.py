@@ -19,7 +19,7 @@ from CNCStepper.errors import CNCStepperError
 from CNCStepper.workbench import packages, patience
 from CNCStepper.workbench.features.base import proxy_type
 from CNCStepper.workbench.remake import remake
-from CNCStepper.workbench.worker import kill, start_worker
+from CNCStepper.workbench.worker import Worker, start_worker
 
 WORKER = "CNCStepper.job.warm"
 NEEDS = (*PROOF, "numba", "platformdirs")
@@ -36,7 +36,7 @@ class Warming(QtCore.QObject):
     def __init__(self, parent: Any = None):
         super().__init__(parent)
         patience.compiling_elsewhere = True
-        self._process: Any = None
+        self._process: Worker | None = None
         self._python: Future[str] = seek_python(NEEDS, python_version())
         self._timer = QtCore.QTimer(self)
         self._timer.setInterval(LOOK_EVERY_MS)
@@ -50,7 +50,7 @@ class Warming(QtCore.QObject):
         patience.compiling_elsewhere = False
         process, self._process = self._process, None
         if process is not None:
-            kill(process)
+            process.stop()
 
     def _look(self) -> None:
         if not self._python.done():
@@ -58,21 +58,13 @@ class Warming(QtCore.QObject):
         self._timer.stop()
         try:
             words = command(self._python.result(), WORKER)
+            self._process = start_worker(self, words, lambda: None, self._ended)
         except CNCStepperError as error:
             self._end(str(error))
-            return
-        self._process = start_worker(self, words, lambda: None, self._ended, self._troubled)
-        if self._process.state() == QtCore.QProcess.ProcessState.NotRunning:  # Windows says so at once
-            self._end(self._process.errorString())
 
-    def _troubled(self, problem: Any) -> None:
-        """Tell that the process did not start; every other end of it is told by `_ended`."""
-        if problem == QtCore.QProcess.ProcessError.FailedToStart and self._process is not None:
-            self._end(self._process.errorString())
-
-    def _ended(self, *_: Any) -> None:
+    def _ended(self) -> None:
         if self._process is not None:
-            self._end(bytes(self._process.readAllStandardError()).decode("utf-8", "replace"))
+            self._end(self._process.complaints())
 
     def _end(self, said: str) -> None:
         """Let kernels be loaded, or compiled where that failed, and make what had to wait."""

@@ -143,9 +143,9 @@ def test_cancel_ends_the_process_and_leaves_nothing(job: Any, folder: Path) -> N
         QtCore.QCoreApplication.processEvents()
         time.sleep(0.005)
     process = run._process
-    assert process.waitForStarted(5000) and list(folder.iterdir())
+    assert process.running and list(folder.iterdir())
     run.cancel()
-    assert process.state() == QtCore.QProcess.ProcessState.NotRunning
+    assert not process.running
     assert not run.running and not list(folder.iterdir()) and not heard.results and not heard.errors
 
 

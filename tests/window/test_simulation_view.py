@@ -140,7 +140,7 @@ def opened_up_to_the_part(hand: Hand, job: Any) -> tuple[SimulationTask, int]:
 
     def halt(*_: Any) -> None:
         print(f"the part came {time.monotonic() - begun_s:.2f} s after the click")
-        processes.append(int(task._run._process.processId()))
+        processes.append(int(task._run._process.pid))
         os.kill(processes[0], signal.SIGSTOP)
 
     def open_and_listen() -> SimulationTask:
@@ -168,7 +168,7 @@ def finished_faces(task: SimulationTask) -> int:
 
 
 def process_of(task: SimulationTask) -> int:
-    return int(task._material.moments._process.processId())
+    return int(task._material.moments._process.pid)
 
 
 def runs(pid: int) -> bool:

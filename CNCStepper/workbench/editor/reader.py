@@ -21,7 +21,7 @@ from CNCStepper.control.outcome import error_from_json
 from CNCStepper.control.python_finder import PROOF, command, seek_python
 from CNCStepper.errors import CNCStepperError
 from CNCStepper.workbench import tell
-from CNCStepper.workbench.worker import kill, start_worker
+from CNCStepper.workbench.worker import Worker, start_worker
 
 if TYPE_CHECKING:
     from CNCStepper.machine.profile import Machine
@@ -68,7 +68,7 @@ class ProgramReader(QtCore.QObject):
         self._folder = tempfile.TemporaryDirectory(prefix="cncstepper-", ignore_cleanup_errors=True)
         self.folder = Path(self._folder.name)
         self.mark = 0
-        self._process: Any = None
+        self._process: Worker | None = None
         self._python: Future[str] | None = None
         self._timer = QtCore.QTimer(self)
         self._timer.setInterval(LOOK_EVERY_MS)
@@ -110,7 +110,7 @@ class ProgramReader(QtCore.QObject):
         self._python = None
         process, self._process = self._process, None
         if process is not None:
-            kill(process)
+            process.stop()
 
     def forget(self) -> None:
         """End the process and take its folder away."""
@@ -125,11 +125,11 @@ class ProgramReader(QtCore.QObject):
         python, self._python = self._python, None
         try:
             words = command(python.result(), WORKER, str(self.folder))
+            heard, lost = tell.guarded(self._hear), tell.guarded(self._lost)
+            self._process = start_worker(self, words, heard, lost)
         except CNCStepperError as error:
             self._fail(error)
             return
-        lost = tell.guarded(self._lost)
-        self._process = start_worker(self, words, tell.guarded(self._hear), lost, lost)
         self._send_whole()
 
     def _send_whole(self) -> None:
@@ -141,12 +141,13 @@ class ProgramReader(QtCore.QObject):
         self._send({"text": TEXT, "mark": self.mark})
 
     def _send(self, question: dict[str, Any]) -> None:
+        assert self._process is not None
         self._process.write(json.dumps(question).encode("ascii") + b"\n")
 
     def _hear(self) -> None:
         """Take the answers whose lines are whole."""
-        while self._process is not None and self._process.canReadLine():
-            answer = json.loads(bytes(self._process.readLine()))
+        while self._process is not None and (line := self._process.line()):
+            answer = json.loads(line)
             if "error" in answer:
                 self._fail(error_from_json(answer["error"]))
             elif all(answer.get(kind, self.mark) == self.mark for kind in OF_A_TEXT):
@@ -165,7 +166,7 @@ class ProgramReader(QtCore.QObject):
         }
         next(signal for kind, signal in kinds.items() if kind in answer).emit(answer)
 
-    def _lost(self, *_: Any) -> None:
+    def _lost(self) -> None:
         """Tell that the process ended by itself."""
         if self._process is not None:
             self._fail(

@@ -17,7 +17,7 @@ from CNCStepper.control.outcome import error_from_json
 from CNCStepper.control.python_finder import PROOF, command, seek_python
 from CNCStepper.errors import CNCStepperError
 from CNCStepper.workbench import tell
-from CNCStepper.workbench.worker import kill, start_worker
+from CNCStepper.workbench.worker import Worker, start_worker
 
 if TYPE_CHECKING:
     import numpy as np
@@ -48,7 +48,7 @@ class Moments(QtCore.QObject):
         self._result = result  # keeps its folder
         self._wanted: list[dict[str, Any]] = []
         self._asked = self._answered = self._given_up = False
-        self._process: Any = None
+        self._process: Worker | None = None
         self._python: Future[str] | None = None
         self._timer = QtCore.QTimer(self)
         self._timer.setInterval(LOOK_EVERY_MS)
@@ -85,7 +85,7 @@ class Moments(QtCore.QObject):
         self._asked, self._python = False, None
         process, self._process = self._process, None
         if process is not None:
-            kill(process)
+            process.stop()
 
     def _want(self, question: dict[str, Any]) -> None:
         if self._given_up:
@@ -102,14 +102,14 @@ class Moments(QtCore.QObject):
             return
         self._timer.stop()
         python, self._python = self._python, None
+        hear, lost = tell.guarded(self._hear), tell.guarded(self._lost)
         try:
-            program = python.result()
+            words = command(python.result(), WORKER, self._result.folder.name)
+            self._process = start_worker(self, words, hear, lost)
         except CNCStepperError as error:
             self._fail(error)
             return
-        hear, lost = tell.guarded(self._hear), tell.guarded(self._lost)
         self._answered = False
-        self._process = start_worker(self, command(program, WORKER, self._result.folder.name), hear, lost, lost)
         self._ask()
 
     def _ask(self) -> None:
@@ -119,9 +119,10 @@ class Moments(QtCore.QObject):
 
     def _hear(self) -> None:
         """Take the answer as soon as its line is whole."""
-        if self._process is None or not self._process.canReadLine():
+        line = self._process.line() if self._process is not None else b""
+        if not line:
             return
-        answer = json.loads(bytes(self._process.readLine()))
+        answer = json.loads(line)
         if "error" in answer:
             self._fail(error_from_json(answer["error"]))
             return
@@ -148,7 +149,7 @@ class Moments(QtCore.QObject):
             yield number, (corners[first : first + count], rgba[first : first + count])
             first += count
 
-    def _lost(self, *_: Any) -> None:
+    def _lost(self) -> None:
         """Tell that the process ended by itself."""
         if self._process is not None:
             self._fail(
