@@ -12,11 +12,11 @@ import os
 import shutil
 import subprocess
 import sys
-import threading
 from collections.abc import Iterator
 from concurrent.futures import Future
 from pathlib import Path
 
+from CNCStepper.control.background import in_background
 from CNCStepper.control.started import BEHIND, python_version
 from CNCStepper.errors import MissingPackage
 
@@ -65,16 +65,7 @@ def find_python(needs: tuple[str, ...] = SENDER, version: str = "") -> str:
 
 def seek_python(needs: tuple[str, ...] = SENDER, version: str = "") -> Future[str]:
     """Return at once what will be the answer of `find_python`, or its refusal: ask its `done()` from a timer."""
-    answer: Future[str] = Future()
-
-    def seek() -> None:
-        try:
-            answer.set_result(find_python(needs, version))
-        except Exception as error:
-            answer.set_exception(error)
-
-    threading.Thread(target=seek, name="seek-python", daemon=True).start()
-    return answer
+    return in_background(lambda: find_python(needs, version))
 
 
 def command(python: str, module: str, *arguments: str) -> list[str]:

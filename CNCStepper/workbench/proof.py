@@ -17,6 +17,7 @@ from __future__ import annotations
 
 import hashlib
 import tempfile
+from collections.abc import Callable
 from concurrent.futures import Future
 from dataclasses import dataclass
 from pathlib import Path
@@ -24,12 +25,13 @@ from typing import TYPE_CHECKING, Any
 
 from PySide import QtCore
 
+from CNCStepper.control.background import in_background
 from CNCStepper.control.python_finder import PROOF, command, seek_python
 from CNCStepper.errors import CNCStepperError
 from CNCStepper.workbench import api, packages
 from CNCStepper.workbench.features.program import job_behind
 from CNCStepper.workbench.words import later, tr
-from CNCStepper.workbench.worker import kill, start_worker
+from CNCStepper.workbench.worker import Worker, start_worker
 
 if TYPE_CHECKING:
     import numpy as np
@@ -115,10 +117,10 @@ class ProofRun(QtCore.QObject):
         self._job = job_object
         self._begins, self._place = begins, place
         self._folder: tempfile.TemporaryDirectory | None = None
+        self._files: Future[Any] | None = None  # what is done to the folder's files
         self._key = ""
-        self._told: tuple[Any, Any] | None = None  # a signal and its value that the next look sends
-        self._python: Future[str] | None = None
-        self._process: Any = None
+        self._awaited: tuple[Future[Any], Callable[[Any], None]] | None = None
+        self._process: Worker | None = None
         self._timer = QtCore.QTimer(self)
         self._timer.setInterval(LOOK_EVERY_MS)
         self._timer.timeout.connect(self._look)
@@ -132,73 +134,84 @@ class ProofRun(QtCore.QObject):
     def start(self) -> None:
         """Begin; `finished` or `failed` follows from the event loop, unless it is cancelled before."""
         try:
-            self._ask()
-        except CNCStepperError as error:
-            self._tell_soon(self.failed, error)
-        except OSError as error:
-            advice = tr("make room in the folder for temporary files")
-            self._tell_soon(self.failed, CNCStepperError("proof-folder", str(error), advice=advice))
+            self._files = self._ask()
+            self._await(self._files, self._begin)
+        except (CNCStepperError, OSError) as error:
+            refused: Future[Any] = Future()
+            refused.set_exception(error)
+            self._await(refused, self._begin)
 
     def cancel(self) -> None:
         """End the process and take its folder away; nothing is told any more."""
         self._timer.stop()
+        self._awaited = None
         process, self._process = self._process, None
         if process is not None:
-            kill(process)
+            process.stop()
         self._drop_folder()
 
-    def _ask(self) -> None:
+    def _ask(self) -> Future[str]:
+        """Read the document, and write the question beside the window: gives its fingerprint."""
         packages.require()
-        from CNCStepper.job.proof_files import write_question
-        from CNCStepper.job.restart_files import write_place
-        from CNCStepper.job.start_file import write_start
         from CNCStepper.workbench.making import job_of, machine_of
 
         self._program = api.program_text(self._job)
+        asked = job_behind(self._job)
+        job, machine = job_of(asked), machine_of(asked)
+        self._origin_mm = tuple(asked.WorkOrigin)
+        names = (self._job.Label, self._origin_mm)
         self._folder = tempfile.TemporaryDirectory(prefix="cncstepper-", ignore_cleanup_errors=True)
         path = Path(self._folder.name)
-        job = job_behind(self._job)
-        write_question(path, self._program, job_of(job), machine_of(job))
-        write_start(path, self._begins)
-        write_place(path, self._place)
-        self._origin_mm = tuple(job.WorkOrigin)
-        self._key = _fingerprint(path, self._job.Label, self._origin_mm)
-        if ProofRun._last and ProofRun._last[0] == self._key:
+
+        def write() -> str:
+            from CNCStepper.job.proof_files import write_question
+            from CNCStepper.job.restart_files import write_place
+            from CNCStepper.job.start_file import write_start
+
+            write_question(path, self._program, job, machine)
+            write_start(path, self._begins)
+            write_place(path, self._place)
+            return _fingerprint(path, *names)
+
+        return in_background(write)
+
+    def _begin(self, key: str) -> None:
+        """Hand out the answer that is known already, or look for the Python that will find one."""
+        self._key = key
+        if ProofRun._last and ProofRun._last[0] == key:
             self._drop_folder()
-            self._tell_soon(self.finished, ProofRun._last[1])
+            self.finished.emit(ProofRun._last[1])
             return
         self.progress.emit(tr(STAGES["start"]))
-        self._python = seek_python(PROOF)
-        self._timer.start()
+        self._await(seek_python(PROOF), self._spawn)
 
-    def _tell_soon(self, signal: Any, value: Any) -> None:
-        self._told = (signal, value)
+    def _await(self, future: Future[Any], then: Callable[[Any], None]) -> None:
+        self._awaited = (future, then)
         self._timer.start()
 
     def _look(self) -> None:
-        """Send what waits to be sent, or see whether the Python is found; the process then tells by itself."""
-        if self._told:
-            self._timer.stop()
-            signal, value = self._told
-            signal.emit(value)
-            return
-        if self._python is None or not self._python.done():
+        """Go on as soon as what is awaited is there; what the process tells comes by itself."""
+        if self._awaited is None or not self._awaited[0].done():
             return
         self._timer.stop()
+        (future, then), self._awaited = self._awaited, None
         try:
-            self._spawn(self._python.result())
+            then(future.result())
         except CNCStepperError as error:
             self._fail(error)
+        except OSError as error:
+            advice = tr("make room in the folder for temporary files")
+            self._fail(CNCStepperError("proof-folder", str(error), advice=advice))
 
     def _spawn(self, python: str) -> None:
         assert self._folder is not None
         words = command(python, WORKER, self._folder.name, self._job.Label)
-        self._process = start_worker(self, words, self._hear, self._ended, self._not_started)
+        self._process = start_worker(self, words, self._hear, self._ended)
 
     def _hear(self) -> None:
         if self._process is None:
             return
-        told = bytes(self._process.readAllStandardOutput()).decode("ascii", "replace").split()
+        told = [line.decode("ascii", "replace").strip() for line in iter(self._process.line, b"")]
         stages = [word for word in told if word in STAGES]
         if stages:
             self.progress.emit(tr(STAGES[stages[-1]]))
@@ -211,43 +224,28 @@ class ProofRun(QtCore.QObject):
         assert self._folder is not None
         self.part.emit(read_part(Path(self._folder.name)), self._origin_mm)
 
-    def _not_started(self, problem: Any) -> None:
-        """Tell that the process did not start; every other end of it is told by `_ended`."""
-        if problem == QtCore.QProcess.ProcessError.FailedToStart and self._process is not None:
-            error = CNCStepperError(
-                "proof-start",
-                "the process that proves cannot be started",
-                value=self._process.errorString(),
-                advice="try again",
-            )
-            self._process = None
-            self._fail(error)
-
-    def _ended(self, *_: Any) -> None:
+    def _ended(self) -> None:
         """Take the answer, or tell why there is none."""
         process, self._process = self._process, None
         if process is None:
             return
         process.deleteLater()
-        try:
-            result = self._result()
-        except CNCStepperError as error:
-            self._fail(error)
-            return
+        folder = self._folder
+        assert folder is not None
+        self._files = in_background(lambda: self._read(folder))
+        self._await(self._files, self._answer)
+
+    def _answer(self, result: ProofResult) -> None:
+        self._folder = self._files = None  # the result keeps the folder
         ProofRun._last = (self._key, result)
         self.finished.emit(result)
 
-    def _result(self) -> ProofResult:
+    def _read(self, folder: tempfile.TemporaryDirectory) -> ProofResult:
+        """Read the answer, beside the window; raises the error that was written instead."""
         from CNCStepper.job.proof_files import read_answer
         from CNCStepper.job.restart_files import read_restart
 
-        folder, self._folder = self._folder, None
-        assert folder is not None
-        try:
-            answer, restart = read_answer(Path(folder.name)), read_restart(Path(folder.name))
-        except CNCStepperError:
-            folder.cleanup()
-            raise
+        answer, restart = read_answer(Path(folder.name)), read_restart(Path(folder.name))
         return ProofResult(
             program_lines=(restart.program if restart else self._program).splitlines(),
             findings=answer.findings,
@@ -271,9 +269,11 @@ class ProofRun(QtCore.QObject):
         self.failed.emit(error)
 
     def _drop_folder(self) -> None:
+        """Take the folder away, as soon as nobody reads or writes there any more."""
         folder, self._folder = self._folder, None
-        if folder is not None:
-            folder.cleanup()
+        files, self._files = self._files, None
+        if files is not None and folder is not None:
+            files.add_done_callback(lambda _: folder.cleanup())
 
 
 def _fingerprint(folder: Path, *more: Any) -> str:
