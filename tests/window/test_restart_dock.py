@@ -134,7 +134,7 @@ def test_a_job_whose_sender_was_killed_is_offered_and_restarted(hand: Hand, dock
     hand.click(f"{D}Unfinished")
     hand.wait(lambda: hand.exists(f"{R}said"), 10, "what the journal tells")
     said = hand.text(f"{R}said")
-    assert "Ended: killed" in said and "Certain:" in said and "Position:" in said
+    assert "Killed: " in said and "Certain:" in said and "Position:" in said
     words = proven(hand)
     line = int(hand.text(f"{R}line"))
     assert line > 1 and f"From line {line}" == hand.text(f"{R}choice") and "goes up to Z" in words

@@ -13,13 +13,17 @@ from typing import Any
 
 from CNCStepper.control.certificate import digest_of_text
 from CNCStepper.control.journal.store import latest_unfinished, unfinished_at
-from CNCStepper.control.journal.story import Story
+from CNCStepper.control.journal.story import KILLED, Story
 from CNCStepper.control.journal.told import told_of, why_no_line
+from CNCStepper.control.outcome import DONE, FAILED, STOPPED
 from CNCStepper.workbench.dock.state import Moment
 from CNCStepper.workbench.words import later
 
 NAMES = {
-    "ended": later("Ended"),
+    KILLED: later("Killed"),
+    STOPPED: later("Stopped"),
+    FAILED: later("Failed"),
+    DONE: later("Done"),
     "damaged": later("Damaged"),
     "certain": later("Certain"),
     "not certain": later("Not certain"),

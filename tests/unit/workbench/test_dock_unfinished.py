@@ -16,6 +16,7 @@ from CNCStepper.control.certificate import digest_of_text
 from CNCStepper.control.journal.first_program import FirstProgram
 from CNCStepper.control.journal.group import Group
 from CNCStepper.control.journal.story import KILLED, Story
+from CNCStepper.control.outcome import STOPPED
 from CNCStepper.errors import JobError
 from CNCStepper.workbench.dock.state import Moment
 from CNCStepper.workbench.dock.unfinished import NAMES, Reading, line_of, name_of, program_of, told, why_not_now
@@ -40,7 +41,12 @@ def wait_for(reading: Reading, happened: Callable[[], Any]) -> None:
 def test_the_line_is_the_first_that_is_not_certainly_cut() -> None:
     assert line_of(story()) == 43
     names = [name for name, _ in told(story())]
-    assert names == [NAMES[name] for name in ("ended", "certain", "not certain", "not sent", "last seen", "position")]
+    assert names == [NAMES[name] for name in (KILLED, "certain", "not certain", "not sent", "last seen", "position")]
+
+
+def test_how_it_ended_is_a_word_of_ours_and_why_a_sentence_of_the_core() -> None:
+    stopped = replace(story(), end=STOPPED, why="stopped as asked after 60 lines")
+    assert next(told(stopped)) == (NAMES[STOPPED], "stopped as asked after 60 lines")
 
 
 def test_a_zero_that_was_set_within_the_job_is_told() -> None:
