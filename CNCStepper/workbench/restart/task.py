@@ -84,7 +84,7 @@ class RestartTask(ViewTask):
         reader.failed.connect(guarded(self._refuse))
         form.place_chosen.connect(guarded(self._choose_row))
         form.line_chosen.connect(guarded(self._choose_line))
-        form.overlap_chosen.connect(guarded(self._prove_soon))
+        form.entering_chosen.connect(guarded(self._prove_soon))
         form.send.connect(guarded(self._send))
         form.destroyed.connect(self.end)  # however FreeCAD closes the panel
 
@@ -147,7 +147,7 @@ class RestartTask(ViewTask):
     @property
     def _place(self) -> RestartPlace:
         assert self._where is not None
-        return RestartPlace(self._where, self.form.overlap.value())
+        return RestartPlace(self._where, self.form.entering.overlap_mm, self.form.entering.height_mm)
 
     # ---- the proof ----
 
