@@ -140,7 +140,8 @@ def test_a_job_whose_sender_was_killed_is_offered_and_restarted(hand: Hand, dock
     hand.click(f"{D}Unfinished")
     hand.wait(lambda: hand.exists(f"{R}said"), 10, "what the journal tells")
     said = hand.text(f"{R}said")
-    assert "Killed: " in said and "Certain:" in said and "Position:" in said
+    assert all(f"<b>{name}:</b>" in said for name in ("Killed", "Certain", "Not certain", "On the path", "Position"))
+    assert "path at line" in said or "OFF the path" in said
     words = proven(hand)
     line = int(hand.text(f"{R}line"))
     assert line > 1 and f"From line {line}" == hand.text(f"{R}choice") and "goes up to Z" in words

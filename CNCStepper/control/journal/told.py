@@ -27,6 +27,20 @@ def check_ended(story: Story) -> None:
         )
 
 
+def begun_as(story: Story) -> Iterator[tuple[str, str]]:
+    """Yield what the job was begun with: a short name, and the words."""
+    header, first = story.header, story.first_program
+    file, total = header["file"], story.total
+    yield "program", f"{file}, {total} lines to send" if file else f"without a file, {total} lines to send"
+    if first:
+        yield "goes on with", f"{first.file}: restart that one again, what its restart has cut counts as cut"
+    machine, port, firmware, begin = (header[name] for name in ("machine", "port", "firmware", "begin"))
+    if machine:
+        yield "machine", f"{machine} at {port}, grbl {firmware}, begun {begin}"
+    else:
+        yield "machine", f"{port}, grbl {firmware}, begun {begin}"
+
+
 def told_of(story: Story, reached: Reached | None = None) -> Iterator[tuple[str, str]]:
     """Yield what is known of a job that has ended: a short name, and the words. reached: where on its path it was."""
     yield story.end, why_it_ended(story)

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from html import escape
 from typing import TYPE_CHECKING, Any
 
 from PySide import QtCore, QtGui
@@ -36,7 +37,7 @@ class RestartPanel(QtGui.QWidget):
     entering_chosen = QtCore.Signal()
     send = QtCore.Signal()
 
-    def __init__(self, label: str, said: Sequence[str], parent: Any = None):
+    def __init__(self, label: str, said: Sequence[tuple[str, str]], parent: Any = None):
         super().__init__(parent)
         self.setObjectName(f"{NAME}panel")
         self.setWindowTitle(tr("Restart: {0}").format(label))
@@ -155,11 +156,14 @@ def _advice() -> str:
     )
 
 
-def _said(sentences: Sequence[str]) -> Any:
-    """Return what is known of the job that did not end."""
+def _said(told: Sequence[tuple[str, str]]) -> Any:
+    """Return what is known of the job that did not end: each name in bold before its words."""
     box = QtGui.QGroupBox(tr("The job that did not end"))
     layout = QtGui.QVBoxLayout(box)
-    layout.addWidget(_wrapped("said", "\n".join(sentences)))
+    lines = (f"<b>{escape(name)}:</b> {escape(text)}" for name, text in told)
+    label = _wrapped("said", "<br>".join(lines))
+    label.setTextFormat(QtCore.Qt.TextFormat.RichText)
+    layout.addWidget(label)
     return box
 
 
@@ -175,6 +179,7 @@ def _wrapped(what: str, text: str = "") -> Any:
     label = QtGui.QLabel(text)
     label.setObjectName(f"{NAME}{what}")
     label.setWordWrap(True)
+    label.setMinimumWidth(1)  # a path is a long word
     label.setTextFormat(QtCore.Qt.TextFormat.PlainText)
     label.setTextInteractionFlags(QtCore.Qt.TextInteractionFlag.TextSelectableByMouse)
     return label

@@ -39,7 +39,7 @@ SETTLED_MS = 400  # so long a choice stands still before it is proven
 class RestartTask(ViewTask):
     """What FreeCAD's task panel is given; `form` is its widget. An edit of the program is shown, or told, at once."""
 
-    def __init__(self, program: Any, line: int = 0, said: Sequence[str] = ()):
+    def __init__(self, program: Any, line: int = 0, said: Sequence[tuple[str, str]] = ()):
         """line: the one that is proposed, 0 for none. said: what is known of the job that did not end."""
         self.form = RestartPanel(program.Label, said)
         self._program, self._document_name = program, program.Document.Name
