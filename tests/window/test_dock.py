@@ -404,3 +404,28 @@ def cut_off(dock: Any) -> list[str]:
     QtCore.QCoreApplication.processEvents()
     shown = [button for button in dock.findChildren(QtGui.QPushButton) if button.isVisible()]
     return [button.objectName() for button in shown if button.width() < button.minimumSizeHint().width()]
+
+
+def test_a_g_code_file_goes_the_way_of_a_job(hand: Hand, dock: Any, tmp_path: Path) -> None:
+    file = tmp_path / "peça de fora.nc"
+    file.write_text("G21 G90\nT1\nM3 S9000\nG4 P3\nG0 Z5\nX-20 Y0\nG1 Z-1 F200\nX20 F800\nG0 Z5\nM5\nM2\n", "utf-8")
+    hand.click(f"{D}SendFile")
+    hand.wait(lambda: hand.exists("CNCStepper_Tell_notice"), 10, "why there is none to send it for")
+    hand.shot("dock-file-no-job")
+    hand.click("CNCStepper_Tell_ok")
+    pocket(hand)
+    hand.click(f"{D}SendFile")
+    hand.wait(lambda: hand.exists("CNCStepper_Editor_file"), 10, "the question which file")
+    for _ in range(3):  # the list that completes names may take the folder, and show it
+        hand.fill("fileNameEdit", str(file))
+        hand.key("Return")
+        if not hand.exists("CNCStepper_Editor_file"):
+            break
+    hand.wait(lambda: hand.exists(f"{D}Start") and "Connect" in hand.text(f"{D}FlowTitle"), 60, "the proof")
+    assert "peça de fora.nc" in hand.text(f"{D}FlowTitle")
+    hand.shot("dock-file")
+    hand.choose(f"{D}Speed", "10× speed")
+    hand.click(f"{D}Start")
+    hand.wait(lambda: "Work zero" in hand.text(f"{D}FlowTitle"), 60, "the controller")
+    hand.click(f"{D}Start")
+    hand.wait(lambda: "Done" in hand.text(f"{D}FlowTitle"), 120, "the end of the cut")
