@@ -130,3 +130,13 @@ def test_a_file_is_proven_with_machine_stock_and_tools_alone(job: Any, tmp_path:
     assert api.load_program(job, file) is loaded and "Z7" in program_file.load(loaded)
     with pytest.raises(JobError, match="cannot be read"):
         api.load_program(job, tmp_path / "gone.nc")
+
+
+def test_a_file_needs_a_job_without_operations_only(document: Any, tmp_path: Path) -> None:
+    file = tmp_path / "a.nc"
+    file.write_text("G21 G90\nG0 Z5\nM30\n", "utf-8")
+    job = api.new_job(document, stock_size_mm=(100, 70, 20))
+    api.add_tool(job)
+    loaded = api.load_program(job, file)
+    document.recompute()
+    assert api.program_text(loaded) == "G21 G90\nG0 Z5\nM30\n" and not proven_with(loaded).operation
