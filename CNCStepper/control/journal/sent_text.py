@@ -12,11 +12,12 @@ from CNCStepper.gcode.file_form import decoded
 
 
 def text_sent(story: Story, texts: Iterable[str] = ()) -> str | None:
-    """Return the text that was sent, found among these texts or in its file; None where it is in neither."""
+    """Return the text that was sent, found among these texts or in its file; None where neither is it any more."""
     sha256, file = story.header["program_sha256"], Path(story.header["file"])
     if (found := next((text for text in texts if digest_of_text(text) == sha256), None)) is not None:
         return found
-    if not file.is_file():
+    try:
+        text = decoded(file.read_bytes())[0]
+    except OSError:  # gone, or not to be read by whoever asks
         return None
-    text = decoded(file.read_bytes())[0]
     return text if not sha256 or digest_of_text(text) == sha256 else None

@@ -6,11 +6,11 @@ Journals may be long, so a thread reads them; whoever asked looks at `poll` now 
 
 from __future__ import annotations
 
-import threading
 from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import Future
 from typing import TYPE_CHECKING, Any
 
+from CNCStepper.control.background import in_background
 from CNCStepper.control.certificate import digest_of_text
 from CNCStepper.control.journal.store import latest_unfinished, unfinished_at
 from CNCStepper.control.journal.story import KILLED, Story
@@ -52,16 +52,7 @@ class Reading:
 
     def ask(self, find: Callable[[], Any], found: Found) -> None:
         """Let a thread find something; `poll` hands it to `found`."""
-        answer: Future[Any] = Future()
-        self._answer, self._found = answer, found
-
-        def read() -> None:
-            try:
-                answer.set_result(find())
-            except Exception as error:
-                answer.set_exception(error)
-
-        threading.Thread(target=read, name="read-journals", daemon=True).start()
+        self._answer, self._found = in_background(find), found
 
     def poll(self) -> None:
         """Hand out what was found; raises what the finding raised."""
