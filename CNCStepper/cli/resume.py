@@ -61,18 +61,10 @@ def _list() -> None:
 
 
 def _told(story: Story) -> Iterator[tuple[str, str]]:
-    from CNCStepper.control.journal.told import told_of
+    from CNCStepper.control.journal.told import begun_as, told_of
 
-    header = story.header
-    machine = f"{header['machine']} at {header['port']}" if header["machine"] else header["port"]
     yield "journal", str(story.path)
-    yield "program", f"{header['file'] or 'without a file'}, {story.total} lines to send"
-    if story.first_program:
-        yield (
-            "goes on with",
-            f"{story.first_program.file}: restart that one again, what its restart has cut counts as cut",
-        )
-    yield "machine", f"{machine}, grbl {header['firmware']}, begun {header['begin']}"
+    yield from begun_as(story)
     yield from told_of(story, _reached(story))
     if not story.is_done:
         yield "restart", _restart(story)
@@ -80,12 +72,11 @@ def _told(story: Story) -> Iterator[tuple[str, str]]:
 
 def _reached(story: Story) -> Reached | None:
     """Return the interval as places, None where the program is not there as it was sent."""
-    file = Path(story.header["file"])
-    if not story.first_line or not file.is_file() or _was_changed(file, story.header["program_sha256"]):
-        return None
     from CNCStepper.control.journal.reached import reached
+    from CNCStepper.control.journal.sent_text import text_sent
 
-    return reached(story, read_program(file))
+    text = text_sent(story) if story.first_line else None
+    return None if text is None else reached(story, text)
 
 
 def _restart(story: Story) -> str:

@@ -107,9 +107,9 @@ class Job(BaseModel):
     """Everything that decides a program, besides the machine's own profile.
 
     units: of the program written only, "mm" is G21 and "inch" is G20; heights are above the stock's top.
-    operation: cycles in the order in which they are cut, each already checked by its own model. material: of the table
-    of materials, from which tools without feeds or speed take theirs. notes: what a person should know of the files
-    that curves and tools came from.
+    operation: cycles in the order in which they are cut, each already checked by its own model; none where only another
+    program is proven with its machine, stock, tools and clamps. material: of the table of materials, from which tools
+    without feeds or speed take theirs. notes: what a person should know of the files that curves and tools came from.
     """
 
     model_config = ConfigDict(extra="forbid", frozen=True, arbitrary_types_allowed=True)
@@ -124,7 +124,7 @@ class Job(BaseModel):
     stock: StockForm
     clamp: tuple[ClampForm, ...] = ()
     tool: tuple[Tool, ...] = Field(min_length=1)
-    operation: tuple[Any, ...] = Field(min_length=1)
+    operation: tuple[Any, ...] = ()
     notes: tuple[str, ...] = ()
 
     @model_validator(mode="after")
@@ -218,6 +218,9 @@ def load_job(path: Path) -> tuple[Job, Machine]:
     Paths in the file are relative to it. Raises JobError that names the file, the key and its value.
     """
     job = read_job(path)
+    if not job.operation:
+        what, advice = "the job has no operation", "write what is to be cut as [[operation]]"
+        raise JobError("operation-missing", what, advice=advice, place=Place(str(path)))
     return job, load_machine(_machine_name(job.machine, path.parent))
 
 

@@ -70,7 +70,8 @@ def answer(folder: Path, name: str) -> None:
         proof = prove_job(job, machine, program, **more)
         certificate = certificate_of(proof)
     else:
-        restarted = restart_job(job, machine, program, place.where, Entering(place.overlap_mm), **more)
+        entering = Entering(place.overlap_mm, place.height_mm)
+        restarted = restart_job(job, machine, program, place.where, entering, **more)
         proof, certificate = restarted.proof, certificate_of_restart(restarted)
         write_restart(folder, restarted.restart)
     write_answer(folder, proof, job, certificate.to_json())

@@ -24,10 +24,14 @@ PLACE, RESTART = "place.json", "restart.json"
 
 @dataclass(frozen=True)
 class RestartPlace:
-    """Where a program is to be restarted, and how many mm before that on the same cut."""
+    """Where a program is to be restarted, and how many mm before that on the same cut.
+
+    height_mm: of the work's Z, to which the tool goes up first; None is as the program's own rapids go.
+    """
 
     where: Where
     overlap_mm: float = 0.0
+    height_mm: float | None = None
 
 
 @dataclass(frozen=True)
@@ -50,7 +54,7 @@ def read_place(folder: Path) -> RestartPlace | None:
         return None
     content = json.loads((folder / PLACE).read_text("utf-8"))
     where = content["where"] | {"at_mm": tuple(content["where"]["at_mm"])}
-    return RestartPlace(Where(**where), content["overlap_mm"])
+    return RestartPlace(Where(**where), content["overlap_mm"], content["height_mm"])
 
 
 def write_restart(folder: Path, restart: Restart) -> None:

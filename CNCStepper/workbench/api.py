@@ -30,7 +30,7 @@ from CNCStepper.workbench.features.catalogue import operation_class
 from CNCStepper.workbench.features.freehand import Freehand
 from CNCStepper.workbench.features.job import Job
 from CNCStepper.workbench.features.preview import Preview
-from CNCStepper.workbench.features.program import Program, fingerprint
+from CNCStepper.workbench.features.program import Program, fingerprint, is_of_a_file
 from CNCStepper.workbench.features.tool import Tool
 
 if TYPE_CHECKING:
@@ -125,6 +125,22 @@ def edit_program(job: Any, text: str = "") -> Any:
     obj.Label = f"{job.Label} (edited)"
     obj.MadeFrom = fingerprint(own)
     program_file.store(obj, text or own)
+    job.Message = job.Message  # an output: nothing is out of date by that, but FreeCAD's tree looks at the job again
+    return obj
+
+
+def load_program(job: Any, path: str | Path) -> Any:
+    """Return the CNCStepper_Program with the text of a G-code file, for the machine, stock, tools and clamps of a job.
+
+    One that was read from the same file before takes its text. Raises JobError for a file that cannot be read.
+    """
+    from CNCStepper.workbench.editor.source import FileSource
+
+    text = FileSource(Path(path)).text()
+    found = (obj for obj in job.InList if is_of_a_file(obj) and obj.File == str(path))
+    obj = next(found, None) or _add(job.Document, "App::FeaturePython", Program, {"job": job})
+    obj.Label, obj.File = Path(path).name, str(path)
+    program_file.store(obj, text)
     job.Message = job.Message  # an output: nothing is out of date by that, but FreeCAD's tree looks at the job again
     return obj
 

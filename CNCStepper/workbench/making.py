@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 from CNCStepper.cycles.form import Setup
@@ -15,11 +16,12 @@ from CNCStepper.toolpath import Toolpath
 from CNCStepper.workbench.clamps import clamps_content
 from CNCStepper.workbench.features.base import problem_of, values
 from CNCStepper.workbench.features.job import active_operations
+from CNCStepper.workbench.features.program import is_of_a_file, job_behind
 from CNCStepper.workbench.features.tool import model_of
 from CNCStepper.workbench.machines import machine_of
 from CNCStepper.workbench.stock import stock_content
 
-__all__ = ["job_of", "machine_of", "programs", "read_back", "setup_of"]
+__all__ = ["job_of", "machine_of", "programs", "proven_with", "read_back", "setup_of"]
 
 
 def programs(obj: Any) -> list[tuple[str, str]]:
@@ -40,10 +42,20 @@ def job_of(obj: Any) -> Job:
     """Return a job object as the core's checked model."""
     operations = active_operations(obj)
     tools = {operation.Tool.Name: operation.Tool for operation in operations}
+    return _model(obj, operations, list(tools.values()))
+
+
+def proven_with(program: Any) -> Job:
+    """Return with what a job's, an edited or a file's program is proven; a file's has nothing of the operations."""
+    job = job_behind(program)
+    return _model(job, [], job.Tools) if is_of_a_file(program) else job_of(job)
+
+
+def _model(obj: Any, operations: Sequence[Any], tools: Sequence[Any]) -> Job:
     content = {key: value for key, value in values(obj).items() if key in Job.model_fields}
     content["stock"], content["clamp"] = stock_content(obj), clamps_content(obj)
     content["operation"] = tuple(each.Proxy.cycle(each, tuple(obj.WorkOrigin)) for each in operations)
-    content["tool"] = tuple(model_of(tool) for tool in tools.values())
+    content["tool"] = tuple(map(model_of, tools))
     return validated(Job, content, obj.Label)
 
 

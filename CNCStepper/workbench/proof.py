@@ -7,8 +7,8 @@
     run.failed.connect(tell)        # CNCStepperError
     run.start()
 
-What is proven is the program text that stands in the document, a job's own or an edited one; one that is missing or out
-of date is refused.
+What is proven is the program text that stands in the document, a job's own, an edited one or a file's; one that is
+missing or out of date is refused.
 A program that was proven last, from the same start state, is not proven again. With a place in the program its restart
 there is proven instead.
 """
@@ -153,11 +153,11 @@ class ProofRun(QtCore.QObject):
     def _ask(self) -> Future[str]:
         """Read the document, and write the question beside the window: gives its fingerprint."""
         packages.require()
-        from CNCStepper.workbench.making import job_of, machine_of
+        from CNCStepper.workbench.making import machine_of, proven_with
 
         self._program = api.program_text(self._job)
         asked = job_behind(self._job)
-        job, machine = job_of(asked), machine_of(asked)
+        job, machine = proven_with(self._job), machine_of(asked)
         self._origin_mm = tuple(asked.WorkOrigin)
         names = (self._job.Label, self._origin_mm)
         self._folder = tempfile.TemporaryDirectory(prefix="cncstepper-", ignore_cleanup_errors=True)

@@ -21,16 +21,16 @@ LOOK_EVERY_MS = 20
 class Questioner(QtCore.QObject):
     """The process is started with the first question, and again with the first after its end.
 
-    worker: the module. needs: the packages that its Python must have. answered: sent with each answer. failed: sent
-    with the error that ended the process: what was asked is not answered any more.
+    worker: the module. arguments: for it. lost: the error for a process that ends by itself. answered: sent with each
+    answer. failed: sent with the error that ended the process: what was asked is not answered any more.
     """
 
     answered = QtCore.Signal(object)
     failed = QtCore.Signal(object)
 
-    def __init__(self, worker: str, needs: tuple[str, ...] = PROOF, parent: Any = None):
+    def __init__(self, worker: str, lost: CNCStepperError, *arguments: str, parent: Any = None):
         super().__init__(parent)
-        self._worker, self._needs = worker, needs
+        self._words, self._error_when_lost = (worker, *arguments), lost
         self._waiting: list[dict[str, Any]] = []  # asked before the process is there
         self._process: Worker | None = None
         self._python: Future[str] | None = None
@@ -39,13 +39,18 @@ class Questioner(QtCore.QObject):
         self._timer.timeout.connect(tell.guarded(self._look))
         QtCore.QCoreApplication.instance().aboutToQuit.connect(self.end)
 
+    @property
+    def begun(self) -> bool:
+        """Whether there is a process, or will be one soon."""
+        return self._process is not None or self._python is not None
+
     def ask(self, question: dict[str, Any]) -> None:
         """Ask a question, as plain data."""
         self._waiting.append(question)
         if self._process is not None:
             self._send()
         elif self._python is None:
-            self._python = seek_python(self._needs)
+            self._python = seek_python(PROOF)
             self._timer.start()
 
     def end(self) -> None:
@@ -64,7 +69,7 @@ class Questioner(QtCore.QObject):
         self._timer.stop()
         python, self._python = self._python, None
         try:
-            words = command(python.result(), self._worker)
+            words = command(python.result(), *self._words)
             heard, lost = tell.guarded(self._hear), tell.guarded(self._lost)
             self._process = start_worker(self, words, heard, lost)
         except CNCStepperError as error:
@@ -90,8 +95,7 @@ class Questioner(QtCore.QObject):
     def _lost(self) -> None:
         """Tell that the process ended by itself."""
         if self._process is not None:
-            what = f"the process of {self._worker} has ended"
-            self._fail(CNCStepperError("worker-lost", what, advice="try again"))
+            self._fail(self._error_when_lost)
 
     def _fail(self, error: CNCStepperError) -> None:
         self.end()

@@ -17,6 +17,7 @@ from CNCStepper.workbench import packages
 CONTEXT = "CNCStepper core"
 CATALOGUE = packages.ROOT / "resources" / "translations" / "CNCStepper.ts"
 VALUE = re.compile(r"\{\d+\}")
+NOW = ". Now "  # as `control/run.py` says how the machine stands behind why the job has ended
 # as CNCStepperError.sentence puts it together: what (value …, limit …); advice [code]
 WHOLE = re.compile(
     r"(?P<what>.+?)(?: \((?P<numbers>(?:value|limit) .+?)\))?(?:; (?P<advice>.+?))?(?P<code> \[[\w-]+\])?"
@@ -29,11 +30,19 @@ def translated(english: str) -> str:
 
     What the catalogue does not know stays English, and so do the names and values within.
     """
-    return _said(english) or english
+    return _outcome(english) or _said(english) or english
 
 
 def _said(english: str) -> str:
     return _known(english) or _put_together(english) or _after_a_name(english) or _known(english, strict=False)
+
+
+def _outcome(english: str) -> str:
+    """Return why a job has ended and how its machine stands, each translated; "" where not both are said."""
+    from CNCStepper.workbench.words import tr
+
+    why, now, stands = english.partition(NOW)
+    return tr("{0}. Now {1}").format(_said(why) or why, _known(stands) or stands) if now else ""
 
 
 def _known(english: str, strict: bool = True) -> str:

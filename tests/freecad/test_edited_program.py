@@ -16,7 +16,7 @@ from CNCStepper.workbench.editor.meanings import CODES, LETTERS, meaning_of
 from CNCStepper.workbench.editor.status import clock, modes_text, place_text, time_text
 from CNCStepper.workbench.features.base import problem_of
 from CNCStepper.workbench.features.program import job_behind
-from CNCStepper.workbench.making import job_of, machine_of
+from CNCStepper.workbench.making import job_of, machine_of, proven_with
 
 
 @pytest.fixture
@@ -112,3 +112,31 @@ def test_what_words_mean() -> None:
     assert meaning_of("X-1.5") == "X-1.5: place along X" and meaning_of("(a)") == "a comment"
     assert meaning_of("") == "" and meaning_of("?") == ""
     assert all(meaning_of(name) for name in (*CODES, *LETTERS))
+
+
+def test_a_file_is_proven_with_machine_stock_and_tools_alone(job: Any, tmp_path: Path) -> None:
+    file = tmp_path / "peça de fora.nc"
+    file.write_text("G21 G90\nG0 Z5\nM30\n", "utf-8")
+    api.add_tool(job, diameter_mm=3, feed_mm_min=300, plunge_mm_min=100, spindle_rpm=10000)
+    loaded = api.load_program(job, file)
+    job.Document.recompute()
+    assert not problem_of(loaded) and not loaded.Note and loaded.Label == file.name
+    model = proven_with(loaded)
+    assert not model.operation and set(model.tools) == {1, 2} and model.stock == job_of(job).stock
+    assert proven_with(job) == job_of(job) and proven_with(edited(job)).operation
+    write_question(tmp_path, program_file.load(loaded), model, machine_of(job))
+    assert not read_question(tmp_path)[1].operation
+    file.write_text("G21 G90\nG0 Z7\nM30\n", "utf-8")
+    assert api.load_program(job, file) is loaded and "Z7" in program_file.load(loaded)
+    with pytest.raises(JobError, match="cannot be read"):
+        api.load_program(job, tmp_path / "gone.nc")
+
+
+def test_a_file_needs_a_job_without_operations_only(document: Any, tmp_path: Path) -> None:
+    file = tmp_path / "a.nc"
+    file.write_text("G21 G90\nG0 Z5\nM30\n", "utf-8")
+    job = api.new_job(document, stock_size_mm=(100, 70, 20))
+    api.add_tool(job)
+    loaded = api.load_program(job, file)
+    document.recompute()
+    assert api.program_text(loaded) == "G21 G90\nG0 Z5\nM30\n" and not proven_with(loaded).operation

@@ -20,6 +20,7 @@ from CNCStepper.control.python_finder import command, environment, find_python
 from CNCStepper.control.send_job import SendJob
 from CNCStepper.errors import MissingPackage
 from CNCStepper.workbench import api
+from CNCStepper.workbench.dock.flow import STEPS
 from CNCStepper.workbench.dock.ports import VIRTUAL
 
 D = "CNCStepper_Dock_"
@@ -380,3 +381,46 @@ def test_a_new_window_takes_up_what_a_killed_one_left(hand: Hand, tmp_path: Path
     says(hand, "Idle")
     hand.click(f"{D}Connect")
     says(hand, "Not connected")
+
+
+def test_nothing_makes_the_dock_wider_or_is_cut_off_in_a_narrow_one(hand: Hand, dock: Any) -> None:
+    narrow = hand.main(lambda: dock.minimumSizeHint().width())
+    long = "Gearbox cover, the second setup, with_a_name_that_has_no_place_at_which_its_line_could_be_broken"
+    hand.main(dock.sending.flow.begin, long)
+    for step in (*STEPS, ""):
+        hand.main(setattr, dock.sending.flow, "step", step)
+        hand.main(dock.refresh)
+        hand.settle()
+        assert hand.main(lambda: dock.minimumSizeHint().width()) == narrow, step
+        assert hand.main(cut_off, dock) == [], step
+        if step == "zero":
+            hand.shot("dock-narrow")
+
+
+def cut_off(dock: Any) -> list[str]:
+    """Return the names of the buttons that have less room than their texts need."""
+    window = FreeCADGui.getMainWindow()
+    window.resizeDocks([dock.parentWidget()], [300], QtCore.Qt.Orientation.Horizontal)
+    QtCore.QCoreApplication.processEvents()
+    shown = [button for button in dock.findChildren(QtGui.QPushButton) if button.isVisible()]
+    return [button.objectName() for button in shown if button.width() < button.minimumSizeHint().width()]
+
+
+def test_a_g_code_file_goes_the_way_of_a_job(hand: Hand, dock: Any, tmp_path: Path) -> None:
+    file = tmp_path / "peça de fora.nc"
+    file.write_text("G21 G90\nT1\nM3 S9000\nG4 P3\nG0 Z5\nX-20 Y0\nG1 Z-1 F200\nX20 F800\nG0 Z5\nM5\nM2\n", "utf-8")
+    hand.click(f"{D}SendFile")
+    hand.wait(lambda: hand.exists("CNCStepper_Tell_notice"), 10, "why there is none to send it for")
+    hand.shot("dock-file-no-job")
+    hand.click("CNCStepper_Tell_ok")
+    pocket(hand)
+    hand.click(f"{D}SendFile")
+    hand.wait(lambda: hand.exists("CNCStepper_Editor_file"), 10, "the question which file")
+    for _ in range(3):  # the list that completes names may take the folder, and show it
+        hand.fill("fileNameEdit", str(file))
+        hand.key("Return")
+        if not hand.exists("CNCStepper_Editor_file"):
+            break
+    hand.wait(lambda: hand.exists(f"{D}Start") and "Connect" in hand.text(f"{D}FlowTitle"), 240, "the proof")
+    assert "peça de fora.nc" in hand.text(f"{D}FlowTitle")
+    hand.shot("dock-file")

@@ -78,6 +78,12 @@ def test_a_contour_is_chosen_from_the_list_and_the_rest_is_cut(hand: Hand, dock:
     assert watch.max_cpu_ms < LONGEST_MS, watch
     assert hand.text(f"{R}choice") == f"From contour {last.number}" and "all before them is taken as cut" in words
     hand.shot("restart-proven")
+    hand.click(f"{R}gives_height")
+    hand.fill(f"{R}height", "-1")
+    hand.wait(lambda: "above the height that is given" in hand.text(f"{R}message"), START_S, "the refusal")
+    hand.fill(f"{R}height", "12")
+    assert "goes up to Z 12.000 first" in proven(hand)
+    hand.shot("restart-height")
     hand.choose(f"{D}Speed", "10× speed")
     hand.click(f"{R}send")
     hand.wait(lambda: hand.exists(f"{D}Start") and "Connect" in hand.text(f"{D}FlowTitle"), START_S, "the dock")
@@ -134,7 +140,8 @@ def test_a_job_whose_sender_was_killed_is_offered_and_restarted(hand: Hand, dock
     hand.click(f"{D}Unfinished")
     hand.wait(lambda: hand.exists(f"{R}said"), 10, "what the journal tells")
     said = hand.text(f"{R}said")
-    assert "Ended: killed" in said and "Certain:" in said and "Position:" in said
+    assert all(f"<b>{name}:</b>" in said for name in ("Killed", "Certain", "Not certain", "On the path", "Position"))
+    assert "path at line" in said or "OFF the path" in said
     words = proven(hand)
     line = int(hand.text(f"{R}line"))
     assert line > 1 and f"From line {line}" == hand.text(f"{R}choice") and "goes up to Z" in words

@@ -168,7 +168,7 @@ def finished_faces(task: SimulationTask) -> int:
 
 
 def process_of(task: SimulationTask) -> int:
-    return int(task._material.moments._process.pid)
+    return int(task._material.moments._questions._process.pid)
 
 
 def runs(pid: int) -> bool:
@@ -373,7 +373,7 @@ def test_the_process_behind_the_material_goes_with_the_panel_and_is_started_agai
     go_to(hand, task, 0.5)
     first = process_of(task)
     os.kill(first, signal.SIGKILL)
-    hand.wait(lambda: task._material.moments._process is None, 20)
+    hand.wait(lambda: task._material.moments._questions._process is None, 20)
     assert "ended" in hand.text("CNCStepper_Simulation_message") and not hand.main(shows_a_moment, task)
     hand.shot("simulation-lost")
     go_to(hand, task, 0.6)

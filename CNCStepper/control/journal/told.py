@@ -27,9 +27,23 @@ def check_ended(story: Story) -> None:
         )
 
 
+def begun_as(story: Story) -> Iterator[tuple[str, str]]:
+    """Yield what the job was begun with: a short name, and the words."""
+    header, first = story.header, story.first_program
+    file, total = header["file"], story.total
+    yield "program", f"{file}, {total} lines to send" if file else f"without a file, {total} lines to send"
+    if first:
+        yield "goes on with", f"{first.file}: restart that one again, what its restart has cut counts as cut"
+    machine, port, firmware, begin = (header[name] for name in ("machine", "port", "firmware", "begin"))
+    if machine:
+        yield "machine", f"{machine} at {port}, grbl {firmware}, begun {begin}"
+    else:
+        yield "machine", f"{port}, grbl {firmware}, begun {begin}"
+
+
 def told_of(story: Story, reached: Reached | None = None) -> Iterator[tuple[str, str]]:
     """Yield what is known of a job that has ended: a short name, and the words. reached: where on its path it was."""
-    yield "ended", how_it_ended(story)
+    yield story.end, why_it_ended(story)
     for fault in story.faults:
         yield "damaged", fault
     yield from _lines(story)
@@ -39,11 +53,11 @@ def told_of(story: Story, reached: Reached | None = None) -> Iterator[tuple[str,
     yield "position", _position(story)
 
 
-def how_it_ended(story: Story) -> str:
-    """Return how the job ended, and why."""
+def why_it_ended(story: Story) -> str:
+    """Return why the job ended as it did."""
     if story.end == KILLED:
-        return "killed: the sender or its computer stopped without a word; what the controller held it may have made"
-    return f"{story.end}: {story.why}"
+        return "the sender or its computer stopped without a word; what the controller held it may have made"
+    return story.why
 
 
 def why_no_line(story: Story) -> str:
@@ -79,13 +93,15 @@ def _places(story: Story, reached: Reached | None) -> Iterator[tuple[str, str]]:
     if group.wpos_mm and group.mpos_mm:
         moment = time.strftime("%Y-%m-%d %H:%M:%S", time.localtime(group.time_s))
         work, machine = _place(group.wpos_mm), _place(group.mpos_mm)
-        yield "last seen", f"{group.state} at work {work}, machine {machine} mm, {moment}{_beside(reached)}"
+        yield "last seen", f"{group.state} at work {work}, machine {machine} mm, {_beside(moment, reached)}"
 
 
-def _beside(reached: Reached | None) -> str:
+def _beside(moment: str, reached: Reached | None) -> str:
     if reached is None:
-        return ""
-    return f", on the path at line {reached.seen_line}" if reached.seen_line else ", OFF the path of these lines"
+        return moment
+    if reached.seen_line:
+        return f"{moment}, on the path at line {reached.seen_line}"
+    return f"{moment}, OFF the path of these lines"
 
 
 def _zero(story: Story) -> str:

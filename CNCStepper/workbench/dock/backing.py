@@ -26,7 +26,8 @@ class Backing:
     def __init__(self, parent: Any, link: Link, say: Callable[[str, str], None], changed: Callable[[], None]):
         self.flow = BackFlow()
         self._link, self._say, self._changed = link, say, changed
-        self._questions = Questioner(WORKER, parent=parent)
+        lost = CNCStepperError("back-lost", "the process that finds the way back has ended", advice="try again")
+        self._questions = Questioner(WORKER, lost, parent=parent)
         self._questions.answered.connect(self._answered)
         self._questions.failed.connect(self._failed)
 

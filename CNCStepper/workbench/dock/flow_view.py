@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from PySide import QtGui
+from PySide import QtCore, QtGui
 
 from CNCStepper.workbench.dock import parts
 from CNCStepper.workbench.dock.flow import LAST_NUMBER, Flow
@@ -24,7 +24,8 @@ class FlowView(QtGui.QFrame):
         super().__init__()
         parts.named(self, "Flow")
         self.findings = findings
-        self.number, self.title = QtGui.QLabel(), parts.named(parts.caption(""), "FlowTitle")
+        self.number, self.title = QtGui.QLabel(), parts.wrapped("FlowTitle")  # a job's name may be long
+        self.title.setFont(parts.caption("").font())
         self.text, self.detail = parts.wrapped("FlowText"), parts.wrapped("FlowDetail")
         self.away = parts.named(QtGui.QPushButton(), "Cancel")
         self.onward = parts.named(QtGui.QPushButton(), "Start")
@@ -34,6 +35,7 @@ class FlowView(QtGui.QFrame):
         layout.setContentsMargins(10, 8, 10, 8)
         head = parts.row(self.title, self.number)
         head.setStretch(0, 1)
+        head.setAlignment(self.number, QtCore.Qt.AlignmentFlag.AlignTop)
         layout.addLayout(head)
         for widget in (self.text, self.detail, findings):
             layout.addWidget(widget)
@@ -50,6 +52,7 @@ class FlowView(QtGui.QFrame):
             return
         step = flow.shown
         self.title.setText(tr("{0}: {1}").format(flow.label, tr(step.title)))
+        self.title.setToolTip(flow.label)
         self.number.setText(tr("Step {0} of {1}").format(step.number, LAST_NUMBER) if step.number else "")
         self._say(self.text, tr(step.text))
         self._say(self.detail, flow.detail)

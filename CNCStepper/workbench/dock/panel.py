@@ -16,6 +16,7 @@ from CNCStepper.workbench.dock.back_view import BackView
 from CNCStepper.workbench.dock.backing import COMMANDS, Backing
 from CNCStepper.workbench.dock.connection_view import ConnectionView
 from CNCStepper.workbench.dock.console_view import ConsoleView
+from CNCStepper.workbench.dock.file_sending import FileSending
 from CNCStepper.workbench.dock.flow import why_not_onward
 from CNCStepper.workbench.dock.flow_view import FlowView
 from CNCStepper.workbench.dock.job_view import HaltView, JobView
@@ -50,7 +51,7 @@ class Panel(QtGui.QWidget):
         self.connection = ConnectionView(self.connect_chosen, self._leave, self._ports)
         self.state = StateView()
         self.flow = FlowView(self.findings, self.sending.onward, self.sending.away)
-        self.recovery = Recovery(self.link)
+        self.file_sending, self.recovery = FileSending(), Recovery(self.link)
         self.position = PositionView(lengths, point, lambda axes: self.link.command("set_zero", axes))
         self.backing = Backing(self, self.link, self.log.say, self.refresh)
         self.back = BackView(lengths, point, self.backing.go)
@@ -101,8 +102,8 @@ class Panel(QtGui.QWidget):
         moment, flow = self.link.moment, self.sending.flow
         shown = face(moment)
         self.state.show_face(shown, tr(shown.sentence))
-        views = (self.connection, self.recovery.view, self.position, self.halt, self.jog, self.overrides, self.console)
-        for view in views:
+        views: tuple[Any, ...] = (self.connection, self.file_sending, self.recovery.view, self.position)
+        for view in (*views, self.halt, self.jog, self.overrides, self.console):
             view.lock(moment)
         for name, button in (("home", self.home), ("unlock", self.unlock)):
             parts.lock(button, why_not(name, moment), RULES[name].does)
@@ -162,7 +163,7 @@ class Panel(QtGui.QWidget):
         layout = parts.column(content)
         layout.setContentsMargins(*MARGINS)
         sections: tuple[list[Any], ...] = (
-            [self.flow, self.job, self.back, self.recovery.view, self.position],
+            [self.flow, self.job, self.back, self.file_sending.button, self.recovery.view, self.position],
             [parts.caption(tr("Jog")), self.jog, parts.row(self.home, self.unlock)],
             [parts.caption(tr("Overrides")), self.overrides],
             [parts.caption(tr("Messages")), self.log],

@@ -9,13 +9,14 @@ from typing import TYPE_CHECKING, Any
 from CNCStepper.control.journal.told import check_ended
 from CNCStepper.workbench import program_file, tell
 from CNCStepper.workbench.dock.recovery_view import RecoveryView
-from CNCStepper.workbench.dock.unfinished import Reading, finder, line_of, name_of, program_of, told
+from CNCStepper.workbench.dock.unfinished import Reading, finder, line_of, name_of, program_of, reached_by, told
 from CNCStepper.workbench.features.base import JOB, proxy_type
 from CNCStepper.workbench.features.program import Program
 from CNCStepper.workbench.sentences import translated
 from CNCStepper.workbench.words import tr
 
 if TYPE_CHECKING:
+    from CNCStepper.control.journal.reached import Reached
     from CNCStepper.control.journal.story import Story
     from CNCStepper.workbench.dock.link import Link
 
@@ -52,7 +53,7 @@ class Recovery:
 
     def _ask(self) -> None:
         """Look for the job that did not end, of this machine where there is one."""
-        self._reading.ask(finder(self._link.address if self._met else ""), self._take_up)
+        self._reading.ask(finder(self._link.address if self._met else ""), self._retrace)
 
     def _offer(self, story: Story | None) -> None:
         if story is not None:
@@ -61,17 +62,25 @@ class Recovery:
             )
             self.view.show_offer(text.format(_name(story)))
 
-    def _take_up(self, story: Story | None) -> None:
-        """Say what is certain of a job, and open its restart where its program is in an open document."""
+    def _retrace(self, story: Story | None) -> None:
+        """Find out where on its path a job was, from the program as it was sent."""
         if story is None:
             tell.notice(tr("No job is unfinished."), tr("Every job whose journal is kept was cut to its end."))
             return
         check_ended(story)
-        said = [f"{tr(name)}: {translated(text)}" for name, text in told(story)]
+        self.view.show_offer(tr("The path of the last job is read…"))
+        texts = [text for _, text in _programs()]
+        self._reading.ask(lambda: (story, reached_by(story, texts)), self._take_up)
+
+    def _take_up(self, found: tuple[Story, Reached | None]) -> None:
+        """Say what is certain of a job, and open its restart where its program is in an open document."""
+        self.view.show_offer("")
+        story, reached = found
+        said = [(tr(name), translated(text)) for name, text in told(story, reached)]
         program = program_of(story, _programs())
         if program is None:
             text = tr("{0} was not cut to its end, and its program, as it was sent, is in no open document.")
-            tell.notice(text.format(_name(story)), "\n".join(said))
+            tell.notice(text.format(_name(story)), "\n".join(map(": ".join, said)))
             return
         from CNCStepper.workbench import restart
 

@@ -16,6 +16,7 @@ from CNCStepper.workbench import tell
 from CNCStepper.workbench.dock.flow import Flow
 from CNCStepper.workbench.dock.link import Link, told
 from CNCStepper.workbench.dock.state import sentences
+from CNCStepper.workbench.latest_proof import LatestProof
 from CNCStepper.workbench.sentences import translated
 from CNCStepper.workbench.words import tr
 
@@ -44,7 +45,7 @@ class Sending:
         self._show_findings, self._connect, self._changed = show_findings, connect, changed
         self._job: Any = None
         self._place: RestartPlace | None = None
-        self._run: Any = None
+        self._proof = LatestProof(self._proved, self._failed, self._progress)
         self._result: Any = None
         self._asked: Start | None = None  # what the last proof was asked to begin from
         self._seen: set[tuple[str, int, str]] = set()  # the findings with which a person has decided to go on
@@ -57,7 +58,7 @@ class Sending:
         if self._link.moment.job_runs:
             tell.note(tr("A job is being cut already: wait for its end, or stop it."))
             return
-        self._give_up_run()
+        self._proof.give_up()
         self._job, self._place, self._seen = job, place, set()
         self.flow.begin(tr("{0}, restart").format(job.Label) if place else job.Label)
         self._check()
@@ -82,7 +83,7 @@ class Sending:
 
     def away(self) -> None:
         """Give up before the cut, or close what has ended."""
-        self._give_up_run()
+        self._proof.give_up()
         self.flow.leave()
         self._changed()
 
@@ -107,7 +108,6 @@ class Sending:
     def _check(self) -> None:
         """Prove the job's program from the machine's present zero, where that is known."""
         from CNCStepper.workbench import api
-        from CNCStepper.workbench.proof import ProofRun
 
         self._asked = self._link.start
         try:
@@ -118,22 +118,18 @@ class Sending:
         except ReferenceError:  # as FreeCAD says it
             self._failed(JobError("job-deleted", "the job was deleted", advice="send another one"))
             return
-        self._run = ProofRun(self._job, self._parent, self._asked, self._place)
-        self._run.finished.connect(tell.guarded(self._proved))
-        self._run.failed.connect(tell.guarded(self._failed))
-        self._run.progress.connect(tell.guarded(self._progress))
-        self._run.start()
+        self._proof.begin(self._job, self._asked, self._place, self._parent)
 
     def _keep_up(self) -> None:
         """Check once more where the machine's zero is not the one that the program was checked with."""
         if self.flow.step == "connect":
-            self._give_up_run()
+            self._proof.give_up()
         if self.flow.step == "differs" and self._result.begins != self._link.start:
             self.flow.happen("moved")
-        proven_for = self._result.begins if self._run is None else self._asked
+        proven_for = self._asked if self._proof.running else self._result.begins
         if self.flow.step != "zero" or proven_for == self._link.start:
             return
-        self._give_up_run()
+        self._proof.give_up()
         self.flow.again = self._result.begins != self._link.start
         self.flow.detail = ""
         if self.flow.again:
@@ -147,7 +143,6 @@ class Sending:
         self._changed()
 
     def _proved(self, result: Any) -> None:
-        self._end_run()
         self._result = result
         self.program_lines = result.program_lines
         worth_seeing = [finding for finding in result.findings if finding.severity != "info"]
@@ -161,7 +156,6 @@ class Sending:
         self._changed()
 
     def _failed(self, error: CNCStepperError) -> None:
-        self._end_run()
         self.flow.happen("failure", sentences(tell.sentence(error), translated(error.advice)))
         self._changed()
 
@@ -182,14 +176,3 @@ class Sending:
         else:
             self.flow.end(outcome.kind, sentences(translated(outcome.text)))
         self._changed()
-
-    def _give_up_run(self) -> None:
-        if self._run is not None:
-            self._run.cancel()
-            self._end_run()
-
-    def _end_run(self) -> None:
-        """Let the present proof go; it is no more than a question that has its answer."""
-        run, self._run = self._run, None
-        if run is not None:
-            run.deleteLater()

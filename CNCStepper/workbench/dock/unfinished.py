@@ -6,51 +6,53 @@ Journals may be long, so a thread reads them; whoever asked looks at `poll` now 
 
 from __future__ import annotations
 
-import threading
 from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import Future
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
+from CNCStepper.control.background import in_background
 from CNCStepper.control.certificate import digest_of_text
 from CNCStepper.control.journal.store import latest_unfinished, unfinished_at
-from CNCStepper.control.journal.story import Story
-from CNCStepper.control.journal.told import told_of, why_no_line
+from CNCStepper.control.journal.story import KILLED, Story
+from CNCStepper.control.journal.told import begun_as, told_of, why_no_line
+from CNCStepper.control.outcome import DONE, FAILED, STOPPED
 from CNCStepper.workbench.dock.state import Moment
 from CNCStepper.workbench.words import later
 
+if TYPE_CHECKING:
+    from CNCStepper.control.journal.reached import Reached
+
 NAMES = {
-    "ended": later("Ended"),
+    "program": later("Program"),
+    "goes on with": later("Goes on with"),
+    "machine": later("Machine"),
+    KILLED: later("Killed"),
+    STOPPED: later("Stopped"),
+    FAILED: later("Failed"),
+    DONE: later("Done"),
     "damaged": later("Damaged"),
     "certain": later("Certain"),
     "not certain": later("Not certain"),
     "not sent": later("Not sent"),
+    "on the path": later("On the path"),
     "last seen": later("Last seen"),
     "work zero": later("Work zero"),
     "position": later("Position"),
     "restart": later("Restart"),
 }
-Found = Callable[["Story | None"], None]
+Found = Callable[[Any], None]
 
 
 class Reading:
-    """At most one question for a story at a time; the newest counts."""
+    """At most one question at a time; the newest counts."""
 
     def __init__(self) -> None:
-        self._answer: Future[Story | None] | None = None
+        self._answer: Future[Any] | None = None
         self._found: Found | None = None
 
-    def ask(self, find: Callable[[], Story | None], found: Found) -> None:
-        """Let a thread find a story; `poll` hands it to `found`."""
-        answer: Future[Story | None] = Future()
-        self._answer, self._found = answer, found
-
-        def read() -> None:
-            try:
-                answer.set_result(find())
-            except Exception as error:
-                answer.set_exception(error)
-
-        threading.Thread(target=read, name="read-journals", daemon=True).start()
+    def ask(self, find: Callable[[], Any], found: Found) -> None:
+        """Let a thread find something; `poll` hands it to `found`."""
+        self._answer, self._found = in_background(find), found
 
     def poll(self) -> None:
         """Hand out what was found; raises what the finding raised."""
@@ -70,9 +72,21 @@ def why_not_now(moment: Moment) -> str:
     return later("A job is being cut: wait for its end, or stop it.") if moment.job_runs else ""
 
 
-def told(story: Story) -> Iterator[tuple[str, str]]:
+def reached_by(story: Story, texts: Iterable[str]) -> Reached | None:
+    """Return where on its path a job was, as `reached` does; None where its program is none of these texts, nor a file.
+
+    Takes long for long programs.
+    """
+    from CNCStepper.control.journal.reached import reached
+    from CNCStepper.control.journal.sent_text import text_sent
+
+    text = text_sent(story, texts) if story.first_line else None
+    return None if text is None else reached(story, text)
+
+
+def told(story: Story, reached: Reached | None = None) -> Iterator[tuple[str, str]]:
     """Yield what is known of a job, a name to be translated and a sentence of the core each."""
-    for name, text in told_of(story):
+    for name, text in (*begun_as(story), *told_of(story, reached)):
         yield NAMES[name], text
     if story.first_program and not why_no_line(story):
         yield (

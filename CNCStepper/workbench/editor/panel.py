@@ -66,8 +66,8 @@ class EditorPanel(QtGui.QWidget):
         self._watch.obj = self.source.obj
         self.bar.choose_machine(self.source)
         self._text = text
-        self.reader.begin(self._language())
         self.edit.fill(text)
+        self.reader.begin(self._language())
         self.title_changed.emit()
 
     def text(self) -> str:

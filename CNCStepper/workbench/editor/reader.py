@@ -7,28 +7,23 @@ cursor ──► line ──► what holds after it        3D view ──► pic
 
 from __future__ import annotations
 
-import json
 import tempfile
 from collections.abc import Callable
-from concurrent.futures import Future
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from PySide import QtCore
 
-from CNCStepper.control.outcome import error_from_json
-from CNCStepper.control.python_finder import PROOF, command, seek_python
 from CNCStepper.errors import CNCStepperError
-from CNCStepper.workbench import tell
-from CNCStepper.workbench.worker import Worker, start_worker
+from CNCStepper.workbench.questioner import Questioner
+from CNCStepper.workbench.tell import guarded
 
 if TYPE_CHECKING:
     from CNCStepper.machine.profile import Machine
     from CNCStepper.state import Start
 
 WORKER = "CNCStepper.job.editor_worker"
-LOOK_EVERY_MS = 20
 TEXT = "program.nc"
 OF_A_TEXT = ("read", "timed", "sendable", "edited")  # answers that name the text that they are about
 MOST_SENT_BY_LINE = 5000  # a longer change is sent as a file with the whole text
@@ -45,7 +40,7 @@ class Language:
 
 
 class ProgramReader(QtCore.QObject):
-    """What is known of the newest text; `whole` gives all of it, when the process is started.
+    """What is known of the newest text; `whole` gives all of it, whenever it is read anew.
 
     read, timed, sendable, at_line, picked, place_picked, listed, edited: sent with the process's answers. failed: with
     an error; the next change starts the process again.
@@ -68,12 +63,11 @@ class ProgramReader(QtCore.QObject):
         self._folder = tempfile.TemporaryDirectory(prefix="cncstepper-", ignore_cleanup_errors=True)
         self.folder = Path(self._folder.name)
         self.mark = 0
-        self._process: Worker | None = None
-        self._python: Future[str] | None = None
-        self._timer = QtCore.QTimer(self)
-        self._timer.setInterval(LOOK_EVERY_MS)
-        self._timer.timeout.connect(tell.guarded(self._look))
-        QtCore.QCoreApplication.instance().aboutToQuit.connect(self.end)
+        what, advice = "the process that reads the program has ended", "change the text to start it again"
+        lost = CNCStepperError("editor-lost", what, advice=advice)
+        self._questions = Questioner(WORKER, lost, str(self.folder), parent=self)
+        self._questions.answered.connect(guarded(self._hear))
+        self._questions.failed.connect(self.failed)
 
     def begin(self, language: Language) -> None:
         """Read the whole text in a language, now and from now on."""
@@ -83,75 +77,44 @@ class ProgramReader(QtCore.QObject):
         write_start(self.folder, language.start)
         if language.machine is not None:
             (self.folder / "machine.json").write_text(language.machine.model_dump_json(), encoding="utf-8")
-        if self._process is not None:
-            self._send_whole()
-        elif self._python is None:
-            self._python = seek_python(PROOF)
-            self._timer.start()
+        self._send_whole()
 
     def change(self, first: int, removed: int, lines: list[str]) -> None:
         """Tell that lines have changed."""
-        if self._process is None:
+        if not self._questions.begun:
             self.begin(self._language)
         elif max(removed, len(lines)) > MOST_SENT_BY_LINE:
             self._send_whole()
         else:
             self.mark += 1
-            self._send({"change": [first, removed, lines], "mark": self.mark})
+            self._questions.ask({"change": [first, removed, lines], "mark": self.mark})
 
     def ask(self, question: dict[str, Any]) -> None:
-        """Ask something about the text; what is asked before the process is there is not answered."""
-        if self._process is not None:
-            self._send(question)
+        """Ask something about the text; nothing is answered while none is read."""
+        if self._questions.begun:
+            self._questions.ask(question)
 
     def end(self) -> None:
         """End the process; nothing is told any more."""
-        self._timer.stop()
-        self._python = None
-        process, self._process = self._process, None
-        if process is not None:
-            process.stop()
+        self._questions.end()
 
     def forget(self) -> None:
         """End the process and take its folder away."""
         self.end()
         self._folder.cleanup()
 
-    def _look(self) -> None:
-        """Start the process as soon as its Python is found."""
-        if self._python is None or not self._python.done():
-            return
-        self._timer.stop()
-        python, self._python = self._python, None
-        try:
-            words = command(python.result(), WORKER, str(self.folder))
-            heard, lost = tell.guarded(self._hear), tell.guarded(self._lost)
-            self._process = start_worker(self, words, heard, lost)
-        except CNCStepperError as error:
-            self._fail(error)
-            return
-        self._send_whole()
-
     def _send_whole(self) -> None:
         self.mark += 1
         language = self._language
         machine = language.machine is not None
         (self.folder / TEXT).write_bytes(self._whole().encode("utf-8", "surrogatepass"))
-        self._send({"as": {"dialect": language.dialect, "file": language.file, "machine": machine}})
-        self._send({"text": TEXT, "mark": self.mark})
+        self._questions.ask({"as": {"dialect": language.dialect, "file": language.file, "machine": machine}})
+        self._questions.ask({"text": TEXT, "mark": self.mark})
 
-    def _send(self, question: dict[str, Any]) -> None:
-        assert self._process is not None
-        self._process.write(json.dumps(question).encode("ascii") + b"\n")
-
-    def _hear(self) -> None:
-        """Take the answers whose lines are whole."""
-        while self._process is not None and (line := self._process.line()):
-            answer = json.loads(line)
-            if "error" in answer:
-                self._fail(error_from_json(answer["error"]))
-            elif all(answer.get(kind, self.mark) == self.mark for kind in OF_A_TEXT):
-                self._hand_out(answer)
+    def _hear(self, answer: dict[str, Any]) -> None:
+        """Hand on what is said of the newest text."""
+        if all(answer.get(kind, self.mark) == self.mark for kind in OF_A_TEXT):
+            self._hand_out(answer)
 
     def _hand_out(self, answer: dict[str, Any]) -> None:
         kinds = {
@@ -165,18 +128,3 @@ class ProgramReader(QtCore.QObject):
             "edited": self.edited,
         }
         next(signal for kind, signal in kinds.items() if kind in answer).emit(answer)
-
-    def _lost(self) -> None:
-        """Tell that the process ended by itself."""
-        if self._process is not None:
-            self._fail(
-                CNCStepperError(
-                    "editor-lost",
-                    "the process that reads the program has ended",
-                    advice="change the text to start it again",
-                )
-            )
-
-    def _fail(self, error: CNCStepperError) -> None:
-        self.end()
-        self.failed.emit(error)

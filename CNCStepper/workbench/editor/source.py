@@ -138,11 +138,10 @@ class ObjectSource:
 
     def language(self, machine: Any) -> Language:
         """Return how it is read: as its job says."""
-        from CNCStepper.workbench.making import job_of, machine_of
+        from CNCStepper.workbench.making import machine_of, proven_with
 
-        job = job_behind(self.obj)
-        own = machine_of(job)
-        start = job_of(job).started(None, own) if own.tool_length == "table" else None
+        own = machine_of(job_behind(self.obj))
+        start = proven_with(self.obj).started(None, own) if own.tool_length == "table" else None
         return Language(own.controller, "", own, start)
 
     def save(self, text: str) -> ObjectSource:

@@ -68,10 +68,11 @@ class ProgramEdit(QtGui.QPlainTextEdit):
         """Put a text in, bit by bit; until `filled` it cannot be edited."""
         self.setReadOnly(True)
         self.setUndoRedoEnabled(False)
+        self._filling = self._bit_by_bit(text)
+        self._filler.start()  # from now on nothing counts as a change
+        self._change = None
         self.clear()
         self.marks.take([])
-        self._filling = self._bit_by_bit(text)
-        self._filler.start()
 
     def lines(self, first: int, count: int) -> list[str]:
         """Return lines of the text, from `first`, counted from 0."""

@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""CNCStepper_Program: a program that a person has edited, kept in the document; no recompute writes over it."""
+"""CNCStepper_Program: a program that a person has edited, or a G-code file's, kept in the document.
+
+No recompute writes over it.
+"""
 
 from __future__ import annotations
 
@@ -26,6 +29,9 @@ class Program(Feature):
                  later("The program, kept in this document"), output=True),
         Property("made_from", "MadeFrom", TEXT, PROGRAM, later("Made from"),
                  later("The fingerprint of the job's program from which this one was edited"), "", output=True),
+        Property("file", "File", TEXT, PROGRAM, later("File"),
+                 later("The G-code file that it is, which has nothing to do with the operations of its job"), "",
+                 output=True),
         Property("note", "Note", TEXT, PROGRAM, later("Note"),
                  later("What happened to the job's own program since"), "", output=True),
     )  # fmt: skip
@@ -46,6 +52,11 @@ class Program(Feature):
 def fingerprint(text: str) -> str:
     """Return what names a program's text."""
     return hashlib.sha256(text.encode("utf-8")).hexdigest()
+
+
+def is_of_a_file(obj: Any) -> bool:
+    """Return whether a program was read from a file, so that it is none of its job's operations."""
+    return proxy_type(obj) == Program.Type and bool(obj.File)
 
 
 def job_behind(obj: Any) -> Any:

@@ -7,10 +7,11 @@ from collections.abc import Sequence
 from typing import Any
 
 
-def open_restart(program: Any, line: int = 0, said: Sequence[str] = ()) -> Any:
+def open_restart(program: Any, line: int = 0, said: Sequence[tuple[str, str]] = ()) -> Any:
     """Open the task panel in which the restart of a job or an edited program is chosen; return it.
 
-    line: from which it is proposed, 0 for none. said: what is known of the job that did not end, shown on top.
+    line: from which it is proposed, 0 for none. said: what is known of the job that did not end, a name and its words
+    each, shown on top.
     Raises JobError when another task panel stands open.
     """
     import FreeCADGui

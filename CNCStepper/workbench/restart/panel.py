@@ -4,12 +4,14 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from html import escape
 from typing import TYPE_CHECKING, Any
 
 from PySide import QtCore, QtGui
 
 from CNCStepper.workbench.findings import FindingsList
 from CNCStepper.workbench.icons import icon
+from CNCStepper.workbench.restart.entering_fields import NAME, EnteringFields
 from CNCStepper.workbench.restart.place_list import PlaceList
 from CNCStepper.workbench.restart.places import Row, chosen, line_of, row_of
 from CNCStepper.workbench.sentences import translated
@@ -19,8 +21,6 @@ if TYPE_CHECKING:
     from CNCStepper.gcode.restart.places import Where
     from CNCStepper.workbench.proof import ProofResult
 
-NAME = "CNCStepper_Restart_"
-LONGEST_OVERLAP_MM = 1000.0
 MOST_RUNS = 9999
 FINDINGS_PX = 110
 
@@ -29,15 +29,15 @@ class RestartPanel(QtGui.QWidget):
     """The widget of the task.
 
     place_chosen: sent with a Row of the list. line_chosen: with a line, and which of its runs, 0 where that is not
-    said. overlap_chosen: with mm. send: to send what is shown.
+    said. entering_chosen: when `entering` has another value. send: to send what is shown.
     """
 
     place_chosen = QtCore.Signal(object)
     line_chosen = QtCore.Signal(int, int)
-    overlap_chosen = QtCore.Signal(float)
+    entering_chosen = QtCore.Signal()
     send = QtCore.Signal()
 
-    def __init__(self, label: str, said: Sequence[str], parent: Any = None):
+    def __init__(self, label: str, said: Sequence[tuple[str, str]], parent: Any = None):
         super().__init__(parent)
         self.setObjectName(f"{NAME}panel")
         self.setWindowTitle(tr("Restart: {0}").format(label))
@@ -112,22 +112,15 @@ class RestartPanel(QtGui.QWidget):
         self.line.setEnabled(False)
         self.time = _spin("time", 0, MOST_RUNS)
         self.time.setSpecialValueText(tr("choose"))
-        self.overlap = QtGui.QDoubleSpinBox()
-        self.overlap.setObjectName(f"{NAME}overlap")
-        self.overlap.setRange(0.0, LONGEST_OVERLAP_MM)
-        self.overlap.setSingleStep(0.5)
-        self.overlap.setSuffix(f" {tr('mm')}")
-        self.overlap.setKeyboardTracking(False)
-        self.overlap.setToolTip(tr("Begin so much earlier on the same cut, so that no ridge stays"))
         self.line.setToolTip(tr("The first line that is not certainly cut"))
         self.line.valueChanged.connect(lambda line: self.line_chosen.emit(line, 0))
         self.time.valueChanged.connect(lambda time: self.line_chosen.emit(self.line.value(), time))
-        self.overlap.valueChanged.connect(self.overlap_chosen)
         form = QtGui.QFormLayout()
         form.addRow(tr("Line"), self.line)
         self._time_label = QtGui.QLabel(tr("Time that it is run"))
         form.addRow(self._time_label, self.time)
-        form.addRow(tr("Overlap"), self.overlap)
+        self.entering = EnteringFields(form, self)
+        self.entering.changed.connect(self.entering_chosen)
         self.ask_time(False)
         return form
 
@@ -163,11 +156,14 @@ def _advice() -> str:
     )
 
 
-def _said(sentences: Sequence[str]) -> Any:
-    """Return what is known of the job that did not end."""
+def _said(told: Sequence[tuple[str, str]]) -> Any:
+    """Return what is known of the job that did not end: each name in bold before its words."""
     box = QtGui.QGroupBox(tr("The job that did not end"))
     layout = QtGui.QVBoxLayout(box)
-    layout.addWidget(_wrapped("said", "\n".join(sentences)))
+    lines = (f"<b>{escape(name)}:</b> {escape(text)}" for name, text in told)
+    label = _wrapped("said", "<br>".join(lines))
+    label.setTextFormat(QtCore.Qt.TextFormat.RichText)
+    layout.addWidget(label)
     return box
 
 
@@ -183,6 +179,7 @@ def _wrapped(what: str, text: str = "") -> Any:
     label = QtGui.QLabel(text)
     label.setObjectName(f"{NAME}{what}")
     label.setWordWrap(True)
+    label.setMinimumWidth(1)  # a path is a long word
     label.setTextFormat(QtCore.Qt.TextFormat.PlainText)
     label.setTextInteractionFlags(QtCore.Qt.TextInteractionFlag.TextSelectableByMouse)
     return label

@@ -20,9 +20,9 @@ from CNCStepper.workbench.editor.reader import ProgramReader
 from CNCStepper.workbench.editor.source import ObjectSource
 from CNCStepper.workbench.editor.stage import EditorStage
 from CNCStepper.workbench.features.program import job_behind
+from CNCStepper.workbench.latest_proof import LatestProof
 from CNCStepper.workbench.making import machine_of
 from CNCStepper.workbench.panels.view_task import ViewTask
-from CNCStepper.workbench.proof import ProofResult, ProofRun
 from CNCStepper.workbench.restart.panel import RestartPanel
 from CNCStepper.workbench.restart.places import Row, line_of, rows_of
 from CNCStepper.workbench.sentences import translated
@@ -39,13 +39,13 @@ SETTLED_MS = 400  # so long a choice stands still before it is proven
 class RestartTask(ViewTask):
     """What FreeCAD's task panel is given; `form` is its widget. An edit of the program is shown, or told, at once."""
 
-    def __init__(self, program: Any, line: int = 0, said: Sequence[str] = ()):
+    def __init__(self, program: Any, line: int = 0, said: Sequence[tuple[str, str]] = ()):
         """line: the one that is proposed, 0 for none. said: what is known of the job that did not end."""
         self.form = RestartPanel(program.Label, said)
         self._program, self._document_name = program, program.Document.Name
         self._source = ObjectSource(program)
         self._where = Where(line=line) if line else None
-        self._run: ProofRun | None = None
+        self._proof = LatestProof(self.form.show_result, self._refuse, lambda text: self.form.say(text, busy=True))
         self._stage: Stage | None = None
         self._path = EditorStage(self._clicked)
         self._reader = ProgramReader(lambda: program_file.load(program))
@@ -67,7 +67,7 @@ class RestartTask(ViewTask):
         """Leave nothing behind: no process, no timer, no node, nothing hidden."""
         self._watch.end()
         self._settled.stop()
-        self._give_up_run()
+        self._proof.give_up()
         self._reader.forget()
         self._path.clear()
         if self._stage is not None:
@@ -84,7 +84,7 @@ class RestartTask(ViewTask):
         reader.failed.connect(guarded(self._refuse))
         form.place_chosen.connect(guarded(self._choose_row))
         form.line_chosen.connect(guarded(self._choose_line))
-        form.overlap_chosen.connect(guarded(self._prove_soon))
+        form.entering_chosen.connect(guarded(self._prove_soon))
         form.send.connect(guarded(self._send))
         form.destroyed.connect(self.end)  # however FreeCAD closes the panel
 
@@ -140,31 +140,23 @@ class RestartTask(ViewTask):
         """Prove as soon as nothing is changed any more."""
         if self._where is None:
             return
-        self._give_up_run()
+        self._proof.give_up()
         self.form.say(tr("The restart is made and proven…"), busy=True)
         self._settled.start()
 
     @property
     def _place(self) -> RestartPlace:
         assert self._where is not None
-        return RestartPlace(self._where, self.form.overlap.value())
+        return RestartPlace(self._where, self.form.entering.overlap_mm, self.form.entering.height_mm)
 
     # ---- the proof ----
 
     def _prove(self) -> None:
-        self._run = ProofRun(self._program, begins=dock.start_here(), place=self._place)
-        self._run.progress.connect(tell.guarded(lambda text: self.form.say(text, busy=True)))
-        self._run.finished.connect(tell.guarded(self._show))
-        self._run.failed.connect(tell.guarded(self._refuse))
-        self._run.start()
-
-    def _show(self, result: ProofResult) -> None:
-        self._end_run()
-        self.form.show_result(result)
+        self._proof.begin(self._program, dock.start_here(), self._place)
 
     def _refuse(self, error: CNCStepperError) -> None:
         """Say why there is no restart; a line that is run more than once lets its run be chosen."""
-        self._end_run()
+        self._proof.give_up()
         if error.code == "restart-time":
             self.form.ask_time(True)
         self.form.say(sentences(tell.sentence(error), translated(error.advice)))
@@ -175,21 +167,11 @@ class RestartTask(ViewTask):
         self.reject()
         dock.send(program, place)
 
-    def _give_up_run(self) -> None:
-        if self._run is not None:
-            self._run.cancel()
-            self._end_run()
-
-    def _end_run(self) -> None:
-        run, self._run = self._run, None
-        if run is not None:
-            run.deleteLater()
-
     # ---- what happens to the program meanwhile ----
 
     def _changed(self) -> None:
         """Read the new program; a place in the old one is none in the new one."""
-        self._give_up_run()
+        self._proof.give_up()
         self._settled.stop()
         self._where = None
         self.form.say(tr("The program has changed: it is read again."), busy=True)

@@ -6,18 +6,14 @@ player ──► want(time) ──► one question at a time, the newest ──�
 
 from __future__ import annotations
 
-import json
 from collections.abc import Iterator
-from concurrent.futures import Future
 from typing import TYPE_CHECKING, Any
 
 from PySide import QtCore
 
-from CNCStepper.control.outcome import error_from_json
-from CNCStepper.control.python_finder import PROOF, command, seek_python
 from CNCStepper.errors import CNCStepperError
-from CNCStepper.workbench import tell
-from CNCStepper.workbench.worker import Worker, start_worker
+from CNCStepper.workbench.questioner import Questioner
+from CNCStepper.workbench.tell import guarded
 
 if TYPE_CHECKING:
     import numpy as np
@@ -25,7 +21,6 @@ if TYPE_CHECKING:
     from CNCStepper.workbench.proof import ProofResult
 
 WORKER = "CNCStepper.job.timeline_worker"
-LOOK_EVERY_MS = 20
 
 Tiles = dict[int, tuple["np.ndarray", "np.ndarray"]]  # corners and colours of the faces of tiles, by number
 
@@ -48,12 +43,11 @@ class Moments(QtCore.QObject):
         self._result = result  # keeps its folder
         self._wanted: list[dict[str, Any]] = []
         self._asked = self._answered = self._given_up = False
-        self._process: Worker | None = None
-        self._python: Future[str] | None = None
-        self._timer = QtCore.QTimer(self)
-        self._timer.setInterval(LOOK_EVERY_MS)
-        self._timer.timeout.connect(tell.guarded(self._look))
-        QtCore.QCoreApplication.instance().aboutToQuit.connect(self.end)
+        what, advice = "the process that knows the part at every moment has ended", "move the slider to start it again"
+        lost = CNCStepperError("timeline-lost", what, advice=advice)
+        self._questions = Questioner(WORKER, lost, result.folder.name, parent=self)
+        self._questions.answered.connect(guarded(self._hear))
+        self._questions.failed.connect(guarded(self._fail))
 
     @property
     def waiting(self) -> bool:
@@ -80,52 +74,22 @@ class Moments(QtCore.QObject):
 
     def end(self) -> None:
         """End the process; nothing is told any more."""
-        self._timer.stop()
+        self._questions.end()
         self._wanted.clear()
-        self._asked, self._python = False, None
-        process, self._process = self._process, None
-        if process is not None:
-            process.stop()
+        self._asked = self._answered = False
 
     def _want(self, question: dict[str, Any]) -> None:
         if self._given_up:
             return
         self._wanted.append(question)
-        if self._process is None and self._python is None:
-            self._python = seek_python(PROOF)
-            self._timer.start()
-        self._ask()
-
-    def _look(self) -> None:
-        """Start the process as soon as its Python is found."""
-        if self._python is None or not self._python.done():
-            return
-        self._timer.stop()
-        python, self._python = self._python, None
-        hear, lost = tell.guarded(self._hear), tell.guarded(self._lost)
-        try:
-            words = command(python.result(), WORKER, self._result.folder.name)
-            self._process = start_worker(self, words, hear, lost)
-        except CNCStepperError as error:
-            self._fail(error)
-            return
-        self._answered = False
         self._ask()
 
     def _ask(self) -> None:
-        if self._process is not None and self._wanted and not self._asked:
+        if self._wanted and not self._asked:
             self._asked = True
-            self._process.write(json.dumps(self._wanted.pop(0)).encode("ascii") + b"\n")
+            self._questions.ask(self._wanted.pop(0))
 
-    def _hear(self) -> None:
-        """Take the answer as soon as its line is whole."""
-        line = self._process.line() if self._process is not None else b""
-        if not line:
-            return
-        answer = json.loads(line)
-        if "error" in answer:
-            self._fail(error_from_json(answer["error"]))
-            return
+    def _hear(self, answer: dict[str, Any]) -> None:
         self._answered = True
         if "tiles" in answer:
             self.tiles.emit(dict(self._read(answer["tiles"])))
@@ -149,18 +113,7 @@ class Moments(QtCore.QObject):
             yield number, (corners[first : first + count], rgba[first : first + count])
             first += count
 
-    def _lost(self) -> None:
-        """Tell that the process ended by itself."""
-        if self._process is not None:
-            self._fail(
-                CNCStepperError(
-                    "timeline-lost",
-                    "the process that knows the part at every moment has ended",
-                    advice="move the slider to start it again",
-                )
-            )
-
     def _fail(self, error: CNCStepperError) -> None:
-        self.end()
         self._given_up = not self._answered
+        self.end()
         self.failed.emit(error)

@@ -210,3 +210,11 @@ def test_tools_take_every_key_of_their_shape(tmp_path: Path) -> None:
     assert (job.tool[0].tip_angle_deg, job.tool[0].flute_length_mm) == (60.0, 8.0)
     with pytest.raises(JobError, match="a flat tool has no tip_angle_deg"):
         load_job(changed(tmp_path, 'shape = "flat"', 'shape = "flat"\ntip_angle_deg = 60'))
+
+
+def test_a_job_file_without_operations_is_refused(tmp_path: Path) -> None:
+    text = POCKET.read_text("utf-8").partition("[[operation]]")[0].replace('"../machines/table-a.toml"', '"table-a"')
+    path = tmp_path / "job.toml"
+    path.write_text(text, encoding="utf-8")
+    with pytest.raises(JobError, match="has no operation"):
+        load_job(path)

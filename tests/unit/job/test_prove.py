@@ -8,9 +8,11 @@ from pathlib import Path
 
 import pytest
 
+from CNCStepper.gcode.restart.places import Where
 from CNCStepper.job.make import Made, make_program
 from CNCStepper.job.model import Job, load_job
 from CNCStepper.job.prove import Proof, prove_job
+from CNCStepper.job.restart import restart_job
 from CNCStepper.machine.profile import Machine
 from CNCStepper.state import Start
 
@@ -133,3 +135,14 @@ def test_a_pocket_through_the_stock_leaves_nothing(pocket: tuple[Job, Machine, M
     proof = prove_job(through, machine, make_program(through, machine).program)
     assert [finding.code for finding in proof.findings if finding.severity != "info"] == ["below-stock"]
     assert not proof.report["islands"]
+
+
+def test_another_program_is_proven_with_stock_and_tools_alone(pocket: tuple[Job, Machine, Made]) -> None:
+    job, machine, _ = pocket
+    alone = job.model_copy(update={"operation": ()})
+    slot = "G21 G90\nT1\nM3 S9000\nG4 P3\nG0 Z10\nX-20 Y0\nG1 Z-2 F200\nX20 F600\nG0 Z10\nM5\nM2\n"
+    proof = prove_job(alone, machine, slot)
+    assert not proof.refused and proof.report["gouge_mm"] is None and proof.part.heights_mm.min() < -1.9
+    assert prove_job(alone, machine, slot.replace("G1 Z-2 F200", "G0 Z-2")).refused
+    rest = restart_job(alone, machine, slot, Where(line=8))
+    assert not rest.proof.refused and "X20 F600" in rest.restart.text

@@ -24,7 +24,7 @@ JOB = Path(__file__).parents[3] / "examples" / "jobs" / "cycles" / "bore.toml"
 @pytest.mark.parametrize(
     "place",
     [
-        RestartPlace(Where(line=12, time=2), 1.5),
+        RestartPlace(Where(line=12, time=2), 1.5, 7.25),
         RestartPlace(Where(operation="pocket", contour=3)),
         RestartPlace(Where(at_mm=(1.0, -2.5, -0.1))),
         None,
@@ -41,9 +41,9 @@ def test_the_answer_is_that_of_restart_job(tmp_path: Path) -> None:
     program = make_program(job, machine).program
     where = Where(contour=2)
     write_question(tmp_path, program, job, machine)
-    write_place(tmp_path, RestartPlace(where, 0.5))
+    write_place(tmp_path, RestartPlace(where, 0.5, 12.0))
     answer(tmp_path, "bore")
-    proven = restart_job(job, machine, program, where, Entering(0.5), file="bore")
+    proven = restart_job(job, machine, program, where, Entering(0.5, 12.0), file="bore")
     told = read_restart(tmp_path)
     assert told is not None and told.program == proven.restart.text
     assert told.words == tuple(words_of(proven.restart))

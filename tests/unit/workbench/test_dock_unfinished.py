@@ -15,12 +15,26 @@ import pytest
 from CNCStepper.control.certificate import digest_of_text
 from CNCStepper.control.journal.first_program import FirstProgram
 from CNCStepper.control.journal.group import Group
+from CNCStepper.control.journal.sent_text import text_sent
 from CNCStepper.control.journal.story import KILLED, Story
+from CNCStepper.control.outcome import STOPPED
 from CNCStepper.errors import JobError
 from CNCStepper.workbench.dock.state import Moment
-from CNCStepper.workbench.dock.unfinished import NAMES, Reading, line_of, name_of, program_of, told, why_not_now
+from CNCStepper.workbench.dock.unfinished import (
+    NAMES,
+    Reading,
+    line_of,
+    name_of,
+    program_of,
+    reached_by,
+    told,
+    why_not_now,
+)
 
-HEADER = {"lines": 300, "last_line": 301, "homing": True, "goes_back": False, "port": "COM3", "file": "Plate"}
+HEADER = {
+    "lines": 300, "last_line": 301, "homing": True, "goes_back": False, "port": "COM3", "file": "Plate",
+    "machine": "table-a", "firmware": "1.1h", "begin": "2026-11-22 08:00:00",
+}  # fmt: skip
 GROUP = Group(1.8e9, 97, 60, 41, 43, 98, "Run", (-90.0, -40.0, -10.0), (10.0, 10.0, 10.0))
 WAIT_S = 30
 
@@ -40,7 +54,34 @@ def wait_for(reading: Reading, happened: Callable[[], Any]) -> None:
 def test_the_line_is_the_first_that_is_not_certainly_cut() -> None:
     assert line_of(story()) == 43
     names = [name for name, _ in told(story())]
-    assert names == [NAMES[name] for name in ("ended", "certain", "not certain", "not sent", "last seen", "position")]
+    wanted = ("program", "machine", KILLED, "certain", "not certain", "not sent", "last seen", "position")
+    assert names == [NAMES[name] for name in wanted]
+
+
+def test_the_interval_is_told_as_places_where_the_program_is_there_as_it_was_sent() -> None:
+    text = "G21 G90\nG1 X10 F600\nG1 X20\n"
+    zero = {"modes": "G0 G54 G17 G21 G90 G94", "offsets_mm": {"G54": [0.0, 0.0, 0.0]}, "mpos_mm": [0.0, 0.0, 0.0]}
+    group = Group(1.8e9, 3, 2, 1, 2, 3, "Run", (5.0, 0.0, 0.0), (5.0, 0.0, 0.0))
+    sent = story(group, lines=3, dialect="grbl", program_sha256=digest_of_text(text), **zero)
+    told_then = dict(told(sent, reached_by(sent, ["G21\n", text])))
+    assert told_then[NAMES["on the path"]].startswith("from X0.000 Y0.000 Z0.000 at line 2, to X20.000")
+    assert told_then[NAMES["last seen"]].endswith("on the path at line 2")
+    assert reached_by(sent, ["G21\n"]) is None
+    assert reached_by(replace(sent, group=replace(group, finished=3, first_line=0)), [text]) is None
+
+
+def test_the_program_in_its_file_counts_too_while_it_is_the_same(tmp_path: Path) -> None:
+    file = tmp_path / "peça 1.nc"
+    file.write_text("G21\n", "utf-8")
+    assert text_sent(story(file=str(file))) == "G21\n"
+    file.write_text("G20\n", "utf-8")
+    assert text_sent(story(file=str(file))) is None and text_sent(story(file=str(file)), ["G21\n"]) == "G21\n"
+    assert text_sent(story()) is None
+
+
+def test_how_it_ended_is_a_word_of_ours_and_why_a_sentence_of_the_core() -> None:
+    stopped = replace(story(), end=STOPPED, why="stopped as asked after 60 lines")
+    assert (NAMES[STOPPED], "stopped as asked after 60 lines") in told(stopped)
 
 
 def test_a_zero_that_was_set_within_the_job_is_told() -> None:

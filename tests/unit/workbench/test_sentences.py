@@ -10,6 +10,7 @@ from types import SimpleNamespace
 
 import pytest
 
+from CNCStepper.control.run import KEPT, LOST
 from CNCStepper.errors import ProgramError
 from CNCStepper.gcode.interpret import interpret
 from CNCStepper.state import Start
@@ -67,3 +68,12 @@ def test_a_name_before_and_a_value_that_is_joined() -> None:
 def test_only_a_limit_is_said_too() -> None:
     error = ProgramError("x", "a scale must be above 0", limit="at most 3")
     assert translated(error.sentence) == "uma escala deve ser maior que 0 (limite no máximo 3)"
+
+
+def test_why_a_job_ended_and_how_its_machine_stands_are_both_translated() -> None:
+    stopped = translated(f"stopped as asked after 60 lines. Now {KEPT}")
+    assert stopped.startswith("parado como pedido após 60 linhas. ") and stopped.endswith(translated(KEPT))
+    assert translated(KEPT) != KEPT
+    error = ProgramError("x", "a scale must be above 0", limit="at most 3")
+    failed = translated(f"the job has ended: {error}. Now {LOST}")
+    assert translated(error.sentence) in failed and failed.endswith(translated(LOST)) and translated(LOST) != LOST

@@ -1,0 +1,50 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""From a G-code file to the dock's sending: it is kept in the document, proven with its job's machine, and sent."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+from CNCStepper.workbench import missing, tell
+from CNCStepper.workbench.dock import parts
+from CNCStepper.workbench.dock.state import Moment
+from CNCStepper.workbench.dock.unfinished import why_not_now
+from CNCStepper.workbench.words import later, tr
+
+DOES = later("Check a G-code file with the job's machine, stock, tools and clamps, and send it.")
+
+
+class FileSending:
+    """The button, and what it does."""
+
+    def __init__(self) -> None:
+        self.button = parts.button("SendFile", tr("Send a G-code file…"), self._send)
+
+    def lock(self, moment: Moment) -> None:
+        """Enable the button while nothing is cut."""
+        parts.lock(self.button, why_not_now(moment), DOES)
+
+    def _send(self) -> None:
+        """Ask which file, and send it for the job that is meant."""
+        from CNCStepper.workbench.commands import choice
+        from CNCStepper.workbench.editor.files import ask_which
+
+        if why_not := missing.why_not() or choice.why_no_panel() or choice.why_no_job():
+            tell.notice(
+                why_not,
+                tr("A file is checked with a job's machine, stock, tools and clamps; no operation is needed."),
+            )
+            return
+        path = ask_which()
+        if path is not None:
+            self._take(choice.job(), path)
+
+    def _take(self, job: Any, path: Path) -> None:
+        from CNCStepper.workbench import api
+        from CNCStepper.workbench.commands.send import Send
+        from CNCStepper.workbench.freehand.mode import undo_step
+
+        with undo_step(job.Document, tr("Load {0}").format(path.name)):
+            program = api.load_program(job, path)
+        Send().take(program)
