@@ -96,8 +96,11 @@ class Retrace:
         if not self._reports or self._reports[-1][2:] != seen:
             self._reports.append((driver.status_asked_s, driver.clock(), *seen))
 
-    def tell(self, driver: Grbl, phase: str, file: Path) -> None:
-        """Write for a client what it needs to find the place; raises MachineRefusal in motion."""
+    def tell(self, driver: Grbl, phase: str, file: Path, jogged: bool) -> None:
+        """Write for a client what it needs to find the place; raises MachineRefusal in motion.
+
+        jogged: since the machine stands.
+        """
         _check_phase(phase)
         settings = driver.settings
         content = {
@@ -108,6 +111,7 @@ class Retrace:
             "stands": self._is_over,
             "reports": list(self._reports),
             "position_mm": driver.mpos_mm,
+            "jogged": jogged,
             "blocks": self._blocks,
             "steps_per_mm": [settings.get(STEPS_PER_MM + axis) for axis in range(3)],
             "max_rate_mm_min": [settings.get(MAX_RATE + axis) for axis in range(3)],

@@ -308,7 +308,7 @@ class JobRun:
         if command.name == "retrace":
             self._go_along(driver, file)
         else:
-            self._retrace.tell(driver, self._phases.name, file)
+            self._retrace.tell(driver, self._phases.name, file, self._stand.is_off_path)
             self._tell("place", str(file))
 
     def _go_along(self, driver: Grbl, file: Path) -> None:

@@ -85,13 +85,10 @@ class Stand:
         self._index, self._jogger, self.is_off_path = -1, None, False
 
     def check_way_back(self) -> None:
-        """Raise MachineRefusal where the way back along the cut does not begin here, or was cut from another zero."""
+        """Raise MachineRefusal where the machine jogs, or the way back along the cut was cut from another zero."""
         if self._zero_set:
             what = "the work zero was set at a pause, so the way back along the cut is not known"
             raise MachineRefusal("retreat-zero", what, advice="go on, or stop the job")
-        if self.is_off_path and self._leads_on:
-            what = "the machine was jogged away from where the program paused"
-            raise MachineRefusal("retreat-jogged", what, advice="resume first, which takes it back there")
         if self._jogger and self._jogger.active:
             raise _busy("the machine jogs")
 

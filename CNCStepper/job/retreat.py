@@ -9,9 +9,9 @@ told (control/retrace.py) ──► Held: the program's way, the place, how far 
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from math import dist
+from math import dist, hypot
 from typing import Any
 
 from CNCStepper.control.retrace import REST
@@ -21,16 +21,22 @@ from CNCStepper.gcode.dialects import dialect_named
 from CNCStepper.gcode.first_motion import bare_first_move
 from CNCStepper.gcode.model import Model
 from CNCStepper.gcode.parameters import offset_number
-from CNCStepper.gcode.retreat.find import Found, Seen, find
-from CNCStepper.gcode.retreat.text import Part, head_lines, modes_line, output_lines, over_lines, way_lines
+from CNCStepper.gcode.retreat.find import Found, Seen
+from CNCStepper.gcode.retreat.gaps import crossing, landed_mm, over_gaps, taken_up
+from CNCStepper.gcode.retreat.move import Move, Point
+from CNCStepper.gcode.retreat.over import Axes, over
+from CNCStepper.gcode.retreat.stretch import Part, stretch_moves
+from CNCStepper.gcode.retreat.text import head_lines, modes_line, output_lines, over_lines, way_lines
 from CNCStepper.gcode.retreat.way import Place, Way
 from CNCStepper.gcode.stored import stored_point
 from CNCStepper.gcode.wire_lines import WireLines
 from CNCStepper.job.certify import certificate_of
 from CNCStepper.job.prove import prove
-from CNCStepper.job.retreat_ground import Ground, read_lines
-from CNCStepper.job.start_file import start_from
+from CNCStepper.job.retreat_ground import Ground
+from CNCStepper.job.retreat_place import acknowledged, found_of
+from CNCStepper.machine.play import Motors
 from CNCStepper.machine.profile import Machine
+from CNCStepper.motion.backlash import tool_moves
 from CNCStepper.state import WORK_SYSTEMS, ZERO3, State
 
 BACK, FORWARD, ASIDE = "back", "forward", "aside"
@@ -40,13 +46,17 @@ BACK, FORWARD, ASIDE = "back", "forward", "aside"
 class Held:
     """A held program: its way, where on it the tool is, and how far it was cut.
 
-    found.early: where to go on from. position_mm: where the axes stand, on whole steps. reached: how many of the
-    program's lines were acknowledged. model: what is in force after them.
+    way: of the tool. motors: theirs, the same rows; another one where play is taken up. found.early: where to go on
+    from. is_beside: it was jogged since, so nobody knows on which side of their gaps the motors stand. position_mm:
+    where they stand, on whole steps. reached: how many of the program's lines were acknowledged. model: what is in
+    force after them.
     """
 
     ground: Ground
     way: Way
+    motors: Way
     found: Found
+    is_beside: bool
     farthest: Place
     position_mm: tuple[float, float, float]
     reached: int
@@ -114,7 +124,7 @@ class Held:
         """Return the leg that cuts from here to the end, proven; raises JobError where the checks refuse it."""
         line = int(self.way.lines[self.place.row])
         end = Place(self.way.rows_of(line)[-1], 1.0)
-        lines, parts = self._lines_to(end, outputs=True)
+        lines, parts = self._lines_to(end, outputs=True, leads_on=True)
         reader = self.ground.read(self.ground.program.lines[:line])
         lines.append(modes_line(reader.model.state, reader.model.state.feed_mm_min))
         heads = len(lines) - len(parts) - 1
@@ -147,30 +157,56 @@ class Held:
         }
         return self._proven(lines, content)
 
-    def _lines_to(self, target: Place, outputs: bool) -> tuple[list[str], list[Part]]:
-        """Return the lines to another place, and the parts of the way that those after the head are."""
+    def _lines_to(self, target: Place, outputs: bool, leads_on: bool = False) -> tuple[list[str], list[Part | None]]:
+        """Return the lines to another place, and the parts of the way that those after the head are; None is beside it.
+
+        leads_on: the motors end where the program's own next line presumes them.
+        """
         state = self._state(self.place)
         on = output_lines(state, self.ground.machine.spindle.spin_up_s) if outputs else []
-        first = [*on, *self._over(state)] if self.ground.machine.keeps_outputs_back else [*self._over(state), *on]
-        lines, parts = way_lines(self.way, self.place, target, state)
-        return head_lines(state, self.position_mm) + first + lines, [self._here] * len(first) + parts
+        over = over_lines(self._over(), state)
+        first = [*on, *over] if self.ground.machine.keeps_outputs_back else [*over, *on]
+        lines, parts = way_lines(self._moves_to(target, leads_on), state)
+        return head_lines(state, self.position_mm) + first + lines, [None] * len(first) + parts
 
-    def _over(self, state: State) -> list[str]:
-        """Return the lines back to the way for a machine that was jogged off it; none where it stands on it."""
-        there_mm = self.way.move(self.place.row).at(self.place.share)
-        if dist(self.position_mm, there_mm) <= self.ground.controller.tolerance_mm:
-            return []
-        return over_lines(self.position_mm, there_mm, self.way.top_mm, state)
+    def _moves_to(self, target: Place, leads_on: bool) -> Iterator[tuple[Move, Part]]:
+        """Yield the moves of the motors along the way to another place."""
+        moves, play = stretch_moves(self.way, self.place, target), self.ground.play
+        if play is None:
+            yield from moves
+            return
+        motors = Motors(play, landed_mm(self._there_mm, play) if self._is_off else self.position_mm)
+        yield from taken_up(moves, motors)
+        if leads_on:
+            own = self.motors.move(target.row)
+            yield crossing(motors.at_mm, own.end, own, play), (*target, target.share)
+
+    def _over(self) -> Iterable[tuple[Axes, float]]:
+        """Return the places and speeds of the way back to the cut; none for a machine that stands on it."""
+        if not self._is_off:
+            return ()
+        if self.ground.play:
+            return over_gaps(self.position_mm, self._there_mm, self.way.top_mm, self.ground.play)
+        return over(self.position_mm, self._there_mm, self.way.top_mm)
 
     @property
-    def _here(self) -> Part:
-        return self.place.row, self.place.share, self.place.share
+    def _is_off(self) -> bool:
+        """Whether the way has to be come to first."""
+        gaps_mm = hypot(*self.ground.play.backlash_mm) if self.ground.play else 0.0
+        is_far = dist(self.position_mm, self._there_mm) > self.ground.controller.tolerance_mm + gaps_mm
+        return is_far or (self.is_beside and gaps_mm > 0.0)
+
+    @property
+    def _there_mm(self) -> Point:
+        """The place of the tool on its way."""
+        return self.way.move(self.place.row).at(self.place.share)
 
     def _state(self, place: Place) -> State:
         return self.way.toolpath.states[int(self.way.toolpath.table().state[place.row])]
 
-    def _file_lines(self, heads: int, parts: Sequence[Part]) -> list[int]:
-        return [self.file_line(self.place)] * heads + [self.file_line(Place(row, 0.0)) for row, *_ in parts]
+    def _file_lines(self, heads: int, parts: Sequence[Part | None]) -> list[int]:
+        here = self.file_line(self.place)
+        return [here] * heads + [self.file_line(Place(part[0], part[1])) if part else here for part in parts]
 
     def _proven(self, lines: Sequence[str], content: dict[str, Any]) -> dict[str, Any]:
         """Return a leg with its certificate."""
@@ -184,13 +220,14 @@ class Held:
             tool=self._state(self.place).tool,
             zero_known=self.ground.zero_known,
         )
-        proof = prove(text, self.ground.machine, file="", dialect=self.ground.dialect, start=start)
+        proof = prove(text, self.ground.motors, file="", dialect=self.ground.dialect, start=start)
         certificate = certificate_of(proof)
         certificate.check_clean()
         if len(proof.wire.lines) != len(lines):
             raise JobError("retreat-lines", "the way along the cut cannot be sent as it was written")
         return content | {
             "certificate": json.loads(certificate.to_json()),
+            "begin": self.place,
             "farthest": self.farthest,
             "reached": self.reached,
         }
@@ -201,53 +238,15 @@ def held(told: Mapping[str, Any], machine: Machine | None = None) -> Held:
     ground = Ground.of(told, machine)
     reports = [Seen(*report)._replace(position_mm=ground.controller.on_step(report[4])) for report in told["reports"]]
     leg = told["leg"]
-    reached = _acknowledged(leg, reports)
+    reached = acknowledged(leg, reports)
     reader = ground.read(ground.program.lines[: reached + 1])
-    way, model = Way(reader.toolpath()), ground.read(ground.program.lines[:reached]).model
-    found, farthest = _found(ground, way, told, reports), Place(0, 0.0)
-    if leg is not None:
-        farthest = Place(*leg["farthest"])
+    path, model = reader.toolpath(), ground.read(ground.program.lines[:reached]).model
+    motors = Way(path)
+    way = Way(tool_moves(path, ground.play)) if ground.play else motors
+    found, is_beside = found_of(ground, motors, told, reports)
+    farthest = max(Place(*leg["farthest"]), found.late) if leg else found.late
     position_mm = ground.controller.on_step(told["position_mm"])
-    return Held(ground, way, found, max(farthest, found.late), position_mm, reached, model)
-
-
-def _acknowledged(leg: Mapping[str, Any] | None, reports: Sequence[Seen]) -> int:
-    """Return how many of the program's own lines the controller has acknowledged, in this leg or before."""
-    now = reports[-1].acknowledged if reports else 0
-    if leg is None:
-        return now
-    again = leg["then"] + now - _own(leg) if leg["kind"] == REST else 0
-    return max(int(leg["reached"]), again)
-
-
-def _own(leg: Mapping[str, Any]) -> int:
-    """Return how many lines of a leg are not the program's."""
-    return int(leg["heads"]) + len(leg["parts"]) + (leg["kind"] == REST)
-
-
-def _found(ground: Ground, way: Way, told: Mapping[str, Any], reports: Sequence[Seen]) -> Found:
-    """Return where on the program's way the tool is."""
-    leg = told["leg"]
-    if leg is None:
-        return find(way, reports, ground.controller)
-    if told["stands"]:
-        end = Place(*leg["end"])
-        return Found(end, end)
-    start = start_from(leg["certificate"]["start"]["state"])
-    leg_way = Way(read_lines(told["leg_lines"], start, ground.dialect).toolpath())
-    places = [_on_program(place, leg_way, way, leg) for place in find(leg_way, reports, ground.controller)]
-    return Found(min(places), max(places))
-
-
-def _on_program(place: Place, leg_way: Way, way: Way, leg: Mapping[str, Any]) -> Place:
-    """Return the place of the program that a place of a leg is."""
-    line = int(leg_way.lines[place.row])
-    part = line - 1 - int(leg["heads"])
-    if part < len(leg["parts"]):
-        row, begin, end = leg["parts"][part]
-        return Place(int(row), begin + (end - begin) * place.share)
-    rows = way.rows_of(int(leg["then"]) + line - _own(leg))
-    return Place(rows[place.row - leg_way.rows_of(line)[0]], place.share)
+    return Held(ground, way, motors, found, is_beside, farthest, position_mm, reached, model)
 
 
 def _with_motion(lines: Sequence[str], model: Model, dialect: str) -> list[str]:

@@ -18,6 +18,7 @@ from CNCStepper.gcode.retreat.find import Controller
 from CNCStepper.gcode.subprograms import Library
 from CNCStepper.gcode.take_up import play_of
 from CNCStepper.job.start_file import start_from
+from CNCStepper.machine.play import Play
 from CNCStepper.machine.profile import Machine
 from CNCStepper.state import ZERO3, Start
 
@@ -27,6 +28,7 @@ class Ground:
     """What does not change while a program is held: its lines, where it began, on which machine.
 
     zero_known: whether the program was proven at its place on the table; else its travel is judged by its size alone.
+    play: of the axes, where it is taken up in the lines sent.
     """
 
     program: SendJob
@@ -35,24 +37,34 @@ class Ground:
     machine: Machine
     dialect: str
     controller: Controller
+    play: Play | None = None
 
     @classmethod
     def of(cls, told: Mapping[str, Any], machine: Machine | None) -> Ground:
         """Return it from what a session told; machine: where the session was started without one.
 
-        Raises JobError where there is none, or where its axes have play that the wire text takes up.
+        Raises JobError where there is none.
         """
         program = SendJob.from_content(told["program"])
         known = program.retrace
         machine = _machine(known, machine)
         dialect = known.get("dialect") or machine.controller
-        if play_of(machine, dialect):
-            what = "the play of the axes is taken up in the lines sent, so the way back is not that of the motors"
-            raise JobError("retreat-play", what, advice="resume, or stop and restart the program")
         start = start_from(known["start"]) if known.get("start") else Start()
         return cls(
-            program, _started(start, told["origin"]), start.zero_known, machine, dialect, _controller(told, machine)
+            program,
+            _started(start, told["origin"]),
+            start.zero_known,
+            machine,
+            dialect,
+            _controller(told, machine),
+            play_of(machine, dialect),
         )
+
+    @property
+    def motors(self) -> Machine:
+        """The machine as its motors see it, without play: what they are sent has taken that up already."""
+        axes = {name: axis.model_copy(update={"backlash_mm": 0.0}) for name, axis in self.machine.axis.items()}
+        return self.machine.model_copy(update={"axis": axes})
 
     def read(self, lines: Sequence[str]) -> Interpreter:
         """Return an interpreter that has read some of the program's first lines."""

@@ -18,6 +18,7 @@ from CNCStepper.toolpath import ARC_CCW, ARC_CW, LINE, PLANE_AXES, RAPID
 Point = tuple[float, float, float]
 WHOLE_CIRCLE_RAD = 5e-7  # an arc of at most this angle is a whole circle, as in grbl
 SAME_SHARE = 1e-9
+STILL_MM = 1e-4  # far less than a step, and more than the last digits of a text
 
 
 @dataclass(frozen=True)
@@ -41,6 +42,11 @@ class Move:
     def is_known(self) -> bool:
         """Whether its begin is known in all axes."""
         return not any(map(isnan, (*self.begin, *self.end)))
+
+    @property
+    def is_still(self) -> bool:
+        """Whether it leads nowhere, as that of a tool whose motors cross their gaps."""
+        return self.length_mm < STILL_MM
 
     @cached_property
     def length_mm(self) -> float:

@@ -11,26 +11,21 @@ G20G91F30            modes again in which the program's own lines go on
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
-from math import ceil, tau
+from collections.abc import Iterable
 
 from CNCStepper.gcode.codes import MOTION_NAMES, PLANE_CODES, UNIT_CODES
 from CNCStepper.gcode.edit.numbers import number_text
 from CNCStepper.gcode.retreat.move import Move, Point
-from CNCStepper.gcode.retreat.over import over
-from CNCStepper.gcode.retreat.way import Place, Way
+from CNCStepper.gcode.retreat.over import Axes
+from CNCStepper.gcode.retreat.stretch import Part
 from CNCStepper.gcode.saved_modes import FEED_MODES, SPINDLE
 from CNCStepper.state import State
-from CNCStepper.toolpath import LINE, PLANE_AXES, PLANE_NAMES, RAPID
+from CNCStepper.toolpath import PLANE_AXES, PLANE_NAMES, RAPID
 from CNCStepper.units import MM_PER_INCH
 
 AXES, CENTRES = "XYZ", "IJK"
 DECIMALS = 4  # of mm: finer than a step, and no more digits than 32-bit floats hold
-SHORT_MM = 0.01  # shorter arcs are written as lines: their rounded ends would say another angle
-MOST_SWEEP_RAD = 0.75 * tau  # of one line: beyond it rounded ends could make a whole circle of it, or none
 MODES = "G21G90G17G94"
-
-Part = tuple[int, float, float]  # row, from share, to share
 
 
 def head_lines(state: State, position_mm: Point) -> list[str]:
@@ -52,30 +47,18 @@ def output_lines(state: State, spin_up_s: float) -> list[str]:
     return lines
 
 
-def over_lines(here_mm: Point, there_mm: Point, top_mm: float, state: State) -> list[str]:
-    """Return the lines that take a machine that was jogged away back: up, over, and slowly down."""
-    return [
-        f"G1{_point(place_mm, state)}F{_number(feed_mm_min)}"
-        for place_mm, feed_mm_min in over(here_mm, there_mm, top_mm)
-    ]
+def over_lines(ways: Iterable[tuple[Axes, float]], state: State) -> list[str]:
+    """Return the lines that take a machine that was jogged away back, as `over` has their places and speeds."""
+    return [f"G1{_point(place_mm, state)}F{_number(feed_mm_min)}" for place_mm, feed_mm_min in ways]
 
 
-def way_lines(way: Way, begin: Place, end: Place, state: State) -> tuple[list[str], list[Part]]:
-    """Return the lines along a stretch, a move each, and the part of the way that each of them is.
+def way_lines(moves: Iterable[tuple[Move, Part]], state: State) -> tuple[list[str], list[Part]]:
+    """Return the lines of moves, one each, and the part of the way that each of them is.
 
     state: whose work system, G92 and tool length are in force.
     """
-    row = min(max(begin.row, 0), len(way) - 1)
-    move = way.move(row)
-    join = Move(
-        RAPID if move.kind == RAPID else LINE, (0.0, 0.0, 0.0), move.at(begin.share), feed_mm_min=move.feed_mm_min
-    )
-    lines, parts = [_line(join, state)], [(row, begin.share, begin.share)]
-    for row, first, last in way.stretch(begin, end):
-        for one, part in _pieces(way.move(row), first, last):
-            lines.append(_line(one, state))
-            parts.append((row, *part))
-    return lines, parts
+    written = [(_line(move, state), part) for move, part in moves]
+    return [line for line, _ in written], [part for _, part in written]
 
 
 def modes_line(state: State, feed_mm_min: float) -> str:
@@ -90,19 +73,6 @@ def modes_line(state: State, feed_mm_min: float) -> str:
     words += [f"F{_number(feed_mm_min / scale)}"] * (feed_mm_min > 0 and state.feed_mode == "per_minute")
     off = state.spindle == "off" and state.spindle_rpm > 0
     return "".join(words) + f"S{_number(state.spindle_rpm)}" * off
-
-
-def _pieces(move: Move, first: float, last: float) -> Iterator[tuple[Move, tuple[float, float]]]:
-    """Yield a part of a move in pieces that rounding cannot turn into something else."""
-    share = last - first
-    if not move.is_arc or move.length_mm * abs(share) < SHORT_MM:
-        one = Move(RAPID if move.kind == RAPID else LINE, move.at(first), move.at(last), feed_mm_min=move.feed_mm_min)
-        yield one, (first, last)
-        return
-    count = ceil(abs(move.sweep_rad * share) / MOST_SWEEP_RAD)
-    for number in range(count):
-        ends = first + share * number / count, first + share * (number + 1) / count
-        yield move.part(*ends), ends
 
 
 def _line(move: Move, state: State) -> str:

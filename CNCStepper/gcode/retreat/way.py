@@ -101,6 +101,8 @@ class Way:
         """Return where the last way down into the work begins, or the end of the last rapid where none leads down."""
         descended = False
         for row, move in self._backwards(place):
+            if move.is_still:
+                continue
             share = place.share if row == place.row else 1.0
             down = move.kind != RAPID and move.at(share)[2] < move.begin[2] - SAME_MM
             if move.kind == RAPID or (descended and not down):

@@ -4,7 +4,8 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable
+import random
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from itertools import count
 from math import dist
@@ -21,6 +22,7 @@ from CNCStepper.errors import CNCStepperError
 from CNCStepper.gcode.interpret import interpret
 from CNCStepper.gcode.prepare import prepare
 from CNCStepper.gcode.retreat.way import Place, Way
+from CNCStepper.gcode.take_up import play_of
 from CNCStepper.job.certify import send_job
 from CNCStepper.job.retreat import Held, held
 from CNCStepper.machine.profile import Machine, load_machine
@@ -36,8 +38,34 @@ CORNERS_MM = 1.5  # by which the length measured may be too short; every pass is
 NEAR_MM, TOGETHER = 0.1, 64  # within which the nearest piece of the way is looked for, and for how many points at once
 
 
+def loose_table(rng: random.Random) -> Machine:
+    """Return table-a with play of its axes, which is taken up in the text; each is true in one sense or the other."""
+    machine = load_machine("table-a")
+    axes = {
+        name: axis.model_copy(
+            update={"backlash_mm": round(rng.uniform(0.0, 0.25), 3), "homing": rng.choice(("min", "max"))}
+        )
+        for name, axis in machine.axis.items()
+    }
+    return machine.model_copy(update={"axis": axes})
+
+
+class Tool:
+    """Where the tool really is, while the motors step: each axis of it stays until a side of its gap pushes it."""
+
+    def __init__(self, machine: Machine):
+        self.at_mm = [0.0, 0.0, 0.0]
+        self._gaps_mm = [(0.0, axis.backlash_mm)[:: 1 if axis.homing == "min" else -1] for axis in machine.axes]
+
+    def follow(self, motors_mm: Sequence[float]) -> tuple[float, ...]:
+        """Return where it is with the motors there."""
+        for axis, (motor_mm, (behind_mm, ahead_mm)) in enumerate(zip(motors_mm, self._gaps_mm, strict=True)):
+            self.at_mm[axis] = min(max(self.at_mm[axis], motor_mm - behind_mm), motor_mm + ahead_mm)
+        return tuple(self.at_mm)
+
+
 class Cut:
-    """One job from its first line to its end; `trace` is where the axes really were."""
+    """One job from its first line to its end; `trace` is where the tool really was."""
 
     def __init__(self, folder: Path, program: str, machine: Machine | None = None, **table: Any):
         self.machine = machine or load_machine("table-a")
@@ -48,8 +76,10 @@ class Cut:
         self._folder = folder
         self._numbers = count()
         self._trace: list[tuple[float, ...]] = [(0.0, 0.0, 0.0)]
-        self.table.board.on_step = lambda board: self._trace.append(tuple(board.axes.position_mm))
-        self.job = send_job(prepare(program, "grbl", "part ç.nc"), self.machine, "part ç.nc", None, "grbl")
+        tool = Tool(self.machine)
+        self.table.board.on_step = lambda board: self._trace.append(tool.follow(board.axes.position_mm))
+        wire = prepare(program, "grbl", "part ç.nc", Start.at_zero(), play_of(self.machine, "grbl"))
+        self.job = send_job(wire, self.machine, "part ç.nc", None, "grbl")
         self.sender = Sender(
             replace(self.job, port="table", zero_confirmed=True),
             opener=lambda name, baud: self.table,
@@ -72,13 +102,13 @@ class Cut:
 
     @property
     def trace(self) -> np.ndarray:
-        """The points at which the machine was, one after another, float64[n, 3]."""
+        """The points at which the tool was, one after another, float64[n, 3]."""
         points = np.array(self._trace)
         return points[np.r_[True, (points[1:] != points[:-1]).any(axis=1)]]
 
     @property
     def length_mm(self) -> float:
-        """How far the axes have gone, on a scale at which their single steps do not count."""
+        """How far the tool has gone, on a scale at which their single steps do not count."""
         length_mm, kept = 0.0, self._trace[0]
         for point in self._trace:
             if (far_mm := dist(point, kept)) > COARSE_MM:

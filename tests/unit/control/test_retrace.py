@@ -6,9 +6,10 @@ from __future__ import annotations
 from dataclasses import replace
 from pathlib import Path
 
+import numpy as np
 import pytest
 from cut_programs import THRICE
-from cut_table import CORNERS_MM, Cut, along_mm, path_of
+from cut_table import CORNERS_MM, ROUNDING_MM, STEP_MM, Cut, along_mm, path_of, polyline, worst_distance_mm
 
 from CNCStepper.control.command import Command
 from CNCStepper.gcode.retreat.way import Place, Way
@@ -166,23 +167,37 @@ def test_way_back_begins_at_a_pause_too_and_the_rest_pauses_there_again(tmp_path
     assert phases == ["retreated", "paused"] and not cut.refused
 
 
-def test_way_back_is_refused_where_the_machine_was_jogged_off_the_path(tmp_path: Path) -> None:
-    cut = Cut(tmp_path, PAUSED)
+@pytest.mark.parametrize("by_leg", [False, True])
+def test_way_back_begins_at_a_pause_from_which_somebody_jogged(tmp_path: Path, by_leg: bool) -> None:
+    """The pause of the program, and the same one again in the rest after a way back."""
+    cut, phases = Cut(tmp_path, PAUSED), []
 
     def person():
         yield cut.arrived
+        if by_leg:
+            yield from cut.go((yield from found_by(cut)).rest())
+            yield cut.arrived
         yield from jogged(cut)
-        cut.sender.ask(Command("tell_place", {"file": str(tmp_path / "x.json")}))
-        yield lambda: bool(cut.refused)
-        cut.sender.resume()
-        yield lambda: cut.trace[-1][1] > -18.0 and cut.trace[-1][0] > -6.0
-        yield from cut.hold()
         held = yield from found_by(cut)
-        yield from cut.go(held.rest())
+        yield from cut.go(held.along(held.back_by(3.0)))
+        yield cut.arrived
+        phases.append(cut.phase)
+        assert along_mm(held.way, held.place) - along_mm(held.way, (yield from found_by(cut)).place) == pytest.approx(
+            3.0
+        )
+        yield from cut.go((yield from found_by(cut)).rest())
+        yield cut.arrived
+        phases.append(cut.phase)
+        cut.sender.resume()
 
     outcome = cut.run(person)
-    assert outcome.done, outcome.text
-    assert [error.code for error in cut.refused] == ["retreat-jogged"]
+    assert outcome.done and not cut.refused, outcome.text
+    assert phases == ["retreated", "paused"]
+    assert cut.trace[-1] == pytest.approx(polyline(path_of(PAUSED))[-1], abs=STEP_MM)
+    off = [
+        worst_distance_mm(point[None], polyline(path_of(PAUSED))) > STEP_MM + ROUNDING_MM for point in cut.trace[::8]
+    ]
+    assert np.abs(np.diff(np.array(off, int))).sum() == 2  # it leaves the path once
 
 
 def test_way_back_is_refused_once_the_zero_was_set_at_a_pause(tmp_path: Path) -> None:

@@ -11,6 +11,8 @@ import numpy as np
 import pytest
 
 from CNCStepper.gcode.interpret import interpret
+from CNCStepper.gcode.retreat.over import over
+from CNCStepper.gcode.retreat.stretch import stretch_moves
 from CNCStepper.gcode.retreat.text import head_lines, modes_line, output_lines, over_lines, way_lines
 from CNCStepper.gcode.retreat.way import Place, Way
 from CNCStepper.gcode.wire_text import check_wire_line
@@ -49,7 +51,7 @@ def test_text_read_back_is_the_stretch(way: Way, seed: int) -> None:
     begin, end = some_place(way, rng), some_place(way, rng)
     state = way.toolpath.states[int(way.toolpath.table().state[begin.row])]
     at = way.move(begin.row).at(begin.share)
-    lines, parts = way_lines(way, begin, end, state)
+    lines, parts = way_lines(stretch_moves(way, begin, end), state)
     head = head_lines(state, at) + output_lines(state, 3.0)
     for line in [*head, *lines]:
         check_wire_line(line)
@@ -84,6 +86,6 @@ def test_modes_are_those_of_the_program() -> None:
 def test_way_over_is_in_work_coordinates_and_higher_than_both_ends(way: Way) -> None:
     state = way.toolpath.states[-1]
     here, there = (-90.0, -48.0, -10.0), (-80.0, -48.0, -12.0)
-    text = "\n".join([*head_lines(state, here), *over_lines(here, there, -5.0, state)])
+    text = "\n".join([*head_lines(state, here), *over_lines(over(here, there, -5.0), state)])
     ends = interpret(text, replace(START, position_mm=here)).table().end[:, :3]
     assert ends == pytest.approx(np.array([(-90.0, -48.0, -5.0), (-80.0, -48.0, -5.0), there]), abs=0.001)
