@@ -15,11 +15,14 @@ import sys
 import tempfile
 import threading
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Sequence
 from multiprocessing.connection import Connection
 from pathlib import Path
+from typing import Any
 
+from CNCStepper.control.certificate import FORMAT, VERSION, digest_of, digest_of_lines
 from CNCStepper.control.desk_client import DeskClient
+from CNCStepper.control.long_json import pieces
 from CNCStepper.control.outcome import SenderStatus
 from CNCStepper.control.send_job import SendJob
 from CNCStepper.control.session import SessionClient
@@ -39,11 +42,19 @@ ANSWERS = {
 PLACE = re.compile(rb"X([\d.]+)Y([\d.]+)")
 
 
-def lines(count: int) -> Iterator[str]:
-    """Yield a program of short moves, to and fro."""
-    yield "G21G90G1F6000"
-    for number in range(count - 1):
-        yield f"X{number % 1000 / 10:.3f}Y{number // 1000 % 1000 / 10:.3f}"
+class Program(Sequence[str]):
+    """A program of short moves, to and fro, that takes no memory."""
+
+    def __init__(self, count: int):
+        self._count = count
+
+    def __len__(self) -> int:
+        return self._count
+
+    def __getitem__(self, index: Any) -> Any:
+        if index >= self._count:
+            raise IndexError(index)
+        return f"X{index % 1000 / 10:.3f}Y{index // 1000 % 1000 / 10:.3f}" if index else "G21G90G1F6000"
 
 
 def control(told: Connection) -> None:
@@ -93,7 +104,7 @@ def await_lines(status: Callable[[], SenderStatus]) -> SenderStatus:
 
 def show_sender(port: str, count: int, folder: Path) -> None:
     """Print the memory of the process that `cncstepper send` starts."""
-    job = SendJob(port, list(lines(count)), baud=BAUD, zero_confirmed=True)
+    job = SendJob(port, Program(count), baud=BAUD, zero_confirmed=True)
     with SessionClient.start(job, folder=folder) as client:
         seen = await_lines(client.status)
         print(f"sender, {count} lines, after {seen.acknowledged}: {resident(client.session_file)}", flush=True)
@@ -101,18 +112,20 @@ def show_sender(port: str, count: int, folder: Path) -> None:
         client.wait(limit_s=LIMIT_S)
 
 
-def write_job(file: Path, count: int) -> None:
-    """Write a program as the job of a file, as `SendJob.to_json` has it."""
+def write_certificate(file: Path, count: int) -> None:
+    """Write the certificate of a program, with all that a sender needs of it."""
+    program = Program(count)
+    content: dict[str, Any] = {"format": FORMAT, "version": VERSION, "findings": []}
+    content["wire"] = {"sha256": digest_of_lines(program), "dialect": "grbl"}
+    content["send"] = {"lines": program, "file_lines": range(1, count + 1), "file": "long.nc"}
     with file.open("w", encoding="ascii") as out:
-        out.write('{"lines": [')
-        out.writelines(("," if number else "") + json.dumps(line) for number, line in enumerate(lines(count)))
-        out.write('], "file": "long.nc"}')
+        out.writelines(pieces(content | {"sha256": digest_of(content)}, json.JSONEncoder()))
 
 
 def show_desk(port: str, count: int, folder: Path) -> None:
-    """Print the memory of a desk, and of the process that writes its spool."""
+    """Print the memory of a desk, and of the process that writes its spool, with the certificate of a program."""
     file = folder / "job.json"
-    write_job(file, count)
+    write_certificate(file, count)
     client = DeskClient.launch(port, BAUD, folder)
 
     def status() -> SenderStatus:

@@ -16,6 +16,7 @@ from functools import cached_property
 from pathlib import Path
 from typing import Any
 
+from CNCStepper.control.long_json import blocks_of, pieces
 from CNCStepper.control.send_job import SendJob
 from CNCStepper.errors import JobError, Place
 
@@ -34,8 +35,7 @@ OTHER = {
 
 def digest_of(content: Any) -> str:
     """Return the SHA-256 of plain data, as hexadecimal digits; the order of keys does not count."""
-    text = json.dumps(content, sort_keys=True, separators=(",", ":"))
-    return hashlib.sha256(text.encode("ascii")).hexdigest()
+    return _digest(pieces(content, json.JSONEncoder(sort_keys=True, separators=(",", ":"))))
 
 
 def digest_of_text(text: str) -> str:
@@ -45,7 +45,14 @@ def digest_of_text(text: str) -> str:
 
 def digest_of_lines(lines: Iterable[str]) -> str:
     """Return the SHA-256 of wire lines as they are sent, each with its newline."""
-    return digest_of_text("".join(f"{line}\n" for line in lines))
+    return _digest("\n".join((*block, "")) for block in blocks_of(lines))
+
+
+def _digest(texts: Iterable[str]) -> str:
+    digest = hashlib.sha256()
+    for text in texts:
+        digest.update(text.encode("utf-8"))
+    return digest.hexdigest()
 
 
 @dataclass(frozen=True)
@@ -144,17 +151,13 @@ def is_certificate(content: Any) -> bool:
     return isinstance(content, dict) and content.get("format") == FORMAT
 
 
-def sendable(text: str, **instead: Any) -> SendJob:
-    """Return the job of a certificate, or a bare `SendJob` as JSON, with other values for some fields.
+def sendable(content: Any, **instead: Any) -> SendJob:
+    """Return the job of a certificate, or of a bare `SendJob`, read of JSON, with other values for some fields.
 
-    Raises JobError for a certificate that was changed or that holds errors, and for what is neither.
+    Raises JobError for a certificate that was changed or that holds errors, TypeError or JobError for what is neither.
     """
-    try:
-        content = json.loads(text)
-    except ValueError:
-        content = None
     if not is_certificate(content):
-        return SendJob.from_json(text, **instead)
+        return SendJob.from_content(content | instead)
     certificate = Certificate.from_content(content)
     certificate.check_clean()
     return certificate.send_job(**instead)

@@ -22,7 +22,7 @@ from CNCStepper.control.acts import fresh_status
 from CNCStepper.control.button import buttons_of
 from CNCStepper.control.buttons import Buttons
 from CNCStepper.control.command import VALUES, Command, Inbox
-from CNCStepper.control.grbl import Grbl, Received
+from CNCStepper.control.grbl import Answered, Grbl, Received
 from CNCStepper.control.grbl_report import Vector
 from CNCStepper.control.idle import Belief, Idle, is_fatal
 from CNCStepper.control.journal.journal import Journal
@@ -187,13 +187,14 @@ class Desk:
             self._refuse(command, error)
 
     def _listen(self, received: list[Received]) -> None:
-        tell_words(received, self._tell)
+        said = [report for report in received if not isinstance(report, Answered)]
+        tell_words(said, self._tell)
         if self._run:
             self._run.count(received)
         if self._idle:
             self._idle.hear(received)
-        self._buttons.hear(received)
-        if connect.greeted(received):
+        self._buttons.hear(said)
+        if connect.greeted(said):
             self._zero_is_old = True  # a reset takes G92 and the tool's length away
         if self._ending and not self._connected:
             raise Stopped

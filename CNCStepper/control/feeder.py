@@ -41,8 +41,12 @@ class Feeder:
         """Send what fits and return how many lines; `idle` says that the machine was just seen idle."""
         before = self.sent
         permitted = min(self.total, self._journal.permitted)
-        while self.sent < permitted and self._may_go(text := self.job.lines[self.sent], driver, idle):
-            if not is_move(text) and only_pauses(text):
+        while self.sent < permitted:
+            text = self.job.lines[self.sent]
+            special = not is_move(text)
+            if not self._may_go(text, special, driver, idle):
+                break
+            if special and only_pauses(text):
                 self._pass_pause()
             else:
                 driver.send(text, self.sent)
@@ -104,8 +108,7 @@ class Feeder:
         self.acknowledged += 1
         self._message = ""
 
-    def _may_go(self, text: str, driver: Grbl, idle: bool) -> bool:
-        special = not is_move(text)
+    def _may_go(self, text: str, special: bool, driver: Grbl, idle: bool) -> bool:
         if (special or self.by_line) and self._stands(self.sent):
             return False
         alone = special and (pauses(text) or stores(text) or needs_idle(text))

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 
 from CNCStepper.control.grbl import Grbl, Received
 from CNCStepper.control.grbl_report import Feedback, Unknown
@@ -33,7 +33,7 @@ def moment(driver: Grbl | None, phase: str, message: str = "") -> SenderStatus:
     )
 
 
-def tell_words(received: list[Received], tell: Callable[[str, str], None]) -> None:
+def tell_words(received: Iterable[Received], tell: Callable[[str, str], None]) -> None:
     """Pass on the controller's own messages, and as warnings what it cannot have said."""
     for report in received:
         if isinstance(report, Feedback) and report.tag in ("MSG", "echo"):

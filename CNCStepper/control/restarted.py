@@ -11,10 +11,12 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator
+from itertools import filterfalse
 
 from CNCStepper.control.connect import Found
 from CNCStepper.control.grbl import Grbl
 from CNCStepper.control.grbl_report import Vector
+from CNCStepper.control.lines import is_move
 from CNCStepper.control.readiness import OFFSET_TOLERANCE_MM
 from CNCStepper.errors import MachineRefusal
 from CNCStepper.state import WORK_SYSTEMS
@@ -53,7 +55,7 @@ def check_zero_here(lines: Iterable[str], driver: Grbl, found: Found) -> None:
 
 def _systems(lines: Iterable[str]) -> Iterator[str]:
     """Yield the work systems that a program names; raises MachineRefusal where it goes to a place of the machine."""
-    for line in lines:
+    for line in filterfalse(is_move, lines):
         plain = line.replace(" ", "").upper()
         if place := _MACHINE_PLACE.search(plain):
             raise _refusal(f"the program has {place[0]}, which goes by the machine's own zero", line[:40])

@@ -104,10 +104,10 @@ class Retrace:
         _check_phase(phase)
         settings = driver.settings
         content = {
-            "program": self.program.to_content(),
+            "program": _content_of(self.program),
             "origin": self._origin,
             "leg": self.leg.content if self.leg else None,
-            "leg_lines": list(self.leg.job.lines) if self.leg else [],
+            "leg_lines": self.leg.job.lines if self.leg else [],
             "stands": self._is_over,
             "reports": list(self._reports),
             "position_mm": driver.mpos_mm,
@@ -151,6 +151,12 @@ class Retrace:
         """Note that all lines are cut; return whether they were a leg after which the machine waits."""
         self._is_over = self.leg is not None and not self.leg.is_rest
         return self._is_over
+
+
+def _content_of(job: SendJob) -> dict[str, Any]:
+    """Return a job as `to_content` does, its lines still in their spool."""
+    short = replace(job, lines=(), file_lines=()).to_content()
+    return short | {"lines": job.lines, "file_lines": job.file_lines}
 
 
 def stand_reset(driver: Grbl, timing: Timing) -> connect.Found:

@@ -120,12 +120,12 @@ class JobRun:
         """Hear what came, also while the machine is brought to rest: count the answers to the job's lines."""
         self._journal.hear(received)
         for report in received:
-            if isinstance(report, Greeting) and self._phases.stands:
-                self._trouble.append(report)  # also one that comes while a zero is set
-            elif isinstance(report, Answered):
+            if isinstance(report, Answered):
                 self._feeder.take(report)
                 if message := self.job.messages.get(report.sent.index):
                     self._tell("message", message)
+            elif isinstance(report, Greeting) and self._phases.stands:
+                self._trouble.append(report)  # also one that comes while a zero is set
             elif isinstance(report, Status) and self._path and not self._stand.is_off_path:
                 self._path.take(report, self._feeder.acknowledged, self._feeder.sent)
 

@@ -10,7 +10,7 @@ from CNCStepper.control import connect
 from CNCStepper.control.button import buttons_of
 from CNCStepper.control.buttons import Buttons
 from CNCStepper.control.command import JOB_COMMANDS, Command, Inbox
-from CNCStepper.control.grbl import Grbl, Received
+from CNCStepper.control.grbl import Answered, Grbl, Received
 from CNCStepper.control.home_first import home
 from CNCStepper.control.journal.kept import Journals
 from CNCStepper.control.moment import tell_words
@@ -107,8 +107,9 @@ class Sender:
     def _listen(self, received: list[Received]) -> None:
         """Count and tell what came; while connecting, obey a stop too, all else waits for the first line."""
         self._run.count(received)
-        self._buttons.hear(received)
-        tell_words(received, self._tell)
+        if said := [report for report in received if not isinstance(report, Answered)]:
+            self._buttons.hear(said)
+            tell_words(said, self._tell)
         if self._connecting:
             for command in self._inbox.take():
                 if command.name == "stop":

@@ -17,6 +17,7 @@ from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
+from CNCStepper.control.long_json import pieces
 from CNCStepper.errors import MissingPackage
 
 KEPT = 20  # sessions whose outcome and log are kept
@@ -108,10 +109,10 @@ class DeskFile:
 
 
 def write_private(path: Path, content: Mapping[str, Any]) -> None:
-    """Write JSON that only its owner can read; a reader finds it whole or not at all."""
+    """Write JSON that only its owner can read, long lists as `pieces` does; a reader finds it whole or not at all."""
     draft = path.with_name(f"{path.name}.{secrets.token_hex(4)}")
     with open(os.open(draft, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o600), "w", encoding="utf-8") as file:
-        json.dump(content, file)
+        file.writelines(pieces(content, json.JSONEncoder()))
     os.replace(draft, path)
 
 

@@ -11,6 +11,7 @@ import os
 from array import array
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
+from functools import lru_cache
 from itertools import count
 from pathlib import Path
 from typing import Any, overload
@@ -20,6 +21,7 @@ from CNCStepper.control.send_job import SendJob
 from CNCStepper.errors import Place
 
 BLOCK = 1024  # records that are read at once
+KEPT_BLOCKS = 2
 
 
 def write_spool(path: Path, job: SendJob) -> SendJob:
@@ -78,12 +80,12 @@ class _Spool:
 
 
 class _Column(Sequence[Any]):
-    """One half of every record; of one block they are kept."""
+    """One half of every record; of the last blocks read they are kept, for who reads at two places at once."""
 
     def __init__(self, spool: _Spool, half: Callable[[str], Any]):
         self._spool = spool
         self._half = half
-        self._kept: tuple[int, list[Any]] = (-1, [])
+        self._block = lru_cache(KEPT_BLOCKS)(lambda number: list(map(half, spool.read(number))))
 
     def __len__(self) -> int:
         return self._spool.count
@@ -101,11 +103,9 @@ class _Column(Sequence[Any]):
     def __getitem__(self, index: int | slice) -> Any:
         if isinstance(index, slice):
             return tuple(self[place] for place in range(*index.indices(len(self))))
-        if not -len(self) <= index < len(self):
-            raise IndexError(index)
-        number, place = divmod(index % len(self), BLOCK)
-        kept, values = self._kept
-        if kept != number:
-            values = [self._half(record) for record in self._spool.read(number)]
-            self._kept = (number, values)
-        return values[place]
+        if index < 0:
+            index += len(self)
+            if index < 0:
+                raise IndexError(index)
+        number, place = divmod(index, BLOCK)
+        return self._block(number)[place]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Puts the job of a file into a spool in a process of its own, with which ends what a whole certificate takes to read.
+"""Puts the job of a file into a spool in a process of its own, a block at a time, while the desk goes on.
 
 python -m CNCStepper.control.spooler FILE SPOOL     standard input:  values for some fields of the job, as JSON
                                                     standard output: {"job": without its lines} or {"error": ...}
@@ -15,6 +15,7 @@ from pathlib import Path
 from typing import Any
 
 from CNCStepper.control.certificate import sendable
+from CNCStepper.control.long_json import read_long
 from CNCStepper.control.outcome import error_from_json, error_to_json
 from CNCStepper.control.python_finder import command, environment
 from CNCStepper.control.send_job import SendJob
@@ -56,7 +57,7 @@ def main(arguments: list[str]) -> int:
 def _written(file: Path, spool: Path, instead: dict[str, Any]) -> SendJob:
     spool.unlink(missing_ok=True)  # of a spooler that was killed
     try:
-        return write_spool(spool, sendable(file.read_text("utf-8"), **instead))
+        return write_spool(spool, sendable(read_long(file), **instead))
     except CNCStepperError:
         raise
     except (OSError, ValueError, TypeError) as error:

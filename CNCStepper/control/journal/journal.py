@@ -20,7 +20,7 @@ from typing import Any
 
 from CNCStepper.control.connect import Found, offsets_of
 from CNCStepper.control.grbl import Grbl, Received
-from CNCStepper.control.journal.ahead import FIRST, Ahead
+from CNCStepper.control.journal.ahead import Ahead
 from CNCStepper.control.journal.capacity import Capacity
 from CNCStepper.control.journal.finished import finished_lines
 from CNCStepper.control.journal.group import Group
@@ -69,7 +69,8 @@ class Journal:
         """Put the job and its first lines on the disk; raises JobError when the disk is full or cannot be written."""
         self._job, self._driver = job, driver
         self._step_mm = _longest_step_mm(driver.settings)
-        self._ahead = Ahead(self._clock())
+        self._ahead = Ahead(self._clock(), job.baud)
+        first = min(self._ahead.lines, len(job.lines))
         try:
             self._check_room()
             prune(self._folder)
@@ -77,11 +78,11 @@ class Journal:
             self._file = JournalFile(self.path)
             self._offsets_mm = offsets_of(driver, found)
             self._file.append(header_of(job, driver, found))
-            self._file.append(self._group(min(FIRST, len(job.lines)), 0, 0).to_content())
+            self._file.append(self._group(first, 0, 0).to_content())
         except OSError as error:
             self._discard()
             raise self._refusal(error.strerror or str(error)) from error
-        self.permitted = min(FIRST, len(job.lines))
+        self.permitted = first
         self._executor = self._executor or ThreadPoolExecutor(1, "journal")
 
     def hear(self, received: list[Received]) -> None:

@@ -13,10 +13,10 @@ from contextlib import ExitStack, contextmanager
 from math import inf
 from unittest.mock import patch
 
-from CNCStepper.control.journal import ahead, journal
+from CNCStepper.control.journal import ahead
 from CNCStepper.control.journal.journal_file import JournalFile
 
-FIRST_LINES, LEAST_LINES, AHEAD_S = 8, 4, 0.5
+LEAST_LINES, AHEAD_S = 4, 0.5
 FOR_GOOD_S = 3.0  # a person who finds no room for so long stops the job
 
 
@@ -55,8 +55,7 @@ class Disk:
         """Let every journal be written to this disk."""
         with ExitStack() as patches:
             patches.enter_context(patch.object(JournalFile, "_write", lambda file, line: self._write(file, line)))
-            patches.enter_context(patch.object(journal, "FIRST", FIRST_LINES))
-            patches.enter_context(patch.multiple(ahead, FIRST=FIRST_LINES, LEAST=LEAST_LINES, AHEAD_S=AHEAD_S))
+            patches.enter_context(patch.multiple(ahead, least_lines=lambda baud: LEAST_LINES, AHEAD_S=AHEAD_S))
             yield
 
     def _write(self, file: JournalFile, line: bytes) -> None:

@@ -18,7 +18,7 @@ from CNCStepper.control.feeder import Feeder
 from CNCStepper.control.grbl import Grbl
 from CNCStepper.control.grbl_report import Status
 from CNCStepper.control.journal import journal_file
-from CNCStepper.control.journal.ahead import FIRST, LEAST, MOST, Ahead
+from CNCStepper.control.journal.ahead import LEAST, MOST, Ahead
 from CNCStepper.control.journal.journal import MENDED, Journal
 from CNCStepper.control.journal.journal_file import JournalFile
 from CNCStepper.control.journal.kept import NoJournal
@@ -29,6 +29,7 @@ from CNCStepper.control.sender import Sender
 from CNCStepper.errors import JobError
 
 LINES = tuple(f"G1X{number}Y{number % 7}F600" for number in range(400))
+SLOW_BAUD = 1200  # at which a journal is as little ahead as it ever is
 
 
 class Bench:
@@ -41,7 +42,7 @@ class Bench:
         self.journal = Journal(folder, executor=AtOnce(), clock=self.clock)
         self.on_text: dict[str, object] = {}
         self.sender = Sender(
-            SendJob("fake", lines, **{"zero_confirmed": True, "file": "part.nc"} | job),
+            SendJob("fake", lines, **{"zero_confirmed": True, "file": "part.nc", "baud": SLOW_BAUD} | job),
             opener=lambda name, baud: FakeLink(self.controller, self.clock),
             clock=self.clock,
             tell=self.tell,
@@ -228,11 +229,11 @@ class Program(Sequence):
         return f"G1X{index % 900}"
 
 
-def begun(folder, clock, lines):
+def begun(folder, clock, lines, baud=SLOW_BAUD):
     driver = Grbl(FakeLink(FakeController(clock), clock), clock)
     driver.status = Status("Run", mpos=(1.0, 2.0, 3.0))
     journal = Journal(folder, executor=AtOnce(), clock=clock)
-    journal.begin(SendJob("fake", lines), driver, Found("1.1h"))
+    journal.begin(SendJob("fake", lines, baud=baud), driver, Found("1.1h"))
     return journal
 
 
@@ -254,8 +255,8 @@ def test_a_million_lines_need_a_small_file_and_no_memory(tmp_path, monkeypatch):
     assert starved < 12  # only until the rate is known
 
 
-def test_a_slow_job_is_known_within_a_few_lines():
-    ahead, sent, permitted = Ahead(0.0), 0, FIRST
+def test_a_slow_job_on_a_slow_line_is_known_within_a_few_lines():
+    ahead, sent, permitted = Ahead(0.0, SLOW_BAUD), 0, LEAST
     for second in range(1, 60):
         sent += 40 if second == 1 else 1
         permitted = ahead.next_range(sent, permitted, float(second))
@@ -263,25 +264,55 @@ def test_a_slow_job_is_known_within_a_few_lines():
 
 
 def test_a_disk_too_slow_for_the_range_gets_a_longer_one():
-    ahead = Ahead(0.0)
-    ranges = [ahead.next_range(sent := 64 * (k + 1), sent, 0.001 * k) - sent for k in range(12)]
-    assert ranges[0] >= 2 * FIRST and ranges[-1] == MOST
+    ahead = Ahead(0.0, SLOW_BAUD)
+    ranges = [ahead.next_range(sent := LEAST * (k + 1), sent, 0.001 * k) - sent for k in range(12)]
+    assert ranges[0] >= 2 * LEAST and ranges[-1] == MOST
+
+
+class SlowDisk(Executor):
+    """A disk of which every write takes so long, by a clock."""
+
+    def __init__(self, clock, write_s):
+        self.clock, self.write_s = clock, write_s
+        self.waiting: list[tuple[float, Future]] = []
+
+    def submit(self, function, /, *arguments, **words):
+        function(*arguments, **words)
+        self.waiting.append((self.clock() + self.write_s, Future()))
+        return self.waiting[-1][1]
+
+    def turn(self):
+        while self.waiting and self.waiting[0][0] <= self.clock():
+            self.waiting.pop(0)[1].set_result(None)
+
+
+@pytest.mark.parametrize(("baud", "lines_s"), [(115_200, 500), (115_200, 760), (1_000_000, 4000), (1_000_000, 6600)])
+@pytest.mark.parametrize("slow_lines", [0, 20])
+def test_a_disk_that_takes_an_eighth_of_a_second_never_keeps_a_stream_waiting(tmp_path, baud, lines_s, slow_lines):
+    """From the first line on, and where many short lines come after a few slow ones."""
+    clock = FakeClock()
+    journal = begun(tmp_path, clock, Program(100_000), baud)
+    journal._executor = disk = SlowDisk(clock, 0.125)
+    sent = 0.0
+    while sent < 20_000:
+        clock.now_s += 0.002
+        sent += 0.002 * (lines_s if sent >= slow_lines else 4)
+        disk.turn()
+        journal.keep(int(sent), max(int(sent) - 20, 0), False)
+        assert journal.permitted > sent, f"waits at line {sent:.0f}"
 
 
 def test_a_range_is_taken_back_before_it_is_on_the_disk(tmp_path):
     clock = FakeClock()
-    journal = begun(tmp_path, clock, LINES)
-    waiting: list[Future] = []
-
-    class Later(Executor):
-        def submit(self, function, /, *arguments, **words):
-            waiting.append(Future())
-            return waiting[-1]
-
-    journal._executor = Later()
+    journal = begun(tmp_path, clock, Program(10_000))
+    for sent in (200, 210):
+        clock.now_s += 5
+        journal.keep(sent, sent, True)
+    before = journal.permitted
+    journal._executor = SlowDisk(clock, 1.0)
     clock.now_s += 5
-    journal.keep(20, 20, True)
-    assert waiting and journal.permitted == 20 + LEAST < FIRST
+    journal.keep(220, 220, True)
+    assert journal.permitted == 220 + LEAST < before
 
 
 def test_a_fault_of_the_writer_is_not_swallowed(tmp_path):

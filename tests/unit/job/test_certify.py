@@ -89,7 +89,7 @@ def test_a_program_that_starts_nowhere_has_a_certificate_in_strict_json() -> Non
 
 
 def test_the_sender_finds_all_it_needs() -> None:
-    job = sendable(certificate_json(), port="COM3", zero_confirmed=True)
+    job = sendable(json.loads(certificate_json()), port="COM3", zero_confirmed=True)
     wire = prepare(TEXT)
     assert (job.port, job.zero_confirmed, tuple(job.lines)) == ("COM3", True, wire.lines)
     assert list(job.file_lines) == wire.file_lines.tolist() and job.messages == wire.messages
@@ -106,13 +106,13 @@ def test_places_that_the_program_goes_to_are_compared_on_the_machine() -> None:
 
 def test_a_bare_job_stays_sendable() -> None:
     job = send_job(prepare(TEXT), MACHINE, "p.nc")
-    assert sendable(job.to_json()) == replace(job, lines=list(job.lines))
+    assert sendable(job.to_content()) == replace(job, lines=list(job.lines))
 
 
 def test_errors_are_not_sendable() -> None:
     refused = certificate_of(proof_of(start=Start.with_work_zero((-5.0, -150.0, -40.0))))
     with pytest.raises(JobError, match=r"1 error\(s\)") as refusal:
-        sendable(refused.to_json())
+        sendable(json.loads(refused.to_json()))
     assert refusal.value.code == "certificate-errors" and refusal.value.place.line == 8
     certificate().check_clean()
 
