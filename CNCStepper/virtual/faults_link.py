@@ -94,7 +94,7 @@ class FaultyLink:
             self._link.send(data)
 
     def _is_due(self, fault: Fault) -> bool:
-        if fault.kind in BOARD_KINDS and not MOMENTS[fault.when](self.board):
+        if fault.kind in BOARD_KINDS and (self.board.starts_up or not MOMENTS[fault.when](self.board)):
             return False
         return is_due(fault, self.ways[fault.way].passed, self.board.time_s)
 
