@@ -27,7 +27,7 @@ from CNCStepper.control.feeder import Feeder
 from CNCStepper.control.found import check_found
 from CNCStepper.control.grbl import Answered, Grbl, Received
 from CNCStepper.control.grbl_report import Alarm, Greeting, Status
-from CNCStepper.control.journal.kept import Journals, Keeping, NoJournal
+from CNCStepper.control.journal.kept import Journals, Keeping, NoJournal, check_not_held
 from CNCStepper.control.journal.led import Led
 from CNCStepper.control.moment import moment
 from CNCStepper.control.outcome import DONE, FAILED, REFUSED, STOPPED, Outcome, SenderStatus
@@ -293,6 +293,8 @@ class JobRun:
                 self._journal.note_zero(connect.look_again(driver, self._timing), self._feeder.sent)
         elif command.name in ("hold", "resume"):
             self._wishes.take()
+            if command.name == "resume":
+                check_not_held(self._journal, self._feeder.sent)
             self._phases.obey(command.name, driver)
         elif command.name == "override":
             driver.realtime(override_byte(**command.values))

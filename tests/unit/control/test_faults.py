@@ -174,7 +174,8 @@ def test_line_behind_which_the_path_was_left_is_not_called_cut(tmp_path):
 
 
 def test_restart_that_is_told_together_with_an_alarm_is_not_overheard():
-    faults = (Fault(kind="alarm", at_s=1.93, when="motion", code=2), Fault(kind="power", at_s=1.93, when="rest"))
+    alarm = Fault(kind="alarm", at_s=1.93, when="motion", code=2)
+    faults = (alarm, Fault(kind="power", at_s=1.93, when="rest"), Fault(kind="delay", way="out", at_s=1.9))
     run = FaultBench(program_of(4484), FaultPlan(fault=faults)).run()
     assert any(b"ALARM:2" in data and b"Grbl" in data for _, data in run.heard)
     assert judge(run).kind == STOPPED_UNKNOWN
