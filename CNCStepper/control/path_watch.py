@@ -15,7 +15,7 @@ from CNCStepper.control.connect import Found, offsets_of
 from CNCStepper.control.grbl import Grbl
 from CNCStepper.control.grbl_report import Status, Vector
 from CNCStepper.control.journal.finished import SEGMENTS
-from CNCStepper.control.readiness import STEPS_PER_MM
+from CNCStepper.control.readiness import CHECK, STEPS_PER_MM, state_refusal
 from CNCStepper.control.send_job import SendJob
 from CNCStepper.errors import MachineRefusal
 from CNCStepper.state import WORK_SYSTEMS, Start
@@ -34,7 +34,7 @@ Offsets = Mapping[str, Sequence[float] | None]
 
 
 class PathWatch:
-    """Watches one job on one machine; `excursion` is the first report that was off the path.
+    """Watches one job on one machine; `excursion` is the first report that was off the path, or of the check mode.
 
     tell(kind, text): hears the warning that the path is not known any more.
     """
@@ -56,6 +56,8 @@ class PathWatch:
 
     def take(self, status: Status, acknowledged: int, sent: int) -> None:
         """Compare a report; acknowledged: lines that were answered before it. sent: lines sent by now."""
+        if status.state == CHECK:
+            self.excursion = self.excursion or state_refusal(status)
         place = self._driver.mm(status.mpos) or self._driver.mpos_mm
         if place is None or self._path is None or self.excursion or status.state not in STANDING:
             return

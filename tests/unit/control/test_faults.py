@@ -21,6 +21,7 @@ from fault_second_go import SecondGo
 
 from CNCStepper.control.journal.journal import Journal
 from CNCStepper.virtual.faults import KINDS, Fault, FaultPlan
+from CNCStepper.virtual.grbl.states import State
 
 BLOCK = 100  # runs of one test; every kind must fire in them
 RUNS = max(200, int(os.environ.get("CNCSTEPPER_FAULT_RUNS", "200")))
@@ -143,6 +144,30 @@ def test_end_of_the_path_is_compared_too():
     bench = damaged(lines, "G1X.002", 4, ord("0") ^ ord("1"))  # X.102
     run = bench.run()
     assert run.claim.declared == "path-left" and judge(run).kind == EXCURSION
+
+
+def test_question_that_arrives_as_a_check_mode_is_refused_and_the_part_is_cut_later(tmp_path):
+    fault = Fault(kind="corrupt", at_byte=byte_of(SHORT, "$G") + 1, bits=ord("G") ^ ord("C"))
+    bench = FaultBench(SHORT, FaultPlan(fault=(fault,)), folder=tmp_path)
+    run, verdict = judged(bench)
+    assert run.claim.declared == "modes-unknown" and run.claim.position_known
+    assert b"[MSG:Enabled]" in run.said and verdict.kind == f"{REFUSED}, restarted", verdict.why
+
+
+@pytest.mark.parametrize("dwell", [(), ("G4P0.1",) * 9])
+def test_check_mode_in_which_lines_are_read_and_nothing_moves_stops_the_job_and_none_counts_as_cut(tmp_path, dwell):
+    bench = FaultBench((*SPIKES[:-3], *dwell, *SPIKES[-3:]), FaultPlan(), folder=tmp_path)
+    begin = bench.journal.begin
+
+    def check_mode_on(*met):
+        begin(*met)
+        bench.board.state = State.CHECK
+
+    bench.journal.begin = check_mode_on
+    run, verdict = judged(bench)
+    assert run.claim.declared == "machine-check" and run.claim.position_known
+    assert "without moving (value Check); leave the check mode" in bench.outcome.text
+    assert verdict.kind == f"{STOPPED_KNOWN}, restarted", verdict.why
 
 
 # --- restarts --------------------------------------------------------------------------------------------
