@@ -8,6 +8,7 @@ stretches  | done | planned by the controller | in its receive buffer |
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING
 
@@ -28,7 +29,11 @@ ROUNDING_MM = 0.002  # of positions and offsets as they are reported, in inches 
 STEP_MM = 0.0125  # where the controller does not report its steps/mm
 STANDING = ("Idle", "Run", "Hold")  # in others (door, tool, jog) a controller moves by itself, or a person it
 MODES = ("G0", "G1", "G2", "G3", "G17", "G18", "G19", "G20", "G21", "G90", "G91", "G93", "G94")
-
+TURNS_ON = re.compile(r"M0*[34](?!\d)", re.IGNORECASE)
+DAMAGED = "the machine is not on the program's path: a line was damaged on its way"
+RESTARTED = (
+    "the machine is not on the program's path: a line was damaged on its way, or the controller restarted unheard"
+)
 
 Offsets = Mapping[str, Sequence[float] | None]
 
@@ -36,11 +41,14 @@ Offsets = Mapping[str, Sequence[float] | None]
 class PathWatch:
     """Watches one job on one machine; `excursion` is the first report that was off the path, or of the check mode.
 
+    restarted: at that report the controller may have restarted unheard, so that its position is unknown.
+
     tell(kind, text): hears the warning that the path is not known any more.
     """
 
     def __init__(self, job: SendJob, driver: Grbl, found: Found, tell: Callable[[str, str], None]):
         self.excursion: MachineRefusal | None = None
+        self.restarted = False
         self._job = job
         self._driver = driver
         self._tell = tell
@@ -65,7 +73,7 @@ class PathWatch:
         self._tell_unknown(self._path)
         self._path.drop_planned_before(acknowledged, self._driver.planner_blocks + SEGMENTS)
         if not self._path.drop_to(place[:3], self._near_mm):
-            self.excursion = self._refusal(place)
+            self._leave(place, sent)
 
     def begin_anew(self, found: Found, sent: int) -> None:
         """Compare from here on: the machine stands, all lines sent are cut, and its zero may be another one."""
@@ -82,12 +90,21 @@ class PathWatch:
         if self.excursion:
             raise self.excursion
 
-    def check_end(self) -> None:
+    def may_have_restarted(self, sent: int) -> bool:
+        """Return whether the controller may have restarted, its greeting being lost or damaged on its way.
+
+        A restart switches the spindle off. So there was none if it still turns, and none of the `sent` lines that may
+        have been read since has switched it on.
+        """
+        status, first = self._driver.status, max(self._path.line, 0) if self._path else 0
+        lines = (self._job.lines[index] for index in range(first, sent))
+        return status is None or not status.spindle or any(TURNS_ON.search(line) for line in lines)
+
+    def check_end(self, sent: int) -> None:
         """Raise MachineRefusal unless the machine, idle after the last answer, stands at the path's end."""
         place = self._driver.mpos_mm
         if self._path and (place is None or not self._path.ends_at(place[:3], self._near_mm)):
-            self.excursion = self._refusal(place)
-            raise self.excursion
+            raise self._leave(place, sent)
 
     def _planned(self, found: Found, first: int = 0) -> PlannedPath | None:
         try:
@@ -106,10 +123,15 @@ class PathWatch:
     def _warn(self, why: str) -> None:
         self._tell("warning", f"positions are not compared with the path any more: {why}")
 
-    def _refusal(self, place: Vector | None) -> MachineRefusal:
+    def _leave(self, place: Vector | None, sent: int) -> MachineRefusal:
+        self.restarted = self.may_have_restarted(sent)
+        self.excursion = self._refusal(place, RESTARTED if self.restarted else DAMAGED)
+        return self.excursion
+
+    def _refusal(self, place: Vector | None, what: str) -> MachineRefusal:
         return MachineRefusal(
             "path-left",
-            "the machine is not on the program's path: a line was damaged on its way",
+            what,
             value=",".join(f"{value:.3f}" for value in place or ()) + " mm",
             limit=f"{STEPS:g} steps",
             advice="look at cable, shielding and grounding; the part may be cut where it should not be",

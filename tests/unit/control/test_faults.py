@@ -20,6 +20,7 @@ from fault_restart import Interval, judge_restart
 from fault_second_go import SecondGo
 
 from CNCStepper.control.journal.journal import Journal
+from CNCStepper.control.path_watch import PathWatch
 from CNCStepper.virtual.faults import KINDS, Fault, FaultPlan
 from CNCStepper.virtual.grbl.states import State
 
@@ -88,7 +89,27 @@ def test_broken_sender_fails_the_judge_that_passes_ours(broken, fault, monkeypat
     plan = FaultPlan(fault=(Fault(at_byte=at_byte, **fault),))
     assert judge(FaultBench(SPIKES, plan).run()).kind != WRONG
     monkeypatch.setattr("CNCStepper.control.sender.Grbl", broken)
+    monkeypatch.setattr(PathWatch, "may_have_restarted", lambda watch, sent: False)
     assert judge(FaultBench(SPIKES, plan).run()).kind == WRONG
+
+
+def test_restart_that_is_not_heard_is_reckoned_with_where_the_spindle_stands(monkeypatch):
+    plan = FaultPlan(fault=(Fault(kind="power", at_byte=byte_of(SPIKES, "G1X5.3", 25)),))
+    monkeypatch.setattr("CNCStepper.control.sender.Grbl", GoesOnAfterGreeting)
+    bench = FaultBench(SPIKES, plan)
+    run = bench.run()
+    assert run.claim.declared == "path-left" and judge(run).kind == STOPPED_UNKNOWN
+    assert "or the controller restarted unheard" in bench.outcome.text
+
+
+def test_line_that_was_refused_and_those_behind_it_are_not_called_cut(tmp_path):
+    lines = (*HEAD, "G0Z2", "G1Z-1F500", "G4P0.1", "G1X5F1500", "G4P0", *["S8000"] * 3, "G4P3", "G1Y5", *TAIL)
+    plan = FaultPlan(fault=(Fault(kind="corrupt", at_byte=byte_of(lines, "G1X5F1500"), bits=ord("G") ^ ord("W")),))
+    bench = FaultBench(lines, plan, folder=tmp_path)
+    run, verdict = judged(bench)
+    assert run.claim.declared == "grbl-error-20" and run.said.count(b"ok\r\n") > 10
+    assert bench.outcome.status.acknowledged == lines.index("G1X5F1500")
+    assert verdict.kind == f"{STOPPED_KNOWN}, restarted", verdict.why
 
 
 def test_same_seed_gives_the_same_run():
