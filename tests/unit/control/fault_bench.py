@@ -183,11 +183,12 @@ class FaultBench:
         """Let the sender run, and the machine after it; return all that a judge may know."""
         with self.disk.in_use():
             claim = self._claim()
+        claim_s = self.board.time_s
         end_s = self.board.time_s + AFTERWARDS_S
         while not self.board.quiet and self.board.time_s < end_s:
             self.link.pass_time()
         answers = QUESTIONS + sum(line != "M0" for line in self.lines)  # the sender stands at M0 itself
-        return Run(reference_of(self.lines), answers, self.trace, self.line, claim, self.link.heard)
+        return Run(reference_of(self.lines), answers, self.trace, self.line, claim, self.link.heard, claim_s)
 
     def _claim(self) -> Claim:
         """Return what the sender says at its end; of one that was killed its client says that nothing is known."""

@@ -73,7 +73,7 @@ def story_of(bench: FaultBench) -> Story | None:
 
 def bring_back(board: Grbl, first: Run) -> None:
     """Bring a machine back: reset and unlocked, and with its zero set again where it is said to be unknown."""
-    known = first.claim.position_known
+    known = first.claim.position_known and not first.trace.lost  # whoever sees the supply fail sets the zero again
     if not known or board.state in LOCKED:  # some alarms are locked until a reset; at rest it loses nothing
         board.receive(RESET)
         pass_time(board)

@@ -6,6 +6,7 @@ from __future__ import annotations
 import ast
 import os
 from collections import Counter
+from dataclasses import replace
 from pathlib import Path
 
 import fault_judge
@@ -115,6 +116,16 @@ def test_line_that_was_refused_and_those_behind_it_are_not_called_cut(tmp_path):
 def test_same_seed_gives_the_same_run():
     one, other = (bench_of(4).run() for _ in range(2))
     assert one.trace.rows == other.trace.rows and one.heard == other.heard and one.claim == other.claim
+
+
+def test_judge_forgives_a_power_loss_only_behind_the_last_words_of_the_board(tmp_path):
+    refused = Fault(kind="corrupt", at_byte=byte_of(SHORT, "G1X10F600"), bits=ord("G") ^ ord("W"))
+    (tmp_path / "before").mkdir()
+    ended_s = FaultBench(SHORT, FaultPlan(fault=(refused,)), folder=tmp_path / "before").run().claim_s
+    plan = FaultPlan(fault=(refused, Fault(kind="power", at_s=ended_s - 1e-6)))
+    run, verdict = judged(FaultBench(SHORT, plan, folder=tmp_path))
+    assert run.claim.position_known and run.trace.lost and verdict.kind == f"{STOPPED_KNOWN}, restarted", verdict.why
+    assert judge(replace(run, claim_s=run.claim_s + 0.05)).kind == WRONG
 
 
 def test_judge_knows_nothing_of_the_sender():
