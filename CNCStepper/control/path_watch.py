@@ -31,7 +31,7 @@ STANDING = ("Idle", "Run", "Hold")  # in others (door, tool, jog) a controller m
 MODES = ("G0", "G1", "G2", "G3", "G17", "G18", "G19", "G20", "G21", "G90", "G91", "G93", "G94")
 TURNS_ON = re.compile(r"M0*[34](?!\d)", re.IGNORECASE)
 DAMAGED = "the machine is not on the program's path: a line was damaged on its way"
-RESTARTED = f"{DAMAGED}, or the controller restarted unheard"
+RESTARTED = "the machine left the program's path: a line was damaged on its way, or the controller restarted unheard"
 
 Offsets = Mapping[str, Sequence[float] | None]
 
