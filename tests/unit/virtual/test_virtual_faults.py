@@ -132,6 +132,12 @@ def test_board_is_deaf_while_it_starts_up_after_a_power_loss():
     assert line.board.axes.position_mm[0] == 0.0 and line.link.quiet
 
 
+def test_alarm_at_the_moment_of_a_power_loss_waits_until_the_board_has_started():
+    line = Line(fault("power"), fault("alarm"))
+    heard = line.wait(0.3)
+    assert heard.index("Grbl 1.1h") < heard.index("ALARM:1") and "Grbl 1.1h" in line.say("\x18")
+
+
 @pytest.mark.parametrize(("code", "kept"), [(1, False), (2, True)])
 def test_alarm_stops_dead_or_after_a_ramp(code, kept):
     line = Line(fault("alarm", code=code, when="motion"))
