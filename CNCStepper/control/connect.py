@@ -93,8 +93,15 @@ def read_offsets(driver: Grbl, timing: Timing) -> dict[str, Vector]:
 
 
 def read_modes(driver: Grbl, timing: Timing) -> str:
-    """Return the words of `$G`: "G0 G54 G17 ..."."""
-    return " ".join(report.text for report in _feedback(ask(driver, "$G", timing)) if report.tag == "GC")
+    """Return the words of `$G`: "G0 G54 G17 ..."; raises LinkError where they do not come."""
+    modes = " ".join(report.text for report in _feedback(ask(driver, "$G", timing)) if report.tag == "GC")
+    if not modes:
+        raise LinkError(
+            "modes-unknown",
+            f"{driver.link.name} does not say its modes: question or answer was damaged",
+            advice="check the cable, and look that the controller is not in check mode ($C leaves it); then send again",
+        )
+    return modes
 
 
 def greeted(said: Sequence[Received]) -> bool:

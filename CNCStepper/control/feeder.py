@@ -30,6 +30,7 @@ class Feeder:
         self.total = len(job.lines)
         self._message = ""  # the program's last since its last pause
         self._released = -1  # the line that may go out by itself
+        self._refused = False  # a line, with an error
         self._alone = False  # the last line sent must be answered before the next goes out
 
     @property
@@ -55,8 +56,12 @@ class Feeder:
         return self.sent - before
 
     def take(self, answered: Answered) -> None:
-        """Count the answer to a line of the job."""
-        if answered.sent.index >= 0 and not answered.error:
+        """Count the answer to a line of the job.
+
+        Behind a line that was refused none counts: the controller goes on with those that it has, but without that one.
+        """
+        self._refused = self._refused or (answered.sent.index >= 0 and answered.error != 0)
+        if answered.sent.index >= 0 and not self._refused:
             self.acknowledged += 1
             self._message = self.job.messages.get(answered.sent.index, self._message)
             if self._message and pauses(answered.sent.text):

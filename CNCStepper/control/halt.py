@@ -11,10 +11,11 @@ from collections.abc import Callable
 
 from CNCStepper.control.grbl import HOLD, Grbl, Received
 from CNCStepper.control.grbl_report import Alarm, Greeting
+from CNCStepper.control.readiness import CHECK
 from CNCStepper.control.timing import Timing
 
 RESETS = 3  # one may be lost on its way, and then the outputs are still on
-AT_REST = {("Hold", 0), ("Door", 0), ("Door", 1), ("Idle", None), ("Tool", None)}
+AT_REST = {("Hold", 0), ("Door", 0), ("Door", 1), ("Idle", None), ("Tool", None), (CHECK, None)}
 
 
 def hold_and_reset(driver: Grbl, timing: Timing) -> bool:

@@ -8,6 +8,7 @@ stretches  | done | planned by the controller | in its receive buffer |
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING
 
@@ -15,7 +16,7 @@ from CNCStepper.control.connect import Found, offsets_of
 from CNCStepper.control.grbl import Grbl
 from CNCStepper.control.grbl_report import Status, Vector
 from CNCStepper.control.journal.finished import SEGMENTS
-from CNCStepper.control.readiness import STEPS_PER_MM
+from CNCStepper.control.readiness import CHECK, STEPS_PER_MM, state_refusal
 from CNCStepper.control.send_job import SendJob
 from CNCStepper.errors import MachineRefusal
 from CNCStepper.state import WORK_SYSTEMS, Start
@@ -28,19 +29,24 @@ ROUNDING_MM = 0.002  # of positions and offsets as they are reported, in inches 
 STEP_MM = 0.0125  # where the controller does not report its steps/mm
 STANDING = ("Idle", "Run", "Hold")  # in others (door, tool, jog) a controller moves by itself, or a person it
 MODES = ("G0", "G1", "G2", "G3", "G17", "G18", "G19", "G20", "G21", "G90", "G91", "G93", "G94")
-
+TURNS_ON = re.compile(r"M0*[34](?!\d)", re.IGNORECASE)
+DAMAGED = "the machine is not on the program's path: a line was damaged on its way"
+RESTARTED = "the machine left the program's path: a line was damaged on its way, or the controller restarted unheard"
 
 Offsets = Mapping[str, Sequence[float] | None]
 
 
 class PathWatch:
-    """Watches one job on one machine; `excursion` is the first report that was off the path.
+    """Watches one job on one machine; `excursion` is the first report that was off the path, or of the check mode.
+
+    restarted: at that report the controller may have restarted unheard, so that its position is unknown.
 
     tell(kind, text): hears the warning that the path is not known any more.
     """
 
     def __init__(self, job: SendJob, driver: Grbl, found: Found, tell: Callable[[str, str], None]):
         self.excursion: MachineRefusal | None = None
+        self.restarted = False
         self._job = job
         self._driver = driver
         self._tell = tell
@@ -56,6 +62,8 @@ class PathWatch:
 
     def take(self, status: Status, acknowledged: int, sent: int) -> None:
         """Compare a report; acknowledged: lines that were answered before it. sent: lines sent by now."""
+        if status.state == CHECK:
+            self.excursion = self.excursion or state_refusal(status)
         place = self._driver.mm(status.mpos) or self._driver.mpos_mm
         if place is None or self._path is None or self.excursion or status.state not in STANDING:
             return
@@ -63,7 +71,7 @@ class PathWatch:
         self._tell_unknown(self._path)
         self._path.drop_planned_before(acknowledged, self._driver.planner_blocks + SEGMENTS)
         if not self._path.drop_to(place[:3], self._near_mm):
-            self.excursion = self._refusal(place)
+            self._leave(place, sent)
 
     def begin_anew(self, found: Found, sent: int) -> None:
         """Compare from here on: the machine stands, all lines sent are cut, and its zero may be another one."""
@@ -80,12 +88,21 @@ class PathWatch:
         if self.excursion:
             raise self.excursion
 
-    def check_end(self) -> None:
+    def may_have_restarted(self, sent: int) -> bool:
+        """Return whether the controller may have restarted, its greeting being lost or damaged on its way.
+
+        A restart switches the spindle off. So there was none if it still turns, and none of the `sent` lines that may
+        have been read since has switched it on.
+        """
+        status, first = self._driver.status, max(self._path.line, 0) if self._path else 0
+        lines = (self._job.lines[index] for index in range(first, sent))
+        return status is None or not status.spindle or any(TURNS_ON.search(line) for line in lines)
+
+    def check_end(self, sent: int) -> None:
         """Raise MachineRefusal unless the machine, idle after the last answer, stands at the path's end."""
         place = self._driver.mpos_mm
         if self._path and (place is None or not self._path.ends_at(place[:3], self._near_mm)):
-            self.excursion = self._refusal(place)
-            raise self.excursion
+            raise self._leave(place, sent)
 
     def _planned(self, found: Found, first: int = 0) -> PlannedPath | None:
         try:
@@ -104,10 +121,15 @@ class PathWatch:
     def _warn(self, why: str) -> None:
         self._tell("warning", f"positions are not compared with the path any more: {why}")
 
-    def _refusal(self, place: Vector | None) -> MachineRefusal:
+    def _leave(self, place: Vector | None, sent: int) -> MachineRefusal:
+        self.restarted = self.may_have_restarted(sent)
+        self.excursion = self._refusal(place, RESTARTED if self.restarted else DAMAGED)
+        return self.excursion
+
+    def _refusal(self, place: Vector | None, what: str) -> MachineRefusal:
         return MachineRefusal(
             "path-left",
-            "the machine is not on the program's path: a line was damaged on its way",
+            what,
             value=",".join(f"{value:.3f}" for value in place or ()) + " mm",
             limit=f"{STEPS:g} steps",
             advice="look at cable, shielding and grounding; the part may be cut where it should not be",

@@ -21,11 +21,12 @@ from CNCStepper.control.feeder import Feeder
 from CNCStepper.control.firmware import TOOL_CHANGED
 from CNCStepper.control.grbl import HOLD, RESUME, Grbl
 from CNCStepper.control.grbl_report import Alarm, Status
-from CNCStepper.control.readiness import check_state
+from CNCStepper.control.readiness import CHECK, state_refusal
 from CNCStepper.errors import MachineRefusal
 
 CHANGE_TOOL = "change the tool, then resume"
 STANDING = ("held", "paused", "door")
+CUTS_NOTHING = ("Sleep", CHECK)
 FEEDING = ("running", "finishing")
 RETREATED = "retreated"  # between two ways along the cut: idle, after a reset
 
@@ -92,8 +93,8 @@ class Phases:
         assert status
         if status.state == "Alarm":
             raise alarm_refusal(Alarm(-1), driver.firmware)
-        if status.state == "Sleep":
-            check_state(status)
+        if status.state in CUTS_NOTHING:
+            raise state_refusal(status)
         if driver.status_asked_s <= self.changed_s:
             return
         if status.state == "Hold":

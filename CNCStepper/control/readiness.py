@@ -22,6 +22,8 @@ IN_WORDS = {
 TOLERANCE = 0.0005  # grbl prints three decimals
 OFFSET_TOLERANCE_MM = 0.002  # and in inches four
 
+CHECK = "Check"
+NOTHING_MOVES = "the controller reads its lines without moving"
 WHAT_TO_DO = {
     "Alarm": "home the machine ($H), or unlock it ($X) if its position is surely right",
     "Hold": "resume what it was doing, or reset it",
@@ -29,7 +31,7 @@ WHAT_TO_DO = {
     "Run": "wait until it has finished, or stop it",
     "Jog": "wait until the jog has ended",
     "Home": "wait until it is homed",
-    "Check": "leave the check mode with $C",
+    CHECK: "leave the check mode with $C",
     "Sleep": "wake it up with a reset, then home it",
     "Tool": "end the tool change and resume, or reset it",
     "Starting": "wait until it has started",
@@ -51,14 +53,19 @@ class Difference:
 
 def check_state(status: Status | None) -> None:
     """Refuse a machine that is not idle, with what to do; raises MachineRefusal."""
+    if status is None or status.state != "Idle":
+        raise state_refusal(status)
+
+
+def state_refusal(status: Status | None) -> MachineRefusal:
+    """Return what is wrong with a state in which no program can be cut, and what to do."""
     state = status.state if status else "silent"
-    if state != "Idle":
-        raise MachineRefusal(
-            f"machine-{state.lower()}",
-            "the machine is not idle",
-            value=status.name if status else state,
-            advice=WHAT_TO_DO.get(state, "bring it to Idle first"),
-        )
+    return MachineRefusal(
+        f"machine-{state.lower()}",
+        NOTHING_MOVES if state == CHECK else "the machine is not idle",
+        value=status.name if status else state,
+        advice=WHAT_TO_DO.get(state, "bring it to Idle first"),
+    )
 
 
 def check_zero(confirmed: bool) -> None:

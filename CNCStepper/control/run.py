@@ -27,7 +27,7 @@ from CNCStepper.control.feeder import Feeder
 from CNCStepper.control.found import check_found
 from CNCStepper.control.grbl import Answered, Grbl, Received
 from CNCStepper.control.grbl_report import Alarm, Greeting, Status
-from CNCStepper.control.journal.kept import Journals, Keeping, NoJournal
+from CNCStepper.control.journal.kept import Journals, Keeping, NoJournal, check_not_held
 from CNCStepper.control.journal.led import Led
 from CNCStepper.control.moment import moment
 from CNCStepper.control.outcome import DONE, FAILED, REFUSED, STOPPED, Outcome, SenderStatus
@@ -41,7 +41,7 @@ from CNCStepper.control.retrace import LAST, STANDS, Retrace, check_place, stand
 from CNCStepper.control.send_job import SendJob
 from CNCStepper.control.stand import Stand
 from CNCStepper.control.timing import Timing
-from CNCStepper.control.watch import Watch
+from CNCStepper.control.watch import ANSWER_MISSING, Watch
 from CNCStepper.control.wishes import Wishes
 from CNCStepper.errors import CNCStepperError, LinkError, MachineRefusal
 
@@ -176,7 +176,7 @@ class JobRun:
             while self._idle_reports < IDLE_REPORTS:
                 self._turn(self.driver)
                 self._path.check()
-            self._path.check_end()
+            self._path.check_end(self._feeder.sent)
         except Stopped:
             return self._halted(self.driver, None)
         except CNCStepperError as error:
@@ -293,6 +293,8 @@ class JobRun:
                 self._journal.note_zero(connect.look_again(driver, self._timing), self._feeder.sent)
         elif command.name in ("hold", "resume"):
             self._wishes.take()
+            if command.name == "resume":
+                check_not_held(self._journal, self._feeder.sent)
             self._phases.obey(command.name, driver)
         elif command.name == "override":
             driver.realtime(override_byte(**command.values))
@@ -346,10 +348,17 @@ class JobRun:
 
     def _halted(self, driver: Grbl, error: CNCStepperError | None) -> Outcome:
         """Bring the machine to rest and say why and how it stands."""
-        known, broken = self._rest(driver)
+        restarted = self._may_have_restarted(error)  # before the reset, which clears what tells
+        at_rest, broken = self._rest(driver)
+        known = at_rest and not restarted and not (self._path and self._path.restarted)
         error = error or broken or (self._path.excursion if self._path else None)
         why = str(error) if error else f"stopped as asked after {self.status().acknowledged} lines"
         return self._outcome(FAILED if error else STOPPED, f"{why}. Now {KEPT if known else LOST}", known, error)
+
+    def _may_have_restarted(self, error: CNCStepperError | None) -> bool:
+        """Return whether an answer is missing, perhaps since the controller restarted unheard."""
+        missing = error is not None and error.code == ANSWER_MISSING
+        return missing and self._path is not None and self._path.may_have_restarted(self._feeder.sent)
 
     def _rest(self, driver: Grbl) -> tuple[bool, LinkError | None]:
         """Return whether the position is kept, and the error when the link broke on the way."""

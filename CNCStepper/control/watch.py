@@ -7,6 +7,7 @@ from CNCStepper.control.grbl import Grbl
 from CNCStepper.control.timing import Timing
 from CNCStepper.errors import LinkError, Place
 
+ANSWER_MISSING = "answer-missing"
 ASK_AGAIN_S = 1.0  # a `?` may have been lost
 
 
@@ -45,7 +46,7 @@ class Watch:
 
     def _silence(self, what: str, place: Place | None) -> LinkError:
         return LinkError(
-            "answer-missing",
+            ANSWER_MISSING,
             what,
             limit=f"{self._timing.answer_s:g} s",
             advice="check cable, power and other programs on this port",

@@ -161,6 +161,9 @@ class Grammar:
         has_axes = any(axis in slots for axis in ALL_AXES + POLAR)
         has_centre = any(letter in slots for letter in ARC_WORDS)
         if users and users[0].group != "motion":
+            if has_axes and self.dialect.axes_need_motion and (explicit or modal == NO_MOTION):
+                what = f"while G80 is in force {self.dialect.title} takes no axis words, nor those of {users[0].name}"
+                raise ProgramError("axis-unused", what, value=_first_axis(slots), advice="write a line G0 before it")
             return codes, NO_MOTION, False
         if users:
             arc = users[0].motion in (ARC_CW, ARC_CCW)

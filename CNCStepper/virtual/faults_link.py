@@ -80,9 +80,10 @@ class FaultyLink:
         """Let time pass, and let happen what is due."""
         self._pass_on()
         self._link.advance(dt_s)
-        for fault in [fault for fault in self._others if self._is_due(fault)]:
-            self._others.remove(fault)
-            self._begin(fault)
+        for fault in list(self._others):
+            if self._is_due(fault):  # by now: a board that has just lost its supply has no switch that could open
+                self._others.remove(fault)
+                self._begin(fault)
 
     def take_cut(self) -> bool:
         """Return whether the port was closed since this was last asked."""
@@ -94,7 +95,7 @@ class FaultyLink:
             self._link.send(data)
 
     def _is_due(self, fault: Fault) -> bool:
-        if fault.kind in BOARD_KINDS and not MOMENTS[fault.when](self.board):
+        if fault.kind in BOARD_KINDS and (self.board.starts_up or not MOMENTS[fault.when](self.board)):
             return False
         return is_due(fault, self.ways[fault.way].passed, self.board.time_s)
 

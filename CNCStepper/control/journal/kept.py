@@ -10,6 +10,7 @@ from CNCStepper.control.connect import Found
 from CNCStepper.control.grbl import Grbl, Received
 from CNCStepper.control.outcome import Outcome
 from CNCStepper.control.send_job import SendJob
+from CNCStepper.errors import JobError
 
 
 class Keeping(Protocol):
@@ -39,6 +40,19 @@ class Keeping(Protocol):
 
     def end(self, outcome: Outcome) -> list[str]:
         """Write how the job ended, and return what people must know of that."""
+
+
+def check_not_held(journal: Keeping, sent: int) -> None:
+    """Refuse to go on with a job of which no further line can be put on the disk; raises JobError.
+
+    The machine would move for a moment and be held again.
+    """
+    if journal.holds(sent):
+        raise JobError(
+            "journal-unwritable",
+            "the journal of the job cannot be written",
+            advice="make room on its disk, and resume when it is said to be written again",
+        )
 
 
 class Journals(Keeping, Protocol):

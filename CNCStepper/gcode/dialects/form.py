@@ -122,6 +122,7 @@ class Dialect:
     centre_repeats_arc: bool = False  # I, J or K without an axis word repeat a modal arc
     machine_moves_incremental: bool = False  # G53 is accepted under G91
     machine_word_alone: bool = False  # and without a motion on its line, while G0 or G1 is modal
+    axes_need_motion: bool = False  # while G80 is in force no line has axis words, be they of G43.1, G92 or G10
     arc_centres: str = "incremental"
     distance: str = "absolute"  # as the machine is switched on
     dwell_letter: str = "P"

@@ -53,7 +53,7 @@ GRBL = Dialect(
         "line-too-long": "error:11",
     },
     writing=Writing(
-        header=("{units} G17 G90 G91.1", "G40 G49 G80 G94"),
+        header=("{units} G17 G90 G91.1", "G40 G49 G94"),  # after G80 a G43.1 or G92 would be refused
         largest_radius_mm=2000.0,
     ),
     line_limit=80,
@@ -67,4 +67,5 @@ GRBL = Dialect(
     arc_needs_plane_axis=True,
     machine_moves_incremental=True,
     machine_word_alone=True,
+    axes_need_motion=True,
 )

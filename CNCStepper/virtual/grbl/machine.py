@@ -42,6 +42,7 @@ from CNCStepper.virtual.grbl.suspension import Suspension
 Waiting = Generator[None, None, None]
 LOCKED = "[MSG:'$H'|'$X' to unlock]"
 MOMENT_S = 1e-9
+STARTS_UP_S = 0.066  # of an ATmega328P as the Arduino Uno's fuses have it: 16 384 clocks and 65 ms
 LIMIT_ALARMS = (ALARM_HARD_LIMIT, ALARM_SOFT_LIMIT)
 
 
@@ -51,6 +52,7 @@ class Grbl:
     `homing` sets $22 and so locks the machine at power-up.
     `probe_height_mm`: machine height of a plate that closes the probe's circuit at and below it.
     After ALARM:1 and ALARM:2 a status report is still answered, as the firmware's documents say.
+    starts_up: the supply has just come back; the board hears nothing, and has not said its greeting.
     """
 
     def __init__(
@@ -73,6 +75,7 @@ class Grbl:
         self.state = State.ALARM if homing else State.IDLE
         self.flood = False
         self.tool_acknowledged = False  # by 0xA3, in the state Tool
+        self.starts_up = False
         self.on_step: Callable[[Grbl], None] | None = None  # told after each stretch of one pace
         self._output = bytearray()
         self._afterwards: Callable[[], None] | None = None
@@ -82,7 +85,9 @@ class Grbl:
     # -- the outside ---------------------------------------------------------------------------------
 
     def receive(self, data: bytes) -> None:
-        """Take bytes from the wire."""
+        """Take bytes from the wire; those that come while it starts up are lost."""
+        if self.starts_up:
+            return
         for part in filter(None, ACTING.split(data)):
             if part[0] in COMMANDS:
                 COMMANDS[part[0]](self, part[0])
@@ -105,7 +110,8 @@ class Grbl:
     def quiet(self) -> bool:
         """Whether the board only waits for bytes: nothing moves, no line is in hand."""
         at_rest = self.state in AT_REST or (self.suspension.stopped and self.suspension.restoring_s is None)
-        return at_rest and not self._obeying and not self._afterwards and self.ring.empty
+        busy = self.starts_up or self._obeying or self._afterwards
+        return at_rest and not busy and self.ring.empty
 
     # -- what the modules of the board use -----------------------------------------------------------
 
@@ -219,13 +225,17 @@ class Grbl:
         self.alarm(code)
 
     def power_up(self) -> None:
-        """Come back from a loss of supply: the place counts from 0 again, only the memory is kept."""
+        """Come back from a loss of supply: the place counts from 0 again, only the memory is kept.
+
+        The boot loader waits for nobody then (it does after the reset pin), so that STARTS_UP_S is all the time lost:
+        the least that a sender may count on.
+        """
         self.stop_at_once()
         for axis in range(3):
             self.axes.set_position(axis, 0.0)
         self._output.clear()
         self.state = State.ALARM if self.memory.settings.on(HOMING) else State.IDLE
-        self._begin()
+        self._begin(STARTS_UP_S)
 
     def sync_position(self) -> None:
         """Let the parser believe what the axes say."""
@@ -242,7 +252,7 @@ class Grbl:
     def _has_switches(self) -> bool:
         return self.memory.settings.on(HOMING) or self.memory.settings.on(HARD_LIMITS)
 
-    def _begin(self) -> None:
+    def _begin(self, starts_up_s: float = 0.0) -> None:
         """Begin as after power-up or a reset."""
         self.ring.clear()
         self.reader.clear()
@@ -259,10 +269,13 @@ class Grbl:
         self.axes.adopt_settings()
         self.sync_position()
         self.override_motion()
-        self._running = self._program()
+        self._running = self._program(starts_up_s)
         next(self._running)
 
-    def _program(self) -> Waiting:
+    def _program(self, starts_up_s: float) -> Waiting:
+        self.starts_up = starts_up_s > 0
+        yield from self.wait(starts_up_s)
+        self.starts_up = False
         self.send(f"\r\n{self.firmware.banner}")
         if self.state in (State.ALARM, State.SLEEP):
             self.state = State.ALARM

@@ -1,6 +1,6 @@
 (One job)
 G21 G17 G90 G91.1
-G40 G49 G80 G94
+G40 G49 G94
 G54
 (tool 1: flat 6 mm)
 T1 M6

@@ -11,12 +11,12 @@ from fault_disk import AtOnce, Disk
 from fault_judge import Claim, MachineTrace, Reference, Run
 
 from CNCStepper.control.command import Command
-from CNCStepper.control.journal.journal import Journal
+from CNCStepper.control.journal.journal import MENDED, Journal
 from CNCStepper.control.outcome import REFUSED, Outcome
 from CNCStepper.control.readiness import expected_settings
 from CNCStepper.control.send_job import SendJob
 from CNCStepper.control.sender import Sender
-from CNCStepper.errors import LinkError
+from CNCStepper.errors import CNCStepperError, LinkError
 from CNCStepper.machine.profile import load_machine
 from CNCStepper.virtual.faults import Fault, FaultPlan
 from CNCStepper.virtual.faults_link import FaultyLink
@@ -28,6 +28,7 @@ LIMIT_S = 240.0  # no run of these tests takes so long; a sender that waits for 
 AFTERWARDS_S = 12.0  # what the buffers hold is cut after the sender has gone
 QUESTIONS = 5  # of a sender at the begin; each is answered
 FILE = "part.nc"
+STANDING = ("held", "paused", "door")  # phases in which somebody must resume
 
 
 class NeverEnds(Exception):
@@ -167,13 +168,14 @@ class FaultBench:
         self.disk = Disk(self.link.clock)
         self.told: list[tuple[str, str]] = []
         self._hold_s = hold_s
-        self._waits = False  # for room on the disk
+        self._stands = self._waits = False  # waits: for room on the disk
         self.journal = Journal(folder, executor=AtOnce(), clock=self.link.clock) if folder else None
         self.sender = Sender(
             job or job_of(lines),
             opener=lambda name, baud: self.link,
             clock=self.link.clock,
             tell=self._hear,
+            refuse=self._wait,
             journal=self.journal,
         )
 
@@ -181,11 +183,12 @@ class FaultBench:
         """Let the sender run, and the machine after it; return all that a judge may know."""
         with self.disk.in_use():
             claim = self._claim()
+        claim_s = self.board.time_s
         end_s = self.board.time_s + AFTERWARDS_S
         while not self.board.quiet and self.board.time_s < end_s:
             self.link.pass_time()
         answers = QUESTIONS + sum(line != "M0" for line in self.lines)  # the sender stands at M0 itself
-        return Run(reference_of(self.lines), answers, self.trace, self.line, claim, self.link.heard)
+        return Run(reference_of(self.lines), answers, self.trace, self.line, claim, self.link.heard, claim_s)
 
     def _claim(self) -> Claim:
         """Return what the sender says at its end; of one that was killed its client says that nothing is known."""
@@ -206,24 +209,24 @@ class FaultBench:
     def _person(self, now_s: float) -> None:
         if self._hold_s and now_s > self._hold_s:
             self._hold_s = 0.0
-            self.sender.ask(Command("hold"))
-        if self._waits and not self.disk.is_full:
-            self._waits = False
-            self.sender.ask(Command("resume"))
+            if not self._stands:  # else it would be one's own resume that is taken back
+                self.sender.ask(Command("hold"))
 
     def _hear(self, kind: str, text: str) -> None:
         self.told.append((kind, text))
-        if kind == "phase" and text.startswith(("held", "paused", "door")):
-            self._answer_hold()
+        if kind == "phase":
+            self._stands = text.startswith(STANDING)
+        if (kind == "phase" and self._stands) or (text == MENDED and self._waits):
+            self._go_on()
 
-    def _answer_hold(self) -> None:
-        """Go on, or wait until there is room on the disk; stop where there will be none."""
-        if not self.disk.is_full:
-            self.sender.ask(Command("resume"))
-        elif self.disk.is_full_for_good:
-            self.sender.ask(Command("stop"))
-        else:
-            self._waits = True
+    def _go_on(self) -> None:
+        """Resume; stop where there will never be room on the disk."""
+        self._waits = False
+        self.sender.ask(Command("stop" if self.disk.is_full_for_good else "resume"))
+
+    def _wait(self, command: Command, error: CNCStepperError) -> None:
+        """Wait for room on the disk, for which a resume was refused."""
+        self._waits = command.name == "resume"
 
 
 def job_of(lines: tuple[str, ...]) -> SendJob:

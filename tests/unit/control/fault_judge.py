@@ -11,13 +11,14 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from itertools import pairwise
-from math import dist, hypot
+from math import dist, hypot, inf
 
 from CNCStepper.virtual.faults_link import FaultyLink
 from CNCStepper.virtual.grbl.machine import Grbl
 
 NEAR_STEPS = 2.0
 RIGHT_MM = 0.002  # of a told position: three decimals
+ON_THE_WAY_S = 0.02  # a report, on its way to the sender: what happens then it cannot tell
 BRAKED_S = 1.5  # from a report off the path to standstill
 ABANDONED = {"close", "kill"}  # faults after which no sender reaches the machine
 ANSWER = re.compile(rb"^(?:ok|error:\d+)\r$", re.MULTILINE)
@@ -48,12 +49,17 @@ class Reference:
 
 
 class MachineTrace:
-    """Notes the true path of a board's axes; `begin_lost` and `lost` say whether its count is still the one met."""
+    """Notes the true path of a board's axes; `begin_lost` and `lost` say whether its count is still the one met.
+
+    lost_s: when it was so at last; None while it is.
+    """
 
     def __init__(self, board: Grbl):
         self.board = board
         self.rows = [self._row()]
         self.begin_lost = list(board.axes.lost_steps)
+        self.lost_s: float | None = None
+        self._noted_s = board.time_s
         self._counted, self._declared = board.axes.position_steps, board.axes.declared
         board.on_step = self._note
 
@@ -72,6 +78,9 @@ class MachineTrace:
         if axes.position_steps != self._counted and axes.declared == self._declared:
             self.rows.append(self._row())
         self._counted, self._declared = axes.position_steps, axes.declared
+        if self.lost and self.lost_s is None:
+            self.lost_s = self._noted_s
+        self._noted_s = board.time_s
 
     def _row(self) -> Row:
         axes, spindle = self.board.axes, self.board.spindle
@@ -92,7 +101,10 @@ class Claim:
 
 @dataclass
 class Run:
-    """All that is known of one run but how the sender works. heard: what reached it, with the moments in s."""
+    """All that is known of one run but how the sender works. heard: what reached it, with the moments in s.
+
+    claim_s: when it said its claim.
+    """
 
     program: Reference
     answers: int  # of the controller, in a run without faults
@@ -100,6 +112,13 @@ class Run:
     line: FaultyLink
     claim: Claim
     heard: list[tuple[float, bytes]] = field(default_factory=list)
+    claim_s: float = inf
+
+    @property
+    def lost_before(self) -> bool:
+        """Whether steps were lost before the board said the last words that the sender may have heard."""
+        lost_s = self.trace.lost_s
+        return lost_s is not None and lost_s < self.claim_s - ON_THE_WAY_S
 
     @property
     def reference(self) -> Sequence[Row]:
@@ -152,9 +171,9 @@ def _position_wrong(run: Run) -> str:
     """Return what is wrong with a position that is said to be known, "" where nothing is."""
     if not run.claim.position_known:
         return ""
-    if run.trace.lost:
+    if run.lost_before:
         return "the position is said to be known, but steps were lost"
-    if run.claim.refused:
+    if run.claim.refused or run.trace.lost:
         return ""
     told, here = run.claim.mpos_mm, run.trace.board.axes.position_mm
     if told is None or max(abs(a - b) for a, b in zip(told, here, strict=True)) > RIGHT_MM:

@@ -23,6 +23,7 @@ from CNCStepper.virtual.grbl.machine import Grbl
 from CNCStepper.virtual.grbl.states import State
 
 NOTHING_CUT, NOTHING_LEFT = "restart-at-start", "restart-nothing-left"
+LOCKED = (State.ALARM, State.CHECK)
 RESET, UNLOCK = b"\x18", b"$X\n"
 SETTLED_S = 0.5
 
@@ -72,8 +73,8 @@ def story_of(bench: FaultBench) -> Story | None:
 
 def bring_back(board: Grbl, first: Run) -> None:
     """Bring a machine back: reset and unlocked, and with its zero set again where it is said to be unknown."""
-    known = first.claim.position_known
-    if not known or board.state is State.ALARM:  # some alarms are locked until a reset; at rest it loses nothing
+    known = first.claim.position_known and not first.trace.lost  # whoever sees the supply fail sets the zero again
+    if not known or board.state in LOCKED:  # some alarms are locked until a reset; at rest it loses nothing
         board.receive(RESET)
         pass_time(board)
     if board.state is State.ALARM:

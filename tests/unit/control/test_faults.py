@@ -6,6 +6,7 @@ from __future__ import annotations
 import ast
 import os
 from collections import Counter
+from dataclasses import replace
 from pathlib import Path
 
 import fault_judge
@@ -20,7 +21,9 @@ from fault_restart import Interval, judge_restart
 from fault_second_go import SecondGo
 
 from CNCStepper.control.journal.journal import Journal
+from CNCStepper.control.path_watch import PathWatch
 from CNCStepper.virtual.faults import KINDS, Fault, FaultPlan
+from CNCStepper.virtual.grbl.states import State
 
 BLOCK = 100  # runs of one test; every kind must fire in them
 RUNS = max(200, int(os.environ.get("CNCSTEPPER_FAULT_RUNS", "200")))
@@ -87,12 +90,42 @@ def test_broken_sender_fails_the_judge_that_passes_ours(broken, fault, monkeypat
     plan = FaultPlan(fault=(Fault(at_byte=at_byte, **fault),))
     assert judge(FaultBench(SPIKES, plan).run()).kind != WRONG
     monkeypatch.setattr("CNCStepper.control.sender.Grbl", broken)
+    monkeypatch.setattr(PathWatch, "may_have_restarted", lambda watch, sent: False)
     assert judge(FaultBench(SPIKES, plan).run()).kind == WRONG
+
+
+def test_restart_that_is_not_heard_is_reckoned_with_where_the_spindle_stands(monkeypatch):
+    plan = FaultPlan(fault=(Fault(kind="power", at_byte=byte_of(SPIKES, "G1X5.3", 25)),))
+    monkeypatch.setattr("CNCStepper.control.sender.Grbl", GoesOnAfterGreeting)
+    bench = FaultBench(SPIKES, plan)
+    run = bench.run()
+    assert run.claim.declared == "path-left" and judge(run).kind == STOPPED_UNKNOWN
+    assert "or the controller restarted unheard" in bench.outcome.text
+
+
+def test_line_that_was_refused_and_those_behind_it_are_not_called_cut(tmp_path):
+    lines = (*HEAD, "G0Z2", "G1Z-1F500", "G4P0.1", "G1X5F1500", "G4P0", *["S8000"] * 3, "G4P3", "G1Y5", *TAIL)
+    plan = FaultPlan(fault=(Fault(kind="corrupt", at_byte=byte_of(lines, "G1X5F1500"), bits=ord("G") ^ ord("W")),))
+    bench = FaultBench(lines, plan, folder=tmp_path)
+    run, verdict = judged(bench)
+    assert run.claim.declared == "grbl-error-20" and run.said.count(b"ok\r\n") > 10
+    assert bench.outcome.status.acknowledged == lines.index("G1X5F1500")
+    assert verdict.kind == f"{STOPPED_KNOWN}, restarted", verdict.why
 
 
 def test_same_seed_gives_the_same_run():
     one, other = (bench_of(4).run() for _ in range(2))
     assert one.trace.rows == other.trace.rows and one.heard == other.heard and one.claim == other.claim
+
+
+def test_judge_forgives_a_power_loss_only_behind_the_last_words_of_the_board(tmp_path):
+    refused = Fault(kind="corrupt", at_byte=byte_of(SHORT, "G1X10F600"), bits=ord("G") ^ ord("W"))
+    (tmp_path / "before").mkdir()
+    ended_s = FaultBench(SHORT, FaultPlan(fault=(refused,)), folder=tmp_path / "before").run().claim_s
+    plan = FaultPlan(fault=(refused, Fault(kind="power", at_s=ended_s - 1e-6)))
+    run, verdict = judged(FaultBench(SHORT, plan, folder=tmp_path))
+    assert run.claim.position_known and run.trace.lost and verdict.kind == f"{STOPPED_KNOWN}, restarted", verdict.why
+    assert judge(replace(run, claim_s=run.claim_s + 0.05)).kind == WRONG
 
 
 def test_judge_knows_nothing_of_the_sender():
@@ -145,6 +178,30 @@ def test_end_of_the_path_is_compared_too():
     assert run.claim.declared == "path-left" and judge(run).kind == EXCURSION
 
 
+def test_question_that_arrives_as_a_check_mode_is_refused_and_the_part_is_cut_later(tmp_path):
+    fault = Fault(kind="corrupt", at_byte=byte_of(SHORT, "$G") + 1, bits=ord("G") ^ ord("C"))
+    bench = FaultBench(SHORT, FaultPlan(fault=(fault,)), folder=tmp_path)
+    run, verdict = judged(bench)
+    assert run.claim.declared == "modes-unknown" and run.claim.position_known
+    assert b"[MSG:Enabled]" in run.said and verdict.kind == f"{REFUSED}, restarted", verdict.why
+
+
+@pytest.mark.parametrize("dwell", [(), ("G4P0.1",) * 9])
+def test_check_mode_in_which_lines_are_read_and_nothing_moves_stops_the_job_and_none_counts_as_cut(tmp_path, dwell):
+    bench = FaultBench((*SPIKES[:-3], *dwell, *SPIKES[-3:]), FaultPlan(), folder=tmp_path)
+    begin = bench.journal.begin
+
+    def check_mode_on(*met):
+        begin(*met)
+        bench.board.state = State.CHECK
+
+    bench.journal.begin = check_mode_on
+    run, verdict = judged(bench)
+    assert run.claim.declared == "machine-check" and run.claim.position_known
+    assert "without moving (value Check); leave the check mode" in bench.outcome.text
+    assert verdict.kind == f"{STOPPED_KNOWN}, restarted", verdict.why
+
+
 # --- restarts --------------------------------------------------------------------------------------------
 
 
@@ -174,7 +231,8 @@ def test_line_behind_which_the_path_was_left_is_not_called_cut(tmp_path):
 
 
 def test_restart_that_is_told_together_with_an_alarm_is_not_overheard():
-    faults = (Fault(kind="alarm", at_s=1.93, when="motion", code=2), Fault(kind="power", at_s=1.93, when="rest"))
+    alarm = Fault(kind="alarm", at_s=1.93, when="motion", code=2)
+    faults = (alarm, Fault(kind="power", at_s=1.93, when="rest"), Fault(kind="delay", way="out", at_s=1.9))
     run = FaultBench(program_of(4484), FaultPlan(fault=faults)).run()
     assert any(b"ALARM:2" in data and b"Grbl" in data for _, data in run.heard)
     assert judge(run).kind == STOPPED_UNKNOWN

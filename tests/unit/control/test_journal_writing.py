@@ -41,11 +41,14 @@ class Bench:
         self.told: list[str] = []
         self.journal = Journal(folder, executor=AtOnce(), clock=self.clock)
         self.on_text: dict[str, object] = {}
+        self.refused: list[str] = []
+        self.on_refused = lambda: None
         self.sender = Sender(
             SendJob("fake", lines, **{"zero_confirmed": True, "file": "part.nc", "baud": SLOW_BAUD} | job),
             opener=lambda name, baud: FakeLink(self.controller, self.clock),
             clock=self.clock,
             tell=self.tell,
+            refuse=self.refuse,
             journal=self.journal,
         )
 
@@ -53,6 +56,10 @@ class Bench:
         self.told.append(text)
         if action := self.on_text.get(text):
             action()
+
+    def refuse(self, command, error):
+        self.refused.append(error.code)
+        self.on_refused()
 
     def run(self):
         return self.sender.run()
@@ -177,6 +184,16 @@ def test_a_disk_that_is_nearly_full_refuses_the_job_before_its_start(tmp_path, m
     assert outcome.error.code == "journal-unwritable" and "only 5 kB are free" in outcome.text
 
 
+def test_a_job_that_is_held_for_its_disk_does_not_go_on_before_there_is_room(tmp_path, disk):
+    bench = Bench(tmp_path)
+    bench.controller.actions[100] = lambda: disk.update(left=0)
+    bench.on_text["held"] = bench.sender.resume
+    bench.on_refused = lambda: disk.update(left=10**9)
+    bench.on_text[MENDED] = bench.sender.resume
+    assert bench.run().kind == DONE
+    assert bench.refused == ["journal-unwritable"] and bench.controller.realtime.count("~") == 1
+
+
 def test_a_folder_that_is_not_there_refuses_the_job(tmp_path):
     assert Bench(tmp_path / "gone").run().error.code == "journal-unwritable"
 
@@ -199,7 +216,7 @@ def test_a_disk_full_in_the_middle_holds_at_the_end_of_what_is_durable_and_goes_
     assert bench.story().is_done and not bench.story().faults
 
 
-def test_who_resumes_with_the_disk_still_full_is_held_again(tmp_path, disk):
+def test_who_resumes_with_the_disk_still_full_is_refused_and_the_machine_stays(tmp_path, disk):
     bench = Bench(tmp_path)
     bench.controller.actions[100] = lambda: disk.update(left=0)
     held = []
@@ -208,9 +225,10 @@ def test_who_resumes_with_the_disk_still_full_is_held_again(tmp_path, disk):
         held.append(bench.sender.status().sent)
         bench.sender.resume() if len(held) < 3 else bench.sender.stop()
 
-    bench.on_text["held"] = go_on_or_stop
+    bench.on_text["held"] = bench.on_refused = go_on_or_stop
     assert bench.run().kind == STOPPED
-    assert held == [held[0]] * 3
+    assert held == [held[0]] * 3 and "~" not in bench.controller.realtime
+    assert bench.refused == ["journal-unwritable"] * 2
     assert [text for text in bench.told if "could not be ended" in text]
     story = bench.story()  # as of a killed job, and true
     assert story.end != STOPPED and story.finished <= 100 <= held[0] <= story.may_be_sent

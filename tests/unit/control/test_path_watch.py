@@ -127,15 +127,16 @@ def sent(controller: FakeController, clock: FakeClock, lines, **job):
 LINES = ("G21G90G94", *(f"G1X{number}Y{number % 7}F600" for number in range(60)))
 
 
-@pytest.mark.parametrize("state", ["Run", "Door:1"])
-def test_report_off_the_path_ends_the_job_unless_the_controller_moves_by_itself(state):
+@pytest.mark.parametrize(("state", "rpm", "known"), [("Run", 8000, True), ("Run", 0, False), ("Door:1", 8000, True)])
+def test_report_off_the_path_ends_the_job_unless_the_controller_moves_by_itself(state, rpm, known):
     clock = FakeClock()
     controller = FakeController(clock, line_s=0.05)
-    report = f"<{state}|MPos:-60.000,-20.000,-10.000|FS:0,0>"
+    report = f"<{state}|MPos:-60.000,-20.000,-10.000|FS:0,{rpm}>"
     controller.actions[20] = lambda: controller.say(report)
     outcome, _ = sent(controller, clock, LINES)
+    assert outcome.position_known is known
     if state == "Run":
-        assert outcome.kind == "failed" and outcome.error.code == "path-left" and outcome.position_known
+        assert outcome.kind == "failed" and outcome.error.code == "path-left"
         assert "\x18" in controller.realtime and len(controller.lines) < len(LINES)
     else:
         assert outcome.error is None or outcome.error.code != "path-left"

@@ -65,7 +65,7 @@ def test_golden_programs(name, dialect, options, golden):
 
 def test_the_frame_of_a_program():
     lines = [line for line in write(two_tools(), "grbl", OPTIONS).splitlines() if not line.startswith("(")]
-    assert lines[:8] == ["G21 G17 G90 G91.1", "G40 G49 G80 G94", "G54", "T1", "M3 S10000", "M8", "G4 P3", "G0 Z10.000"]
+    assert lines[:8] == ["G21 G17 G90 G91.1", "G40 G49 G94", "G54", "T1", "M3 S10000", "M8", "G4 P3", "G0 Z10.000"]
     assert lines[-3:] == ["M5", "M9", "M2"]
 
 

@@ -91,7 +91,7 @@ def test_the_entry_comes_from_above_with_the_spindle_turning() -> None:
     assert entry[:9] == [
         "M5 M9",
         "G21 G17 G90 G91.1",
-        "G40 G49 G80 G94",
+        "G40 G49 G94",
         "G54",
         "G0 Z10",
         "T1",

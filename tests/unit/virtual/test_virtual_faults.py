@@ -15,7 +15,7 @@ from CNCStepper.virtual.faults import KINDS, Fault, FaultPlan, read_plan
 from CNCStepper.virtual.faults_link import FaultyLink
 from CNCStepper.virtual.faults_outside import kill_sender, plan_for_server
 from CNCStepper.virtual.grbl.link import Link
-from CNCStepper.virtual.grbl.machine import Grbl
+from CNCStepper.virtual.grbl.machine import STARTS_UP_S, Grbl
 from CNCStepper.virtual.grbl.states import State
 
 TICK_S = 0.002
@@ -121,6 +121,21 @@ def test_power_loss_counts_from_zero_again():
     heard = line.say("G1X5F600\n", 0.6)
     assert "Grbl 1.1h" in heard and "ALARM" not in heard
     assert line.board.axes.position_mm == [0.0, 0.0, 0.0]
+
+
+def test_board_is_deaf_while_it_starts_up_after_a_power_loss():
+    line = Line(fault("power"), fault("reset", at_s=0.21))
+    heard = line.wait(0.1) + line.say("G1X5F600\n?", STARTS_UP_S - 0.02)
+    assert heard == "" and not line.link.quiet and line.told == ["power"]
+    assert line.say("", 0.05).count("Grbl 1.1h") == 2 and line.told == ["power", "reset"]
+    line.wait(1.0)
+    assert line.board.axes.position_mm[0] == 0.0 and line.link.quiet
+
+
+def test_alarm_at_the_moment_of_a_power_loss_waits_until_the_board_has_started():
+    line = Line(fault("power"), fault("alarm"))
+    heard = line.wait(0.3)
+    assert heard.index("Grbl 1.1h") < heard.index("ALARM:1") and "Grbl 1.1h" in line.say("\x18")
 
 
 @pytest.mark.parametrize(("code", "kept"), [(1, False), (2, True)])
