@@ -264,6 +264,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>File</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Finish</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1164,6 +1168,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The G-code file that it is, which has nothing to do with the operations of its job</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The T word of the program</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1623,6 +1631,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>A file is checked with a job's machine, stock, tools and clamps; no operation is needed.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>A job is being cut</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1872,6 +1884,10 @@
         </message>
         <message>
             <source>Change the programmed value while cutting, in percent.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Check a G-code file with the job's machine, stock, tools and clamps, and send it.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2187,10 +2203,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Ended</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>Engagement</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2256,6 +2268,10 @@
         </message>
         <message>
             <source>Figures</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>File</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2499,7 +2515,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Go up to this Z first; where none is given: the program's highest crossing rapid</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Goes on in the controller's panel: connect, work zero, start.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Goes on with</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2831,6 +2855,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Killed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Last hole</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2928,6 +2956,10 @@
         </message>
         <message>
             <source>Lines can be typed only while the machine is idle or in alarm.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Load {0}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3172,6 +3204,10 @@
         </message>
         <message>
             <source>On its cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>On the path</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3635,6 +3671,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Send a G-code file…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Send anyway</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3800,6 +3840,10 @@
         </message>
         <message>
             <source>Taper</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The G-code file that it is, which has nothing to do with the operations of its job</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4064,6 +4108,10 @@
         </message>
         <message>
             <source>The parts and bodies that the drawing moves with</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The path of the last job is read…</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4636,6 +4684,10 @@
         </message>
         <message>
             <source>as given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>as the program</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5319,6 +5371,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{0}. Now {1}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{0}:</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5994,6 +6050,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a process of our own cannot be started</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a program for {0} cannot be restarted in its middle</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6571,6 +6631,10 @@
         </message>
         <message>
             <source>check the cable</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>check the cable, and look that the controller is not in check mode ($C leaves it); then send again</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7406,6 +7470,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>goes on with</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>goes up to Z {0} first, then over the place</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7659,10 +7727,6 @@
         </message>
         <message>
             <source>kerf_mm is not what this tool cuts</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>killed: the sender or its computer stopped without a word; what the controller held it may have made</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7970,6 +8034,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>make room on its disk, and resume when it is said to be written again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>make room on the disk of {0}, and see that you may write there; then send again</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8159,6 +8227,10 @@
         </message>
         <message>
             <source>next is line {0}: {1}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>no JSON at byte {0}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8718,10 +8790,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>resume first, which takes it back there</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>resume once it stands</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8735,10 +8803,6 @@
         </message>
         <message>
             <source>resume, and hold once the machine moves</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>resume, or stop and restart the program</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9334,6 +9398,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the controller reads its lines without moving</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the controller refused '{0}': {1} (error:{2})</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9722,6 +9790,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the job has no operation</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the job has no operations</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9791,6 +9863,10 @@
         </message>
         <message>
             <source>the journal lacks its beginning, or is none</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the journal of the job cannot be written</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9990,6 +10066,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the machine left the program's path: a line was damaged on its way, or the controller restarted unheard</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the machine must be homed before it may move</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9999,10 +10079,6 @@
         </message>
         <message>
             <source>the machine stands, spindle and outputs are off, its position is kept (the reset cleared G92 and tool length)</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>the machine was jogged away from where the program paused</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10146,10 +10222,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the play of the axes is taken up in the lines sent, so the way back is not that of the motors</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>the pocket is so narrow that its way at this engagement would be too long beside parallels</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10194,15 +10266,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the process of {0} has ended</source>
+            <source>the process that finds the way back has ended</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>the process that knows the part at every moment has ended</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>the process that proves cannot be started</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10431,6 +10499,10 @@
         </message>
         <message>
             <source>the sender failed by a fault of its own</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the sender or its computer stopped without a word; what the controller held it may have made</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11406,11 +11478,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>while G80 is in force {0} takes no axis words, nor those of {1}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>with tool {0} in the spindle</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>with {0} of its move done</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>without a file, {0} lines to send</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11551,6 +11631,10 @@
         </message>
         <message>
             <source>write a line</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write a line G0 before it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11702,6 +11786,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>write what is to be cut as [[operation]]</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>write with G54 to G59</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11750,7 +11838,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>{0} at work {1}, machine {2} mm, {3}{4}</source>
+            <source>{0} at work {1}, machine {2} mm, {3}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} at {1}, grbl {2}, begun {3}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11819,6 +11911,10 @@
         </message>
         <message>
             <source>{0} does not drill in pecks</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} does not say its modes: question or answer was damaged</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12246,7 +12342,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{0}, OFF the path of these lines</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{0}, and end other programs before the next try</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0}, grbl {1}, begun {2}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0}, on the path at line {1}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12255,6 +12363,14 @@
         </message>
         <message>
             <source>{0}, which is to be run before it, is refused</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0}, {1} lines to send</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0}: restart that one again, what its restart has cut counts as cut</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

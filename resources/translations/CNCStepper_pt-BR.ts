@@ -264,6 +264,10 @@
             <translation>Valores</translation>
         </message>
         <message>
+            <source>File</source>
+            <translation>Arquivo</translation>
+        </message>
+        <message>
             <source>Finish</source>
             <translation>Acabamento</translation>
         </message>
@@ -1164,6 +1168,10 @@
             <translation>Conicidade</translation>
         </message>
         <message>
+            <source>The G-code file that it is, which has nothing to do with the operations of its job</source>
+            <translation>O arquivo de G-code que ele é, sem relação com as operações do seu trabalho</translation>
+        </message>
+        <message>
             <source>The T word of the program</source>
             <translation>A palavra T do programa</translation>
         </message>
@@ -1623,6 +1631,10 @@
             <translation>Um controlador já está conectado.</translation>
         </message>
         <message>
+            <source>A file is checked with a job's machine, stock, tools and clamps; no operation is needed.</source>
+            <translation>Um arquivo é verificado com a máquina, o bloco, as ferramentas e os grampos de um trabalho; nenhuma operação é necessária.</translation>
+        </message>
+        <message>
             <source>A job is being cut</source>
             <translation>Um trabalho está sendo usinado</translation>
         </message>
@@ -1873,6 +1885,10 @@
         <message>
             <source>Change the programmed value while cutting, in percent.</source>
             <translation>Ajusta o valor programado durante o corte, em porcento.</translation>
+        </message>
+        <message>
+            <source>Check a G-code file with the job's machine, stock, tools and clamps, and send it.</source>
+            <translation>Verificar um arquivo de G-code com a máquina, o bloco, as ferramentas e os grampos do trabalho, e enviá-lo.</translation>
         </message>
         <message>
             <source>Check and simulate: {0}</source>
@@ -2187,10 +2203,6 @@
             <translation>Ângulo final</translation>
         </message>
         <message>
-            <source>Ended</source>
-            <translation>Fim</translation>
-        </message>
-        <message>
             <source>Engagement</source>
             <translation>Engajamento</translation>
         </message>
@@ -2257,6 +2269,10 @@
         <message>
             <source>Figures</source>
             <translation>Valores</translation>
+        </message>
+        <message>
+            <source>File</source>
+            <translation>Arquivo</translation>
         </message>
         <message>
             <source>Find</source>
@@ -2499,8 +2515,16 @@
             <translation>Continua o programa a partir da linha em andamento, tendo tudo antes dela como cortado</translation>
         </message>
         <message>
+            <source>Go up to this Z first; where none is given: the program's highest crossing rapid</source>
+            <translation>Subir primeiro até este Z; sem valor: a travessia rápida mais alta do programa</translation>
+        </message>
+        <message>
             <source>Goes on in the controller's panel: connect, work zero, start.</source>
             <translation>Continua no painel do controlador: conectar, zero-peça, iniciar.</translation>
+        </message>
+        <message>
+            <source>Goes on with</source>
+            <translation>Continua com</translation>
         </message>
         <message>
             <source>Greatest chip load</source>
@@ -2831,6 +2855,10 @@
             <translation>Largura do corte</translation>
         </message>
         <message>
+            <source>Killed</source>
+            <translation>Interrompido</translation>
+        </message>
+        <message>
             <source>Last hole</source>
             <translation>Último furo</translation>
         </message>
@@ -2929,6 +2957,10 @@
         <message>
             <source>Lines can be typed only while the machine is idle or in alarm.</source>
             <translation>Só se pode digitar linhas com a máquina parada ou em alarme.</translation>
+        </message>
+        <message>
+            <source>Load {0}</source>
+            <translation>Carregar {0}</translation>
         </message>
         <message>
             <source>Look at the findings, then decide.</source>
@@ -3173,6 +3205,10 @@
         <message>
             <source>On its cut</source>
             <translation>Sobre o corte</translation>
+        </message>
+        <message>
+            <source>On the path</source>
+            <translation>No caminho</translation>
         </message>
         <message>
             <source>On which side of the lines the tool runs</source>
@@ -3635,6 +3671,10 @@
             <translation>Selecione o que será gravado: um esboço, um arame, uma B-spline ou uma linha à mão livre</translation>
         </message>
         <message>
+            <source>Send a G-code file…</source>
+            <translation>Enviar um arquivo de G-code…</translation>
+        </message>
+        <message>
             <source>Send anyway</source>
             <translation>Enviar assim mesmo</translation>
         </message>
@@ -3801,6 +3841,10 @@
         <message>
             <source>Taper</source>
             <translation>Conicidade</translation>
+        </message>
+        <message>
+            <source>The G-code file that it is, which has nothing to do with the operations of its job</source>
+            <translation>O arquivo de G-code que ele é, sem relação com as operações do seu trabalho</translation>
         </message>
         <message>
             <source>The T word of the program</source>
@@ -4065,6 +4109,10 @@
         <message>
             <source>The parts and bodies that the drawing moves with</source>
             <translation>As peças e corpos com que o desenho se move</translation>
+        </message>
+        <message>
+            <source>The path of the last job is read…</source>
+            <translation>O caminho do último trabalho está sendo lido…</translation>
         </message>
         <message>
             <source>The place on the cut is being looked for…</source>
@@ -4637,6 +4685,10 @@
         <message>
             <source>as given</source>
             <translation>como dada</translation>
+        </message>
+        <message>
+            <source>as the program</source>
+            <translation>como o programa</translation>
         </message>
         <message>
             <source>ball end mill</source>
@@ -5319,6 +5371,10 @@
             <translation>{0}, reinício</translation>
         </message>
         <message>
+            <source>{0}. Now {1}</source>
+            <translation>{0}. Agora {1}</translation>
+        </message>
+        <message>
             <source>{0}:</source>
             <translation>{0}:</translation>
         </message>
@@ -5994,6 +6050,10 @@
             <translation>uma apalpação não aceita avanço por rotação</translation>
         </message>
         <message>
+            <source>a process of our own cannot be started</source>
+            <translation>um processo nosso não pode ser iniciado</translation>
+        </message>
+        <message>
             <source>a program for {0} cannot be restarted in its middle</source>
             <translation>um programa para {0} não pode ser retomado no meio</translation>
         </message>
@@ -6572,6 +6632,10 @@
         <message>
             <source>check the cable</source>
             <translation>verifique o cabo</translation>
+        </message>
+        <message>
+            <source>check the cable, and look that the controller is not in check mode ($C leaves it); then send again</source>
+            <translation>verifique o cabo, e veja que o controlador não esteja no modo de verificação ($C sai dele); depois envie de novo</translation>
         </message>
         <message>
             <source>check the depth, or lay a spoil board under the stock</source>
@@ -7406,6 +7470,10 @@
             <translation>desce a {0} mm/min</translation>
         </message>
         <message>
+            <source>goes on with</source>
+            <translation>continua com</translation>
+        </message>
+        <message>
             <source>goes up to Z {0} first, then over the place</source>
             <translation>sobe primeiro até Z {0}, depois vai para cima do ponto</translation>
         </message>
@@ -7660,10 +7728,6 @@
         <message>
             <source>kerf_mm is not what this tool cuts</source>
             <translation>kerf_mm não é o que esta ferramenta corta</translation>
-        </message>
-        <message>
-            <source>killed: the sender or its computer stopped without a word; what the controller held it may have made</source>
-            <translation>morto: o emissor ou seu computador parou sem avisar; o controlador pode ter executado o que tinha na memória</translation>
         </message>
         <message>
             <source>large cuts are being prepared, once after an installation</source>
@@ -7970,6 +8034,10 @@
             <translation>aumente resolution_mm</translation>
         </message>
         <message>
+            <source>make room on its disk, and resume when it is said to be written again</source>
+            <translation>libere espaço no disco dele, e continue quando for dito que ele é gravado de novo</translation>
+        </message>
+        <message>
             <source>make room on the disk of {0}, and see that you may write there; then send again</source>
             <translation>libere espaço no disco de {0} e verifique se você pode gravar ali; depois envie de novo</translation>
         </message>
@@ -8160,6 +8228,10 @@
         <message>
             <source>next is line {0}: {1}</source>
             <translation>a próxima é a linha {0}: {1}</translation>
+        </message>
+        <message>
+            <source>no JSON at byte {0}</source>
+            <translation>nenhum JSON no byte {0}</translation>
         </message>
         <message>
             <source>no axis is set up for homing</source>
@@ -8718,10 +8790,6 @@
             <translation>retome de novo, ou defina o zero de modo que o caminho fique dentro do curso</translation>
         </message>
         <message>
-            <source>resume first, which takes it back there</source>
-            <translation>retome primeiro, o que a leva de volta para lá</translation>
-        </message>
-        <message>
             <source>resume once it stands</source>
             <translation>continue quando ela estiver parada</translation>
         </message>
@@ -8736,10 +8804,6 @@
         <message>
             <source>resume, and hold once the machine moves</source>
             <translation>retome, e retenha quando a máquina se mover</translation>
-        </message>
-        <message>
-            <source>resume, or stop and restart the program</source>
-            <translation>retome, ou pare e reinicie o programa</translation>
         </message>
         <message>
             <source>retract mode set to old_z</source>
@@ -9334,6 +9398,10 @@
             <translation>o controlador entrou em alarme</translation>
         </message>
         <message>
+            <source>the controller reads its lines without moving</source>
+            <translation>o controlador lê as linhas sem se mover</translation>
+        </message>
+        <message>
             <source>the controller refused '{0}': {1} (error:{2})</source>
             <translation>o controlador recusou '{0}': {1} (error:{2})</translation>
         </message>
@@ -9722,6 +9790,10 @@
             <translation>o trabalho terminou: {0}</translation>
         </message>
         <message>
+            <source>the job has no operation</source>
+            <translation>o trabalho não tem operação</translation>
+        </message>
+        <message>
             <source>the job has no operations</source>
             <translation>o trabalho não tem operações</translation>
         </message>
@@ -9792,6 +9864,10 @@
         <message>
             <source>the journal lacks its beginning, or is none</source>
             <translation>falta o começo do diário, ou o arquivo não é um diário</translation>
+        </message>
+        <message>
+            <source>the journal of the job cannot be written</source>
+            <translation>o diário do trabalho não pode ser gravado</translation>
         </message>
         <message>
             <source>the journal of the job cannot be written: {0}</source>
@@ -9990,6 +10066,10 @@
             <translation>o movimento manual só funciona com a máquina pronta</translation>
         </message>
         <message>
+            <source>the machine left the program's path: a line was damaged on its way, or the controller restarted unheard</source>
+            <translation>a máquina saiu do caminho do programa: uma linha foi danificada na transmissão, ou o controlador reiniciou sem que se ouvisse</translation>
+        </message>
+        <message>
             <source>the machine must be homed before it may move</source>
             <translation>a máquina precisa ser referenciada antes de se mover</translation>
         </message>
@@ -10000,10 +10080,6 @@
         <message>
             <source>the machine stands, spindle and outputs are off, its position is kept (the reset cleared G92 and tool length)</source>
             <translation>a máquina está parada, spindle e saídas desligados, a posição se mantém (o reset apagou G92 e o comprimento da ferramenta)</translation>
-        </message>
-        <message>
-            <source>the machine was jogged away from where the program paused</source>
-            <translation>a máquina foi movida manualmente para longe de onde o programa pausou</translation>
         </message>
         <message>
             <source>the machine was stopped at once</source>
@@ -10146,10 +10222,6 @@
             <translation>a folga dos eixos não pode ser compensada dentro desta linha</translation>
         </message>
         <message>
-            <source>the play of the axes is taken up in the lines sent, so the way back is not that of the motors</source>
-            <translation>a folga dos eixos é compensada nas linhas enviadas, portanto o caminho de volta não é o dos motores</translation>
-        </message>
-        <message>
             <source>the pocket is so narrow that its way at this engagement would be too long beside parallels</source>
             <translation>o bolsão é tão estreito que seu caminho com este engajamento seria longo demais em relação às paralelas</translation>
         </message>
@@ -10194,16 +10266,12 @@
             <translation>o apalpador não estava no estado inicial</translation>
         </message>
         <message>
-            <source>the process of {0} has ended</source>
-            <translation>o processo de {0} terminou</translation>
+            <source>the process that finds the way back has ended</source>
+            <translation>o processo que acha o caminho de volta terminou</translation>
         </message>
         <message>
             <source>the process that knows the part at every moment has ended</source>
             <translation>o processo que conhece a peça em cada momento terminou</translation>
-        </message>
-        <message>
-            <source>the process that proves cannot be started</source>
-            <translation>o processo de verificação não pode ser iniciado</translation>
         </message>
         <message>
             <source>the process that proves the program ended without an answer</source>
@@ -10432,6 +10500,10 @@
         <message>
             <source>the sender failed by a fault of its own</source>
             <translation>o envio falhou por um defeito próprio</translation>
+        </message>
+        <message>
+            <source>the sender or its computer stopped without a word; what the controller held it may have made</source>
+            <translation>o emissor ou seu computador parou sem avisar; o controlador pode ter executado o que tinha na memória</translation>
         </message>
         <message>
             <source>the sender's process does not answer</source>
@@ -11406,12 +11478,20 @@
             <translation>não está claro qual execução da linha {0} se quer</translation>
         </message>
         <message>
+            <source>while G80 is in force {0} takes no axis words, nor those of {1}</source>
+            <translation>enquanto G80 vale, {0} não aceita palavras de eixo, nem as de {1}</translation>
+        </message>
+        <message>
             <source>with tool {0} in the spindle</source>
             <translation>com a ferramenta {0} no fuso</translation>
         </message>
         <message>
             <source>with {0} of its move done</source>
             <translation>com {0} do movimento já feito</translation>
+        </message>
+        <message>
+            <source>without a file, {0} lines to send</source>
+            <translation>sem arquivo, {0} linhas a enviar</translation>
         </message>
         <message>
             <source>words for the spindle</source>
@@ -11552,6 +11632,10 @@
         <message>
             <source>write a line</source>
             <translation>escreva uma reta</translation>
+        </message>
+        <message>
+            <source>write a line G0 before it</source>
+            <translation>escreva antes uma linha G0</translation>
         </message>
         <message>
             <source>write a line such as: T3 P3 D6.0 Z+41.5 ;6 mm end mill</source>
@@ -11702,6 +11786,10 @@
             <translation>grave em outro</translation>
         </message>
         <message>
+            <source>write what is to be cut as [[operation]]</source>
+            <translation>escreva o que deve ser cortado como [[operation]]</translation>
+        </message>
+        <message>
             <source>write with G54 to G59</source>
             <translation>escreva com G54 a G59</translation>
         </message>
@@ -11750,8 +11838,12 @@
             <translation>{0} pede mais de {1} passes</translation>
         </message>
         <message>
-            <source>{0} at work {1}, machine {2} mm, {3}{4}</source>
-            <translation>{0} na peça em {1}, na máquina em {2} mm, {3}{4}</translation>
+            <source>{0} at work {1}, machine {2} mm, {3}</source>
+            <translation>{0} na peça em {1}, na máquina em {2} mm, {3}</translation>
+        </message>
+        <message>
+            <source>{0} at {1}, grbl {2}, begun {3}</source>
+            <translation>{0} em {1}, grbl {2}, iniciado em {3}</translation>
         </message>
         <message>
             <source>{0} became lines, at most {1} mm away</source>
@@ -11820,6 +11912,10 @@
         <message>
             <source>{0} does not drill in pecks</source>
             <translation>{0} não fura com bicadas</translation>
+        </message>
+        <message>
+            <source>{0} does not say its modes: question or answer was damaged</source>
+            <translation>{0} não informa seus modos: a pergunta ou a resposta foi danificada</translation>
         </message>
         <message>
             <source>{0} does not wait at the bottom</source>
@@ -12246,8 +12342,20 @@
             <translation>{0} µs de atraso</translation>
         </message>
         <message>
+            <source>{0}, OFF the path of these lines</source>
+            <translation>{0}, FORA do caminho destas linhas</translation>
+        </message>
+        <message>
             <source>{0}, and end other programs before the next try</source>
             <translation>{0}, e feche outros programas antes de tentar de novo</translation>
+        </message>
+        <message>
+            <source>{0}, grbl {1}, begun {2}</source>
+            <translation>{0}, grbl {1}, iniciado em {2}</translation>
+        </message>
+        <message>
+            <source>{0}, on the path at line {1}</source>
+            <translation>{0}, no caminho, na linha {1}</translation>
         </message>
         <message>
             <source>{0}, program {1} of {2}</source>
@@ -12256,6 +12364,14 @@
         <message>
             <source>{0}, which is to be run before it, is refused</source>
             <translation>{0}, que deve ser executado antes, é recusado</translation>
+        </message>
+        <message>
+            <source>{0}, {1} lines to send</source>
+            <translation>{0}, {1} linhas a enviar</translation>
+        </message>
+        <message>
+            <source>{0}: restart that one again, what its restart has cut counts as cut</source>
+            <translation>{0}: reinicie esse de novo; o que o reinício dele cortou conta como cortado</translation>
         </message>
         <message>
             <source>{0}; a {1} is used</source>

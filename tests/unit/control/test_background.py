@@ -5,8 +5,6 @@ from __future__ import annotations
 
 import threading
 
-import pytest
-
 from CNCStepper.control.background import in_background
 from CNCStepper.errors import JobError
 
