@@ -34,4 +34,5 @@ class CNCStepperWorkbench(FreeCADGui.Workbench):
 
 
 FreeCADGui.addWorkbench(CNCStepperWorkbench())
-FreeCADGui.addLanguagePath(str(CNCStepperWorkbench.packages.ROOT / "resources" / "translations"))  # read when needed
+FreeCADGui.addLanguagePath(str(CNCStepperWorkbench.packages.ROOT / "resources" / "translations"))
+FreeCADGui.updateLocale()  # FreeCAD chose its language before it knew this folder

@@ -9,6 +9,7 @@ import FreeCADGui
 import pytest
 from hand import Hand
 from PySide import QtGui
+from test_language import shown_texts
 
 
 @pytest.mark.window("scaled")
@@ -22,6 +23,21 @@ def test_freecad_speaks_portuguese(hand: Hand) -> None:
     hand.menu("Arquivo")
     hand.shot("menu")
     hand.key("Esc")
+
+
+@pytest.mark.window("portuguese")
+def test_the_panel_of_a_window_that_began_in_portuguese_is_portuguese(hand: Hand) -> None:
+    def dock() -> QtGui.QDockWidget:
+        return FreeCADGui.getMainWindow().findChild(QtGui.QDockWidget, "CNCStepper_Dock")
+
+    hand.command("CNCStepper_Controller")
+    hand.wait(lambda: dock() is not None and dock().isVisible())
+    hand.settle()
+    texts = hand.main(lambda: shown_texts(dock()))
+    hand.shot("dock-portuguese")
+    hand.main(lambda: dock().hide())
+    assert "Desconectado" in texts
+    assert not texts & {"Hold", "Resume", "Stop", "Home", "Restart…", "Disconnected"}
 
 
 @pytest.mark.window("bare")
