@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
@@ -15,6 +16,7 @@ from CNCStepper.errors import LinkError, MachineRefusal
 
 ASK_AGAIN_S = 0.25
 OFFSETS = ("G54", "G55", "G56", "G57", "G58", "G59", "G59.1", "G59.2", "G59.3", "G28", "G30", "G92", "TLO")
+MODE = re.compile(r"[A-Z](?:\d+\.?\d*|\.\d+)")
 OLD_VERSIONS = ("0.", "1.0")
 
 
@@ -93,9 +95,9 @@ def read_offsets(driver: Grbl, timing: Timing) -> dict[str, Vector]:
 
 
 def read_modes(driver: Grbl, timing: Timing) -> str:
-    """Return the words of `$G`: "G0 G54 G17 ..."; raises LinkError where they do not come."""
+    """Return the words of `$G`: "G0 G54 G17 ..."; raises LinkError where they do not come, or come damaged."""
     modes = " ".join(report.text for report in _feedback(ask(driver, "$G", timing)) if report.tag == "GC")
-    if not modes:
+    if not modes or not all(map(MODE.fullmatch, modes.split())):
         raise LinkError(
             "modes-unknown",
             f"{driver.link.name} does not say its modes: question or answer was damaged",

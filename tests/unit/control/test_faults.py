@@ -186,6 +186,15 @@ def test_question_that_arrives_as_a_check_mode_is_refused_and_the_part_is_cut_la
     assert b"[MSG:Enabled]" in run.said and verdict.kind == f"{REFUSED}, restarted", verdict.why
 
 
+@pytest.mark.parametrize(("text", "byte"), [("F0 S0", 0), ("GC:", 1)])
+def test_modes_that_come_damaged_are_refused(text, byte):
+    clean = FaultBench(SHORT, FaultPlan())
+    at_byte = clean.run().said.index(text.encode("ascii")) + byte
+    fault = Fault(kind="duplicate", way="out", at_byte=at_byte)
+    run = FaultBench(SHORT, FaultPlan(fault=(fault,))).run()
+    assert run.claim.declared == "modes-unknown" and judge(run).kind == REFUSED
+
+
 @pytest.mark.parametrize("dwell", [(), ("G4P0.1",) * 9])
 def test_check_mode_in_which_lines_are_read_and_nothing_moves_stops_the_job_and_none_counts_as_cut(tmp_path, dwell):
     bench = FaultBench((*SPIKES[:-3], *dwell, *SPIKES[-3:]), FaultPlan(), folder=tmp_path)
