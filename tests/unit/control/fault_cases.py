@@ -34,6 +34,20 @@ def program_of(seed: int) -> tuple[str, ...]:
     )
 
 
+SHIFTS = (
+    ("G43.1Z-0.25", "G0Z.5"),
+    ("G0Z.5", "G0X0Y0", "G92X-2Y1"),
+    ("G43.1Z0.5", "G0Z.5", "G0X0Y0", "G92X2Y1Z.6"),
+)
+
+
+def shifted_program_of(seed: int) -> tuple[str, ...]:
+    """Return such a program with a tool's length, a G92, or both: what a reset takes, and a restart must bring back."""
+    lines = program_of(seed)
+    up = lines.index("G0Z.5")
+    return (*lines[:up], *SHIFTS[seed % len(SHIFTS)], *lines[up + 1 :])
+
+
 def _contour(random: Random, begin: str) -> list[str]:
     """Return a cut from above to above, in one pass or in two that lie on each other."""
     passes = [f"G1{begin}F1500", "Z-0.5F700", *_cuts(random, begin, random.randrange(4, 14))]

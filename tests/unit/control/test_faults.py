@@ -14,7 +14,7 @@ import fault_restart
 import pytest
 from broken_senders import CountsTwice, GoesOnAfterGreeting, IgnoresMissingOk, ResendsAfterError
 from fault_bench import FaultBench, reference_of
-from fault_cases import plan_of, program_of
+from fault_cases import plan_of, program_of, shifted_program_of
 from fault_disk import FOR_GOOD_S
 from fault_judge import EXACT, EXCURSION, REFUSED, SILENT, STOPPED_KNOWN, STOPPED_UNKNOWN, WRONG, Run, Verdict, judge
 from fault_restart import Interval, judge_restart
@@ -74,6 +74,21 @@ def test_every_part_is_cut_exactly_or_stopped_and_completed_by_its_restart(first
     )
     left = sum(count for kind, count in verdicts.items() if kind.startswith((SILENT, EXCURSION)))
     assert left < BLOCK / 5, verdicts
+
+
+@pytest.mark.slow
+def test_part_with_a_tool_length_or_a_g92_is_cut_exactly_or_completed_by_its_restart(tmp_path, record_property):
+    """A run that fails is repeated by `judged(FaultBench(shifted_program_of(SEED), plan_of(SEED), folder=FOLDER))`."""
+    verdicts, wrong = Counter(), []
+    for seed in range(1, 1 + RUNS // 8):
+        folder = tmp_path / str(seed)
+        folder.mkdir()
+        _, verdict = judged(FaultBench(shifted_program_of(seed), plan_of(seed), folder=folder))
+        verdicts[verdict.kind] += 1
+        wrong += [f"seed {seed}: {verdict.why}"] * (verdict.kind == WRONG)
+    record_property("runs", dict(verdicts))
+    assert not wrong, "\n".join(wrong)
+    assert all(verdicts[f"{kind}, restarted"] for kind in (STOPPED_KNOWN, STOPPED_UNKNOWN)) and verdicts[EXACT]
 
 
 @pytest.mark.parametrize(
