@@ -23,11 +23,16 @@ HOLDS = 200
 LINE_S = 0.002
 REALTIME = b"!~?\x18"
 GREETING = b"\r\nGrbl 1.1h ['$' for help]\r\n"
-ANSWERS = {b"$I": b"[VER:1.1h.20190830:]\r\n[OPT:V,15,128]\r\n", b"$$": b"$22=0\r\n", b"$G": b"[GC:G0 G54 G21]\r\n"}
+ANSWERS = {
+    b"$I": b"[VER:1.1h.20190830:]\r\n[OPT:V,15,128]\r\n",
+    b"$$": b"$13=0\r\n$22=0\r\n",
+    b"$#": b"[G54:0.000,0.000,0.000]\r\n[G92:0.000,0.000,0.000]\r\n",
+    b"$G": b"[GC:G0 G54 G17 G21 G90 G94 M5 M9 T0 F0 S0]\r\n",
+}
 
 
 class Wire:
-    """A controller that answers and moves for ever; it sends the moments at which `!` came to `notes`."""
+    """A controller that answers, and stands at 0 while it says that it moves; it notes when `!` came."""
 
     def __init__(self, notes: Connection):
         self._notes = notes
@@ -92,7 +97,7 @@ def measure(busy: Callable[[], object]) -> list[float]:
     port = wire.recv()
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "job.json"
-        path.write_text(SendJob("", [f"G1X{number % 100}F1000" for number in range(LINES)]).to_json(), "utf-8")
+        path.write_text(SendJob("", ["G1X0F1000"] * LINES).to_json(), "utf-8")
         client = DeskClient.launch(port, folder=Path(folder))
         look(client, lambda: client.phase == "connected", busy)
         client.run(path, zero_confirmed=True)

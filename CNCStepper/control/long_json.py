@@ -11,7 +11,6 @@ import json
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import chain, islice
-from pathlib import Path
 from typing import Any, BinaryIO, TypeVar, overload
 
 LONG = ("lines", "file_lines")  # the keys whose lists are long; they hold texts and numbers only
@@ -28,12 +27,12 @@ _ITEMS = re.compile(rf"(?:{_ITEM},)*", re.DOTALL)
 _LAST_ITEM = re.compile(rf"{_ITEM}\]", re.DOTALL)
 
 
-def read_long(path: Path) -> Any:
+def read_long(file: BinaryIO) -> Any:
     """Return the content of a JSON file, its long lists as `LongList`; raises OSError, and ValueError as `json` does.
 
-    The file stays open as long as such a list is there.
+    The file must stay open as long as these lists are wanted.
     """
-    text = _Text(open(path, "rb"), 0)  # noqa: SIM115 - its lists are read later
+    text = _Text(file, 0)
     content = _value(text, "")
     if text.mark():
         raise text.fault()

@@ -57,7 +57,8 @@ def main(arguments: list[str]) -> int:
 def _written(file: Path, spool: Path, instead: dict[str, Any]) -> SendJob:
     spool.unlink(missing_ok=True)  # of a spooler that was killed
     try:
-        return write_spool(spool, sendable(read_long(file), **instead))
+        with open(file, "rb") as certificate:
+            return write_spool(spool, sendable(read_long(certificate), **instead))
     except CNCStepperError:
         raise
     except (OSError, ValueError, TypeError) as error:

@@ -41,8 +41,8 @@ def plain(content):
 def test_content_and_text_are_those_of_json(tmp_path, content, indent, is_ascii, block):
     file = tmp_path / "a job ç.json"
     file.write_text(json.dumps(content, indent=indent, ensure_ascii=is_ascii), "utf-8")
-    with patch.multiple(long_json, BLOCK_BYTES=block, BLOCK_ITEMS=block):
-        read = read_long(file)
+    with patch.multiple(long_json, BLOCK_BYTES=block, BLOCK_ITEMS=block), open(file, "rb") as opened:
+        read = read_long(opened)
         assert plain(read) == content
         assert "".join(pieces(read, json.JSONEncoder(**CANONICAL))) == json.dumps(content, **CANONICAL)
         assert json.loads("".join(pieces(read, json.JSONEncoder()))) == content
@@ -52,8 +52,8 @@ def test_two_lists_are_read_beside_each_other_and_any_item_alone(tmp_path):
     file = tmp_path / "job.json"
     texts = [f'G1X{number} ("a, b\\")]' for number in range(5000)]
     file.write_text(json.dumps({"lines": texts, "file_lines": list(range(5000))}), "utf-8")
-    with patch.multiple(long_json, BLOCK_BYTES=1000):
-        read = read_long(file)
+    with patch.multiple(long_json, BLOCK_BYTES=1000), open(file, "rb") as opened:
+        read = read_long(opened)
         assert list(zip(read["lines"], read["file_lines"], strict=True)) == list(zip(texts, range(5000), strict=True))
         assert read["lines"][4321] == texts[4321] and read["file_lines"][10:13] == [10, 11, 12]
         assert read["lines"][-1] == texts[-1]
@@ -83,8 +83,8 @@ def test_two_lists_are_read_beside_each_other_and_any_item_alone(tmp_path):
 def test_what_is_no_json_is_refused(tmp_path, text):
     file = tmp_path / "bad.json"
     file.write_text(text, "utf-8")
-    with pytest.raises(ValueError):
-        read_long(file)
+    with open(file, "rb") as opened, pytest.raises(ValueError):
+        read_long(opened)
 
 
 def test_memory_does_not_grow_with_the_list(tmp_path):
@@ -92,8 +92,9 @@ def test_memory_does_not_grow_with_the_list(tmp_path):
         file = tmp_path / f"{count}.json"
         file.write_text(json.dumps({"lines": ["G1X10.123Y20.456"] * count}), "utf-8")
         tracemalloc.start()
-        for _ in pieces(read_long(file), json.JSONEncoder(**CANONICAL)):
-            pass
+        with open(file, "rb") as opened:
+            for _ in pieces(read_long(opened), json.JSONEncoder(**CANONICAL)):
+                pass
         most = tracemalloc.get_traced_memory()[1]
         tracemalloc.stop()
         return most
