@@ -13,7 +13,8 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import chain, islice
 from typing import Any, BinaryIO, TypeVar, overload
 
-LONG = ("lines", "file_lines")  # the keys whose lists are long; they hold texts and numbers only
+LONG = ("lines", "file_lines")  # the keys of long lists, which hold texts and numbers only
+OF = ((), ("send",))  # the keys before them: of a job, or of the certificate of one
 BLOCK_BYTES = 262_144
 BLOCK_ITEMS = 10_000
 BYTES = "latin-1"  # a character a byte: what the marks of JSON are found in, whatever stands in its texts
@@ -33,7 +34,7 @@ def read_long(file: BinaryIO) -> Any:
     The file must stay open as long as these lists are wanted.
     """
     text = _Text(file, 0)
-    content = _value(text, "")
+    content = _value(text, ())
     if text.mark():
         raise text.fault()
     return content
@@ -163,18 +164,24 @@ class _Text:
         return bool(data)
 
 
-def _value(text: _Text, key: str) -> Any:
+def _value(text: _Text, path: tuple[str, ...]) -> Any:
+    """Return the value that begins here; path: the keys that lead to it."""
     mark = text.mark()
     if mark == "{":
-        return _object(text)
-    if mark == "[" and key in LONG:
+        return _object(text, path)
+    if mark == "[" and _leads_to_long(path):
         text.take("[")
         offset = text.offset
         return LongList(text.file, offset, sum(map(len, text.blocks())))
     return text.value()
 
 
-def _object(text: _Text) -> dict[str, Any]:
+def _leads_to_long(path: tuple[str, ...]) -> bool:
+    *of, name = path or ("",)
+    return name in LONG and tuple(of) in OF
+
+
+def _object(text: _Text, path: tuple[str, ...]) -> dict[str, Any]:
     content: dict[str, Any] = {}
     text.take("{")
     if text.mark() == "}":
@@ -186,7 +193,7 @@ def _object(text: _Text) -> dict[str, Any]:
             raise text.fault()
         key = text.value()
         text.take(":")
-        content[key] = _value(text, key)
+        content[key] = _value(text, (*path, key))
         mark = text.take(",}")
     return content
 

@@ -22,8 +22,11 @@ values = st.recursive(
     lambda inner: st.lists(inner, max_size=4) | st.dictionaries(st.text(), inner, max_size=4),
     max_leaves=12,
 )
+sends = st.fixed_dictionaries(
+    dict.fromkeys(LONG, long_lists), optional={"restart_of": st.dictionaries(st.sampled_from(LONG), values)}
+)
 contents = st.fixed_dictionaries(
-    {"send": st.dictionaries(st.sampled_from(LONG), long_lists), "other": values},
+    {"send": sends, "other": st.dictionaries(st.sampled_from(LONG), values) | values},
     optional={"lines": long_lists, "é": values},
 )
 
@@ -46,6 +49,16 @@ def test_content_and_text_are_those_of_json(tmp_path, content, indent, is_ascii,
         assert plain(read) == content
         assert "".join(pieces(read, json.JSONEncoder(**CANONICAL))) == json.dumps(content, **CANONICAL)
         assert json.loads("".join(pieces(read, json.JSONEncoder()))) == content
+
+
+def test_a_list_of_that_name_elsewhere_is_read_as_it_is(tmp_path):
+    file = tmp_path / "restart.json"
+    content = {"send": {"lines": ["G0"], "restart_of": {"lines": [[15, 400]]}}, "lines": [], "file_lines": [1, 2]}
+    file.write_text(json.dumps(content), "utf-8")
+    with open(file, "rb") as opened:
+        read = read_long(opened)
+        assert isinstance(read["send"]["lines"], LongList) and isinstance(read["file_lines"], LongList)
+        assert read["send"]["restart_of"] == {"lines": [[15, 400]]} and plain(read) == content
 
 
 def test_two_lists_are_read_beside_each_other_and_any_item_alone(tmp_path):
