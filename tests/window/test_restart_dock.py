@@ -127,7 +127,7 @@ def test_a_job_whose_sender_was_killed_is_offered_and_restarted(hand: Hand, dock
     at_zero(hand)
     assert not hand.exists(f"{D}Offer")
     hand.click(f"{D}Start")
-    hand.wait(lambda: dock.link.status and dock.link.status.acknowledged > 60, 60, "some cuts")
+    hand.wait(lambda: dock.link.status and dock.link.status.acknowledged > 140, 60, "cuts that the journal knows of")
     (desk,) = running_desks()
     os.kill(read_private(desk)["process"], signal.SIGKILL)
     hand.wait(lambda: hand.text(f"{D}State") == "Connection lost", 30)
