@@ -28,7 +28,7 @@ from PySide import QtCore
 from CNCStepper.control.background import in_background
 from CNCStepper.control.python_finder import PROOF, command, seek_python
 from CNCStepper.errors import CNCStepperError
-from CNCStepper.workbench import api, packages
+from CNCStepper.workbench import api, packages, sentences
 from CNCStepper.workbench.features.program import job_behind
 from CNCStepper.workbench.words import later, tr
 from CNCStepper.workbench.worker import Worker, start_worker
@@ -171,6 +171,7 @@ class ProofRun(QtCore.QObject):
             write_question(path, self._program, job, machine)
             write_start(path, self._begins)
             write_place(path, self._place)
+            sentences.make_ready()  # findings are to be said
             return _fingerprint(path, *names)
 
         return in_background(write)

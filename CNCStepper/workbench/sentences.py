@@ -33,6 +33,11 @@ def translated(english: str) -> str:
     return _outcome(english) or _said(english) or english
 
 
+def make_ready() -> None:
+    """Read the catalogue now, in whatever thread, so that the first sentence need not wait for it."""
+    _catalogue()
+
+
 def _said(english: str) -> str:
     return _known(english) or _put_together(english) or _after_a_name(english) or _known(english, strict=False)
 
