@@ -177,8 +177,7 @@ def _value(text: _Text, path: tuple[str, ...]) -> Any:
 
 
 def _leads_to_long(path: tuple[str, ...]) -> bool:
-    *of, name = path or ("",)
-    return name in LONG and tuple(of) in OF
+    return path != () and path[-1] in LONG and path[:-1] in OF
 
 
 def _object(text: _Text, path: tuple[str, ...]) -> dict[str, Any]:

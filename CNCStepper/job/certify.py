@@ -177,8 +177,7 @@ def send_job(
 def _retrace(machine: Machine, start: Start, dialect: str) -> dict[str, Any]:
     """Return what a way back along the cut is proven with, as plain data."""
     profile = machine.model_dump(mode="json")
-    plain_start = json.loads(json.dumps(_start(start)))
-    return {"machine": profile, "start": plain_start, "dialect": dialect or machine.controller}
+    return {"machine": profile, "start": _start(start), "dialect": dialect or machine.controller}
 
 
 def _offsets(start: Start) -> dict[str, tuple[float, ...]]:
@@ -243,9 +242,12 @@ def _tools(tools: Tools | None) -> dict[str, Any] | None:
 
 
 def _start(start: Start) -> dict[str, Any]:
-    """Return the start state as plain data; a position that is not known is null."""
+    """Return the start state as JSON gives it back, numbers of tools and parameters as texts too: so keys are sorted.
+
+    A position that is not known is null.
+    """
     position = [None if math.isnan(value) else value for value in start.position_mm]
-    return asdict(start) | {"position_mm": position}
+    return dict(json.loads(json.dumps(asdict(start) | {"position_mm": position})))
 
 
 def _tolerance(proof: Proof) -> dict[str, Any]:

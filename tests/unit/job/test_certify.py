@@ -147,6 +147,13 @@ def leaves(content: Any, path: tuple[Any, ...] = ()) -> list[tuple[Any, ...]]:
     return [path]
 
 
+def test_parameters_and_tools_of_any_number_are_read_back_unchanged():
+    start = replace(START, parameters={9: 1.0, 10: 2.0, 5221: 3.0}, tool_lengths_mm={2: 10.0, 10: 20.0})
+    told = certificate_of(proof_of(start=start)).to_json()
+    read = Certificate.from_json(told)  # refuses what was changed
+    assert read.content["start"]["state"]["parameters"] == {"9": 1.0, "10": 2.0, "5221": 3.0}
+
+
 @given(st.data())
 def test_any_changed_value_of_a_certificate_is_refused(data: st.DataObject) -> None:
     content = json.loads(certificate_json())
