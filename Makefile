@@ -30,7 +30,7 @@ demo: setup
 
 test: setup lint
 	@.venv/bin/python -m pytest -n 2 --dist loadfile --no-loadscope-reorder -m "not freecad"
-	@.venv/bin/python -m pytest -m freecad
+	@.venv/bin/python -m pytest -n 2 --dist worksteal -m freecad
 
 matrix:
 	@tools/setup.sh matrix
