@@ -172,8 +172,11 @@ class Grbl:
     def _read(self, wait_s: float) -> bytes:
         """Return what came, and write what is queued as the line takes it."""
         end_s = self.clock() + wait_s
-        if 2 * self._bytes_under_way > self.window and not self._rested(min(self._rest_s(), wait_s)):
-            return b""
+        if self._bytes_under_way > self._rest_bytes():
+            if not self._rested(min(self.link.leaving_s(self._rest_bytes()), LONGEST_REST_S, wait_s)):
+                return b""
+            if data := self.link.read(0.0):
+                return data
         while self._to_write and (left_s := end_s - self.clock()) > 0:
             if (data := self.link.read(min(self._filled_s(), left_s))) or self.link.woken:
                 return data
@@ -188,16 +191,20 @@ class Grbl:
                 return False
         return True
 
-    def _rest_s(self) -> float:
-        """Return how long a controller with half its buffer to read misses no line."""
-        return min(self.link.leaving_s(self.window // 3), LONGEST_REST_S)
-
     def _filled_s(self) -> float:
         """Fill the queue before the line; return when it must be filled again."""
         self.flush()
         most = self.link.queue_bytes
         unread = self._bytes_under_way - len(self._to_write) - most
-        return self.link.leaving_s(most if 2 * unread > self.window else most * 3 // 4)
+        return self.link.leaving_s(most if 2 * unread > self.window else self._filling_bytes())
+
+    def _filling_bytes(self) -> int:
+        """Return how many bytes have left a full queue when it is filled again: the others are for a late waking."""
+        return self.link.queue_bytes * 3 // 4
+
+    def _rest_bytes(self) -> int:
+        """Return how many bytes go out while answers gather: two fillings, the second of them with the next lines."""
+        return 2 * self._filling_bytes()
 
     def _lines(self, data: bytes) -> list[str]:
         *lines, self._tail = (self._tail + data).replace(b"\r", b"\n").split(b"\n")

@@ -192,9 +192,8 @@ class JobRun:
             if isinstance(report, Greeting):
                 raise connect.restart_refusal(report)
         idle = self._watch.idle(driver, self._phases.changed_s)
-        self._watch.check(
-            driver, idle and self._phases.feeding, self._feeder.dwell_s(driver), self._feeder.place_at_work()
-        )
+        dwell_s = self._feeder.dwell_s(driver) if idle else 0.0
+        self._watch.check(driver, idle and self._phases.feeding, dwell_s, self._feeder.place_at_work)
         self._keep_journal(driver, idle)
         if self._phases.feeding and self._feeder.feed(driver, idle):
             self._watch.heard_s = self._clock()

@@ -64,7 +64,8 @@ class Link:
         """Return what has arrived, waiting up to `wait_s` for the first byte; b"" when nothing came."""
         self.woken = False
         try:
-            self._wait(wait_s)
+            if wait_s > 0.0:
+                self._wait(wait_s)
             return self._port.read(READ_BYTES)
         except (OSError, ValueError) as error:
             raise self._lost(error) from error

@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from CNCStepper.control.grbl import Grbl
 from CNCStepper.control.timing import Timing
 from CNCStepper.errors import LinkError, Place
@@ -32,17 +34,19 @@ class Watch:
         idle = driver.status is not None and driver.status.state == "Idle"
         return idle and driver.status_asked_s > max(self.heard_s, since_s)
 
-    def check(self, driver: Grbl, idle: bool, dwell_s: float = 0.0, place: Place | None = None) -> None:
+    def check(
+        self, driver: Grbl, idle: bool, dwell_s: float = 0.0, place: Callable[[], Place | None] = lambda: None
+    ) -> None:
         """Raise LinkError when a `?`, or a line while the machine is idle, has no answer for too long.
 
-        dwell_s: what the oldest line may take longer. place: of the program, for the error.
+        dwell_s: what the oldest line may take longer. place: asked for that of the program, for the error.
         """
         limit_s = self._timing.answer_s
         if (driver.question_age_s() or 0.0) > limit_s:
-            raise self._silence("the controller does not answer any more", place)
+            raise self._silence("the controller does not answer any more", place())
         if idle and driver.unanswered and driver.clock() - self.heard_s > limit_s + dwell_s:
             text = driver.unanswered[0].text
-            raise self._silence(f"the controller is idle but has not answered '{text}'", place)
+            raise self._silence(f"the controller is idle but has not answered '{text}'", place())
 
     def _silence(self, what: str, place: Place | None) -> LinkError:
         return LinkError(
