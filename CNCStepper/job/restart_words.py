@@ -12,7 +12,7 @@ from CNCStepper.gcode.restart.places import contours
 from CNCStepper.gcode.restart.program import Program
 from CNCStepper.gcode.restart.restart import Restart
 
-SENSES = {"cw": "clockwise (M3)", "ccw": "counter-clockwise (M4)"}
+SENSES = {"cw": "turning clockwise (M3)", "ccw": "turning counter-clockwise (M4)"}
 
 
 def words_of(restart: Restart) -> Iterator[str]:
@@ -24,7 +24,7 @@ def words_of(restart: Restart) -> Iterator[str]:
     if entrance.share:
         yield f"with {entrance.share:.0%} of its move done"
     yield from (f"in the operation {span.name}" for span in program.operations if span.first <= row < span.last)
-    yield from (f"because {note}" for note in entrance.notes)
+    yield from (f"enters there because {note}" for note in entrance.notes)
     if entrance.overlap_mm:
         yield f"cuts {entrance.overlap_mm:.3g} mm before the place again"
     state = approach.state
@@ -54,7 +54,7 @@ def _switched_on(restart: Restart) -> Iterator[str]:
     if state.mist or state.flood:
         yield "switches the coolant on"
     if approach.dwell_s:
-        yield f"waits {approach.dwell_s:g} s"
+        yield f"waits for {approach.dwell_s:g} s"
 
 
 def operation_table(program: Program) -> Iterator[tuple[int, int, str]]:

@@ -108,8 +108,9 @@ def _zero(story: Story) -> str:
     """Return that the work zero was set anew within the job, and where it is."""
     before, now = story.header["offsets_mm"], story.zero["offsets_mm"]
     changed = [f"{name} {_place(now[name])}" for name in now if now[name] and now[name] != before.get(name)]
+    places = ", ".join(changed) or "place not known"
     return (
-        f"set again at the pause at line {story.zero['line']}: {', '.join(changed) or 'unknown'} (machine, mm); "
+        f"set again at the pause at line {story.zero['line']}: {places} (machine, mm); "
         "what comes after counts from there, what was before from the old one"
     )
 

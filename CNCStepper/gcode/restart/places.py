@@ -64,7 +64,7 @@ def by_line(program: Program, number: int, time: int = 0) -> Place:
     runs = _runs_of(program, number)
     if (len(runs) > 1 or time) and not 1 <= time <= len(runs):
         what = f"which run of line {number} is meant is not clear"
-        advice, limit = "say which time it is run", f"1 to {len(runs)}"
+        advice, limit = "say which time it is run", f"from 1 to {len(runs)}"
         raise ProgramError("restart-time", what, limit=limit, advice=advice, place=_file(program, number))
     row = int(np.searchsorted(program.table.line, runs[max(time, 1) - 1]))
     if row == len(program.table):
@@ -89,9 +89,10 @@ def operation_of(program: Program, name: str) -> Span:
     found = [span for span in spans if span.name.casefold() == name.strip().casefold()]
     if len(found) == 1:
         return found[0]
-    known = ", ".join(f"{number} ({span.name})" for number, span in enumerate(spans, 1)) or "none"
+    known = ", ".join(f"{number} ({span.name})" for number, span in enumerate(spans, 1))
     what = f"no operation, or more than one, is called '{name}'"
-    raise ProgramError("restart-operation", what, advice=f"its operations are: {known}", place=_file(program))
+    advice = f"its operations are: {known}" if known else "it names no operation: choose a line"
+    raise ProgramError("restart-operation", what, advice=advice, place=_file(program))
 
 
 def by_contour(program: Program, number: int, operation: str = "") -> Place:
@@ -99,7 +100,7 @@ def by_contour(program: Program, number: int, operation: str = "") -> Place:
     found = contours(program, operation_of(program, operation) if operation else None)
     if not 1 <= number <= len(found):
         what = f"there is no contour {number}"
-        limit = f"1 to {len(found)}"
+        limit = f"from 1 to {len(found)}"
         raise ProgramError("restart-contour", what, limit=limit, advice="choose another", place=_file(program))
     return Place(found[number - 1].first)
 

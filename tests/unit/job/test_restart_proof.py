@@ -145,8 +145,8 @@ def test_words_tell_where_from_what_height_and_with_what() -> None:
         "cuts 5 mm before the place again",
         "with tool 1 in the spindle",
         "goes up to Z 10.000 first, then over the place",
-        "starts the spindle at 12000 rpm, clockwise (M3)",
-        "waits 3 s",
+        "starts the spindle at 12000 rpm, turning clockwise (M3)",
+        "waits for 3 s",
         "goes down at 200 mm/min",
         "then runs 4 lines of the program as they are; all before them is taken as cut",
     ]

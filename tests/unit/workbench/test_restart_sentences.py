@@ -1,0 +1,112 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""All that is said of a restart, and of a job that did not end, is in the catalogue to its last word."""
+
+from __future__ import annotations
+
+import re
+import sys
+from collections.abc import Iterator
+from dataclasses import replace
+from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
+
+import pytest
+from test_dock_unfinished import story
+from test_translations import tool
+
+from CNCStepper.control.journal.first_program import FirstProgram
+from CNCStepper.control.journal.reached import Reached
+from CNCStepper.control.journal.told import begun_as, told_of, why_no_line
+from CNCStepper.errors import ProgramError
+from CNCStepper.gcode.restart.options import Options
+from CNCStepper.gcode.restart.places import Where
+from CNCStepper.gcode.restart.restart import restart
+from CNCStepper.job.restart_words import words_of
+from CNCStepper.workbench import sentences
+
+ROOMS = ("job", "gcode/restart", "control/journal")
+CORE = Path(sentences.__file__).parents[1]
+SMALL = re.compile(r"[a-zà-ÿ]{2,}")
+MILLED = (
+    "(BEGIN OPERATION: POCKET)\nG21 G90\nT1\n{0}\nG4 P3\nG0 Z10\nX0 Y0\nG1 Z-2 F200\n{1}\nY20\nX0\nG0 Z10\nM5\nM2\n"
+)
+
+
+def shouted(text: str) -> str:
+    """Return a text in capitals, but not the names of its values."""
+    return "".join(part if part.startswith("{") else part.upper() for part in re.split(r"(\{\d+\})", text))
+
+
+@pytest.fixture(scope="module")
+def catalogue(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The sentences that the collector finds in the source."""
+    path = tmp_path_factory.mktemp("catalogue") / "CNCStepper.ts"
+    modules = (module for room in ROOMS for module in (CORE / room).rglob("*.py"))
+    found = {sentence for module in modules for sentence, _ in tool.sentences_of(module.read_text("utf-8"))}
+    tool.write(path, "en", {tool.Text(sentences.CONTEXT, sentence): "" for sentence in sorted(found)})
+    return path
+
+
+@pytest.fixture(autouse=True)
+def shouting(monkeypatch: pytest.MonkeyPatch, catalogue: Path) -> Iterator[None]:
+    """FreeCAD speaks a language in which every word that was translated stands in capitals."""
+    speech = SimpleNamespace(translate=lambda _, text: shouted(text))
+    monkeypatch.setitem(sys.modules, "FreeCAD", SimpleNamespace(Qt=speech))
+    monkeypatch.setattr(sentences, "CATALOGUE", catalogue)
+    sentences._catalogue.cache_clear()
+    yield
+    sentences._catalogue.cache_clear()
+
+
+def left_english(english: str) -> list[str]:
+    return SMALL.findall(sentences.translated(english))
+
+
+def milled(spindle: str = "M3 S12000", cut: str = "X40 F800") -> str:
+    return MILLED.format(spindle, cut)
+
+
+@pytest.mark.parametrize(
+    ("text", "where", "options", "words"),
+    [
+        (milled(), Where(line=10), Options(overlap_mm=5.0), ("TURNING CLOCKWISE (M3)", "WAITS FOR 3 S", "CUTS 5 MM")),
+        (milled(), Where(line=9), Options(overlap_mm=99.0), ("ENTERS THERE BECAUSE", "IN THE OPERATION POCKET")),
+        (milled("M4 S900\nM8"), Where(line=12), Options(), ("TURNING COUNTER-CLOCKWISE (M4)", "THE COOLANT ON")),
+        (milled("M5\nM7"), Where(line=12), Options(), ("LEAVES THE SPINDLE OFF", "THE COOLANT ON")),
+        (milled(), Where(line=11), Options(laser=True), ("SWITCHES THE BEAM ON AT S12000",)),
+        (milled(cut="G92 X5\nX40 F800"), Where(line=12), Options(), ("SETS G92 AS IT WAS", "GOES UP TO Z")),
+        (milled(cut="G91\nX40 F800\nG90"), Where(at_mm=(30.0, 0.0)), Options(), ("OF ITS MOVE DONE",)),
+    ],
+)
+def test_what_a_restart_does_is_said_to_its_last_word(
+    text: str, where: Where, options: Options, words: tuple[str, ...]
+) -> None:
+    english = list(words_of(restart(text, where, options=options)))
+    said = "\n".join(map(sentences.translated, english))
+    assert [word for word in words if word not in said] == [], said
+    assert [left for left in map(left_english, english) if left] == []
+
+
+@pytest.mark.parametrize(
+    "where", [Where(line=3, time=9), Where(contour=9), Where(operation="X"), Where(line=99), Where(line=1)]
+)
+def test_why_there_is_none_is_said_to_its_last_word(where: Where) -> None:
+    with pytest.raises(ProgramError) as refused:
+        restart(milled(), where)
+    error = refused.value
+    assert [text for text in (error.what, error.limit, error.advice) if left_english(text)] == []
+
+
+REACHED = Reached((0.0, 0.0, 0.0), (1.0, 0.0, 0.0), 43, 98, 44)
+ZERO = {"line": 12, "offsets_mm": {"G54": None}}
+
+
+@pytest.mark.parametrize("reached", [None, REACHED, replace(REACHED, seen_line=0)], ids=["no path", "on it", "off it"])
+@pytest.mark.parametrize("known", [{"position_known": False}, {"zero": ZERO}, {"end": "failed"}], ids=str)
+def test_what_is_told_of_a_job_is_said_to_its_last_word(known: dict[str, Any], reached: Reached | None) -> None:
+    first = FirstProgram("PLATE", "", [[40, 812]])
+    again = story(goes_back=True, restart_of=first.to_content(), offsets_mm={}, file="PLATE", machine="A")
+    one = replace(again, why="every line is cut", group=replace(again.group, state="RUN"), **known)
+    told = [text for _, text in (*begun_as(one), *told_of(one, reached)) if left_english(text)]
+    assert told == [] and not left_english(why_no_line(one))
