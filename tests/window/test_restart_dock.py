@@ -138,7 +138,7 @@ def test_a_job_whose_sender_was_killed_is_offered_and_restarted(hand: Hand, dock
     hand.shot("restart-offer")
     typed(hand, dock, "$$", "$110=")
     hand.click(f"{D}Unfinished")
-    hand.wait(lambda: hand.exists(f"{R}said"), 10, "what the journal tells")
+    hand.wait(lambda: hand.exists(f"{R}said"), START_S, "what the journal tells")
     said = hand.text(f"{R}said")
     assert all(f"<b>{name}:</b>" in said for name in ("Killed", "Certain", "Not certain", "On the path", "Position"))
     assert "path at line" in said or "OFF the path" in said

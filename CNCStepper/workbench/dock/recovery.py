@@ -4,21 +4,26 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
-from CNCStepper.control.journal.told import check_ended
+from CNCStepper.control.journal.store import unfinished_at
+from CNCStepper.control.outcome import error_from_json
+from CNCStepper.errors import CNCStepperError
 from CNCStepper.workbench import program_file, tell
 from CNCStepper.workbench.dock.recovery_view import RecoveryView
-from CNCStepper.workbench.dock.unfinished import Reading, finder, line_of, name_of, program_of, reached_by, told
+from CNCStepper.workbench.dock.unfinished import NAMES, Reading, program_of
 from CNCStepper.workbench.features.base import JOB, proxy_type
 from CNCStepper.workbench.features.program import Program
+from CNCStepper.workbench.questioner import Questioner
 from CNCStepper.workbench.sentences import translated
 from CNCStepper.workbench.words import tr
 
 if TYPE_CHECKING:
-    from CNCStepper.control.journal.reached import Reached
     from CNCStepper.control.journal.story import Story
     from CNCStepper.workbench.dock.link import Link
+
+WORKER = "CNCStepper.job.unfinished_worker"
 
 
 class Recovery:
@@ -28,6 +33,10 @@ class Recovery:
         self._link, self._reading = link, Reading()
         self._met = False
         self.view = RecoveryView(self._restart, self._ask)
+        lost = CNCStepperError("unfinished-lost", "the process that reads the last job has ended", advice="try again")
+        self._questions = Questioner(WORKER, lost, parent=self.view)
+        self._questions.answered.connect(tell.guarded(self._answered))
+        self._questions.failed.connect(tell.guarded(self._failed))
 
     def advance(self) -> None:
         """Look for an offer once for every connection; called after every poll of the link."""
@@ -36,7 +45,7 @@ class Recovery:
             self._met = met
             self.view.show_offer("")
             if met and not self._link.moment.job_runs:
-                self._reading.ask(finder(self._link.address), self._offer)
+                self._reading.ask(partial(unfinished_at, self._link.address), self._offer)
         self._reading.poll()
 
     def _restart(self) -> None:
@@ -52,50 +61,54 @@ class Recovery:
         restart.open_restart(program)
 
     def _ask(self) -> None:
-        """Look for the job that did not end, of this machine where there is one."""
-        self._reading.ask(finder(self._link.address if self._met else ""), self._retrace)
+        """Ask for the job that did not end, of this machine where there is one."""
+        self._questions.end()  # the newest question counts
+        self.view.show_offer(tr("The path of the last job is read…"))
+        port, programs = self._link.address if self._met else "", [obj.Program for obj in _programs() if obj.Program]
+        self._questions.ask({"port": port, "programs": programs})
 
     def _offer(self, story: Story | None) -> None:
         if story is not None:
             text = tr(
                 "The last job of this machine, {0}, was not cut to its end. Unfinished job… says how far it came."
             )
-            self.view.show_offer(text.format(_name(story)))
+            self.view.show_offer(text.format(_name(story.restarted[0])))
 
-    def _retrace(self, story: Story | None) -> None:
-        """Find out where on its path a job was, from the program as it was sent."""
-        if story is None:
-            tell.notice(tr("No job is unfinished."), tr("Every job whose journal is kept was cut to its end."))
-            return
-        check_ended(story)
-        self.view.show_offer(tr("The path of the last job is read…"))
-        texts = [text for _, text in _programs()]
-        self._reading.ask(lambda: (story, reached_by(story, texts)), self._take_up)
-
-    def _take_up(self, found: tuple[Story, Reached | None]) -> None:
-        """Say what is certain of a job, and open its restart where its program is in an open document."""
+    def _answered(self, answer: dict[str, Any]) -> None:
+        """Take up the job that the process tells of, or say why there is none."""
+        self._questions.end()
         self.view.show_offer("")
-        story, reached = found
-        said = [(tr(name), translated(text)) for name, text in told(story, reached)]
-        program = program_of(story, _programs())
+        if "refused" in answer:
+            raise error_from_json(answer["refused"])
+        if answer["job"] is None:
+            tell.notice(tr("No job is unfinished."), tr("Every job whose journal is kept was cut to its end."))
+        else:
+            self._take_up(answer["job"])
+
+    def _take_up(self, job: dict[str, Any]) -> None:
+        """Say what is certain of a job, and open its restart where its program is in an open document."""
+        said = [(tr(NAMES[name]), translated(text)) for name, text in job["told"]]
+        program = program_of(job["sha256"], ((obj, program_file.load(obj)) for obj in _programs()))
         if program is None:
             text = tr("{0} was not cut to its end, and its program, as it was sent, is in no open document.")
-            tell.notice(text.format(_name(story)), "\n".join(map(": ".join, said)))
+            tell.notice(text.format(_name(job["file"])), "\n".join(map(": ".join, said)))
             return
         from CNCStepper.workbench import restart
 
-        restart.open_restart(program, line_of(story), said)
+        restart.open_restart(program, job["line"], said)
+
+    def _failed(self, error: CNCStepperError) -> None:
+        self.view.show_offer("")
+        tell.error(error)
 
 
-def _programs() -> Iterator[tuple[Any, str]]:
-    """Yield the jobs and edited programs of all open documents with their texts."""
+def _programs() -> Iterator[Any]:
+    """Yield the jobs and edited programs of all open documents."""
     import FreeCAD
 
     for document in FreeCAD.listDocuments().values():
-        for obj in document.Objects:
-            if proxy_type(obj) in (JOB, Program.Type):
-                yield obj, program_file.load(obj)
+        yield from (obj for obj in document.Objects if proxy_type(obj) in (JOB, Program.Type))
 
 
-def _name(story: Story) -> str:
-    return name_of(story) or tr("a program")
+def _name(file: str) -> str:
+    return file or tr("a program")

@@ -12,17 +12,18 @@ from types import SimpleNamespace
 from typing import Any
 
 import pytest
-from test_dock_unfinished import story
 from test_translations import tool
 
 from CNCStepper.control.journal.first_program import FirstProgram
+from CNCStepper.control.journal.group import Group
 from CNCStepper.control.journal.reached import Reached
-from CNCStepper.control.journal.told import begun_as, told_of, why_no_line
+from CNCStepper.control.journal.story import KILLED, Story
 from CNCStepper.errors import ProgramError
 from CNCStepper.gcode.restart.options import Options
 from CNCStepper.gcode.restart.places import Where
 from CNCStepper.gcode.restart.restart import restart
 from CNCStepper.job.restart_words import words_of
+from CNCStepper.job.unfinished_worker import told
 from CNCStepper.workbench import sentences
 
 ROOMS = ("job", "gcode/restart", "control/journal")
@@ -98,15 +99,22 @@ def test_why_there_is_none_is_said_to_its_last_word(where: Where) -> None:
     assert [text for text in (error.what, error.limit, error.advice) if left_english(text)] == []
 
 
+HEADER = {
+    "lines": 300, "last_line": 301, "homing": True, "goes_back": False, "port": "COM3", "file": "PLATE", "machine": "A",
+    "firmware": "1.1H", "begin": "2026-11-22 08:00:00", "program_sha256": "", "offsets_mm": {},
+}  # fmt: skip
+GROUP = Group(1.8e9, 97, 60, 41, 43, 98, "RUN", (-90.0, -40.0, -10.0), (10.0, 10.0, 10.0))
 REACHED = Reached((0.0, 0.0, 0.0), (1.0, 0.0, 0.0), 43, 98, 44)
 ZERO = {"line": 12, "offsets_mm": {"G54": None}}
 
 
 @pytest.mark.parametrize("reached", [None, REACHED, replace(REACHED, seen_line=0)], ids=["no path", "on it", "off it"])
 @pytest.mark.parametrize("known", [{"position_known": False}, {"zero": ZERO}, {"end": "failed"}], ids=str)
-def test_what_is_told_of_a_job_is_said_to_its_last_word(known: dict[str, Any], reached: Reached | None) -> None:
-    first = FirstProgram("PLATE", "", [[40, 812]])
-    again = story(goes_back=True, restart_of=first.to_content(), offsets_mm={}, file="PLATE", machine="A")
-    one = replace(again, why="every line is cut", group=replace(again.group, state="RUN"), **known)
-    told = [text for _, text in (*begun_as(one), *told_of(one, reached)) if left_english(text)]
-    assert told == [] and not left_english(why_no_line(one))
+@pytest.mark.parametrize("goes_back", [True, False])
+def test_what_is_told_of_a_job_is_said_to_its_last_word(
+    known: dict[str, Any], reached: Reached | None, goes_back: bool
+) -> None:
+    first = FirstProgram("PLATE", "", [[40, 812]]).to_content()
+    header = HEADER | {"restart_of": first, "goes_back": goes_back}
+    story = replace(Story(Path("1.journal"), header, GROUP, KILLED, why="every line is cut"), **known)
+    assert [text for _, text in told(story, reached) if left_english(text)] == []
