@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Resident memory of the sender's process and of a desk's, with a short program and a long one; Linux only.
+"""Resident memory of `cncstepper send`, the sender's process and a desk's, with a short program and a long one.
+
+Linux only. Whose programs are to be sent may be said, and how long they are: desk sender command 100000 2000000.
 
 The controller answers at once and stands where its last line ends, so that positions are compared with the path.
 """
@@ -8,14 +10,17 @@ from __future__ import annotations
 
 import json
 import multiprocessing
+import os
 import re
 import resource
 import socket
+import subprocess
 import sys
 import tempfile
 import threading
 import time
 from collections.abc import Callable, Sequence
+from dataclasses import asdict
 from multiprocessing.connection import Connection
 from pathlib import Path
 from typing import Any
@@ -26,8 +31,9 @@ from CNCStepper.control.long_json import pieces
 from CNCStepper.control.outcome import SenderStatus
 from CNCStepper.control.send_job import SendJob
 from CNCStepper.control.session import SessionClient
-from CNCStepper.control.session_file import read_private
+from CNCStepper.control.session_file import read_private, sessions
 from CNCStepper.control.spooler import spooled
+from CNCStepper.state import Start
 
 COUNTS = (100_000, 10_000_000)
 STREAMED = 90_000  # lines after which the memory is read
@@ -54,7 +60,7 @@ class Program(Sequence[str]):
     def __getitem__(self, index: Any) -> Any:
         if index >= self._count:
             raise IndexError(index)
-        return f"X{index % 1000 / 10:.3f}Y{index // 1000 % 1000 / 10:.3f}" if index else "G21G90G1F6000"
+        return f"G1X{index % 1000 / 10:g}Y{index // 1000 % 1000 / 10:g}" if index else "G21G90G1F6000"
 
 
 def control(told: Connection) -> None:
@@ -88,7 +94,12 @@ def resident(session_file: Path) -> str:
     """Return the memory that the process of a session has, and the most that it has had."""
     content = read_private(session_file)
     assert content
-    status = Path(f"/proc/{content['process']}/status").read_text("ascii")
+    return resident_of(content["process"])
+
+
+def resident_of(process: int) -> str:
+    """Return the memory that a process has, and the most that it has had."""
+    status = Path(f"/proc/{process}/status").read_text("ascii")
     now, most = (int(re.search(rf"{name}:\s+(\d+) kB", status)[1]) / 1000 for name in ("VmRSS", "VmHWM"))
     return f"{now:.1f} MB, at most {most:.1f} MB"
 
@@ -114,9 +125,11 @@ def show_sender(port: str, count: int, folder: Path) -> None:
 
 def write_certificate(file: Path, count: int) -> None:
     """Write the certificate of a program, with all that a sender needs of it."""
-    program = Program(count)
+    program, start = Program(count), Start.at_zero()
+    sha256 = digest_of_lines(program)
     content: dict[str, Any] = {"format": FORMAT, "version": VERSION, "findings": []}
-    content["wire"] = {"sha256": digest_of_lines(program), "dialect": "grbl"}
+    content |= {"program": {"sha256": sha256}, "wire": {"sha256": sha256, "dialect": "grbl"}}
+    content["start"] = {"sha256": start.sha256(), "state": asdict(start)}
     content["send"] = {"lines": program, "file_lines": range(1, count + 1), "file": "long.nc"}
     with file.open("w", encoding="ascii") as out:
         out.writelines(pieces(content | {"sha256": digest_of(content)}, json.JSONEncoder()))
@@ -145,17 +158,42 @@ def show_desk(port: str, count: int, folder: Path) -> None:
     print(f"its spooler, {count} lines: at most {most_mb:.0f} MB, until the first line", flush=True)
 
 
-def main(counts: tuple[int, ...]) -> None:
-    """Print the memory of both with each program."""
+def show_command(port: str, count: int, folder: Path) -> None:
+    """Print the memory of `cncstepper send --certificate`, until the program is on its way and at its end."""
+    file, program = folder / "certificate.json", folder / "long.nc"
+    write_certificate(file, count)
+    with program.open("w", encoding="ascii") as out:
+        out.writelines(f"{line}\n" for line in Program(count))
+    words = ("send", program, "--port", port, "--baud", BAUD, "--certificate", file, "--zero-confirmed")
+    here = os.environ | {"XDG_STATE_HOME": str(folder)}
+    begin_s = time.monotonic()
+    with subprocess.Popen([sys.executable, "-m", "CNCStepper.cli", *map(str, words)], env=here) as command:
+        while not (running := sessions(folder / "cncstepper" / "sessions")):
+            assert command.poll() is None
+            time.sleep(0.02)
+        until_s = time.monotonic() - begin_s
+        with SessionClient.attach(running[0]) as client:
+            seen = await_lines(client.status)
+            print(f"command, {count} lines, until the first {until_s:.0f} s, after {seen.acknowledged}: ", end="")
+            print(resident_of(command.pid), f"its sender: {resident(running[0])}", sep="; ", flush=True)
+            client.stop()
+
+
+SHOWN = {"desk": show_desk, "sender": show_sender, "command": show_command}
+
+
+def main(shown: list[str], counts: list[int]) -> None:
+    """Print the memory of each with each program."""
     here, there = multiprocessing.Pipe()
     process = multiprocessing.get_context("spawn").Process(target=control, args=(there,), daemon=True)
     process.start()
     port = f"socket://127.0.0.1:{here.recv()}"
-    for show in (show_desk, show_sender):
+    for name in shown:
         for count in counts:
             with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as folder:
-                show(port, count, Path(folder))
+                SHOWN[name](port, count, Path(folder))
 
 
 if __name__ == "__main__":
-    main(tuple(map(int, sys.argv[1:])) or COUNTS)
+    named = [word for word in sys.argv[1:] if word in SHOWN]
+    main(named or list(SHOWN), [int(word) for word in sys.argv[1:] if word not in SHOWN] or list(COUNTS))

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Callable, Iterator
+from contextlib import ExitStack
 from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
@@ -20,10 +21,10 @@ from CNCStepper.cli.options import (
     job_option,
     machine_option,
     program_argument,
-    read_program,
     stock_of,
     stock_options,
 )
+from CNCStepper.cli.program_file import ProgramFile
 from CNCStepper.cli.show import show_findings
 from CNCStepper.cli.start import Given, start_options
 from CNCStepper.errors import JobError
@@ -114,12 +115,18 @@ def command(
         check_stock(stock, tool, job_path)
     _check_pauses(by_line, resume_pauses)
     _check_proof(bool(certificate), bool(machine or job_path), unchecked, despite_certificate)
-    wanted = _Wanted(read_program(program), str(program), machine, stock_of(stock, origin), tool, given.start())
+    wanted = _Wanted(ProgramFile(program), machine, stock_of(stock, origin), tool, given.start())
     if job_path:
         wanted = wanted.of_job(*load_job(job_path), is_certified=certificate is not None)
-    job = _proven(wanted, certificate, dialect, unchecked, despite_certificate)
-    job = replace(job, port=port, baud=baud, allow_differences=allow_differences)
-    conclude(watch(confirmed(replace(job, by_line=by_line, home_first=home_first), zero_confirmed), resume_pauses))
+    with ExitStack() as files:
+        if certificate:
+            job = _certified(certificate, wanted, dialect, despite_certificate, files)
+        else:
+            job = _checked(wanted, dialect_name(dialect, wanted.machine), unchecked)
+        job = replace(job, port=port, baud=baud, allow_differences=allow_differences)
+        job = replace(job, by_line=by_line, home_first=home_first, program_sha256=wanted.program.sha256)
+        outcome = watch(confirmed(job, zero_confirmed), resume_pauses)
+    conclude(outcome)
 
 
 def _check_pauses(by_line: bool, resume_pauses: bool) -> None:
@@ -139,13 +146,17 @@ def _check_proof(is_certified: bool, can_be_checked: bool, unchecked: bool, desp
 class _Wanted:
     """What is to be sent, and against what, as far as the command line says it."""
 
-    text: str
-    file: str
+    program: ProgramFile
     machine: Machine | None
     stock: Stock | None
     tools: Tools | None
     start: Start | None
     job: Job | None = None
+
+    @property
+    def file(self) -> str:
+        """What the program is called."""
+        return str(self.program.path)
 
     def of_job(self, job: Job, machine: Machine, is_certified: bool) -> _Wanted:
         """Return it with stock and tools of a job, and its machine where the command line names none.
@@ -159,24 +170,16 @@ class _Wanted:
         )
 
 
-def _proven(wanted: _Wanted, certificate: Path | None, dialect: str | None, unchecked: bool, despite: bool) -> SendJob:
-    """Return the job of a program, by its certificate or by a check made now."""
-    from CNCStepper.control.certificate import digest_of_text
+def _certified(path: Path, wanted: _Wanted, dialect: str | None, despite: bool, files: ExitStack) -> SendJob:
+    """Return the certificate's own job; refuses whatever differs from it, or tells it when `despite`.
 
-    if certificate:
-        job = _certified(certificate, wanted, dialect, despite)
-    else:
-        job = _checked(wanted, dialect_name(dialect, wanted.machine), unchecked)
-    return replace(job, program_sha256=digest_of_text(wanted.text))
-
-
-def _certified(path: Path, wanted: _Wanted, dialect: str | None, despite: bool) -> SendJob:
-    """Return the certificate's own job; refuses whatever differs from it, or tells it when `despite`."""
+    Its lines are read from the certificate, which `files` closes.
+    """
     from CNCStepper.control.certificate import Certificate
     from CNCStepper.job.certify import proven_start
 
     try:
-        certificate = Certificate.read(path)
+        certificate = Certificate.read(path, files)
     except JobError as error:
         if not despite:
             raise
@@ -195,12 +198,11 @@ def _certified(path: Path, wanted: _Wanted, dialect: str | None, despite: bool) 
 
 def _refusals(certificate: Certificate, wanted: _Wanted, dialect: str) -> Iterator[JobError]:
     """Yield each thing in which what is wanted is not what was proven, and the proof's own errors."""
-    from CNCStepper.control.certificate import digest_of_text
-    from CNCStepper.job.certify import keep_out_digest, machine_digest, proven_wire, stock_digest, tools_digest
+    from CNCStepper.job.certify import keep_out_digest, machine_digest, stock_digest, tools_digest
 
     digests = {
-        "program": digest_of_text(wanted.text),
-        "wire": proven_wire(certificate, wanted.text, dialect, wanted.file, wanted.start).sha256,
+        "program": wanted.program.sha256,
+        "wire": _other_wire(certificate, wanted, dialect),
         "machine": wanted.machine and machine_digest(wanted.machine),
         "start": wanted.start and wanted.start.sha256(),
         "stock": wanted.stock and stock_digest(wanted.stock),
@@ -217,6 +219,20 @@ def _refusals(certificate: Certificate, wanted: _Wanted, dialect: str) -> Iterat
             yield error
 
 
+def _other_wire(certificate: Certificate, wanted: _Wanted, dialect: str) -> str:
+    """Return the fingerprint of the lines to send, "" where they can be none but the proven ones.
+
+    So it is with the same program, read in the same way, that leads to no other file: it need not be held whole then.
+    """
+    from CNCStepper.job.certify import proven_wire
+
+    asked = (wanted.program.sha256, wanted.start and wanted.start.sha256(), dialect)
+    proven = (certificate.content["program"]["sha256"], certificate.content["start"]["sha256"], certificate.dialect)
+    if asked == proven and not wanted.program.is_expanded(dialect):
+        return ""
+    return proven_wire(certificate, wanted.program.text, dialect, wanted.file, wanted.start).sha256
+
+
 def _checked(wanted: _Wanted, dialect: str, unchecked: bool) -> SendJob:
     """Read the program back and check it; exits with 1 where a check refuses it."""
     from CNCStepper.job.certify import send_job
@@ -224,7 +240,7 @@ def _checked(wanted: _Wanted, dialect: str, unchecked: bool) -> SendJob:
     from CNCStepper.simulation.finding import refused
     from CNCStepper.toolpath import require_straight_axes
 
-    wire, motors, toolpath = wire_and_ways(wanted.text, wanted.machine, dialect, wanted.file, wanted.start)
+    wire, motors, toolpath = wire_and_ways(wanted.program.text, wanted.machine, dialect, wanted.file, wanted.start)
     require_straight_axes(motors, wanted.file)
     if wanted.machine and not unchecked:
         findings = _findings(wanted, wanted.machine, toolpath, motors)
@@ -263,7 +279,7 @@ def _uncertified(wanted: _Wanted, dialect: str) -> SendJob:
     from CNCStepper.gcode.take_up import play_of
     from CNCStepper.job.certify import send_job
 
-    wire = prepare(wanted.text, dialect, wanted.file, wanted.start, play_of(wanted.machine, dialect))
+    wire = prepare(wanted.program.text, dialect, wanted.file, wanted.start, play_of(wanted.machine, dialect))
     return send_job(wire, wanted.machine, wanted.file, wanted.start, dialect)
 
 

@@ -11,12 +11,13 @@ from __future__ import annotations
 import hashlib
 import json
 from collections.abc import Iterable, Mapping
+from contextlib import ExitStack
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
 from typing import Any
 
-from CNCStepper.control.long_json import blocks_of, pieces
+from CNCStepper.control.long_json import blocks_of, pieces, read_long
 from CNCStepper.control.send_job import SendJob
 from CNCStepper.errors import JobError, Place
 
@@ -35,24 +36,25 @@ OTHER = {
 
 def digest_of(content: Any) -> str:
     """Return the SHA-256 of plain data, as hexadecimal digits; the order of keys does not count."""
-    return _digest(pieces(content, json.JSONEncoder(sort_keys=True, separators=(",", ":"))))
+    return digest_of_pieces(pieces(content, json.JSONEncoder(sort_keys=True, separators=(",", ":"))))
 
 
 def digest_of_text(text: str) -> str:
     """Return the SHA-256 of a text, as hexadecimal digits."""
-    return hashlib.sha256(text.encode("utf-8")).hexdigest()
+    return digest_of_pieces([text])
+
+
+def digest_of_pieces(text: Iterable[str]) -> str:
+    """Return the SHA-256 of a text that comes in pieces, as hexadecimal digits."""
+    digest = hashlib.sha256()
+    for piece in text:
+        digest.update(piece.encode("utf-8"))
+    return digest.hexdigest()
 
 
 def digest_of_lines(lines: Iterable[str]) -> str:
     """Return the SHA-256 of wire lines as they are sent, each with its newline."""
-    return _digest("\n".join((*block, "")) for block in blocks_of(lines))
-
-
-def _digest(texts: Iterable[str]) -> str:
-    digest = hashlib.sha256()
-    for text in texts:
-        digest.update(text.encode("utf-8"))
-    return digest.hexdigest()
+    return digest_of_pieces("\n".join((*block, "")) for block in blocks_of(lines))
 
 
 @dataclass(frozen=True)
@@ -62,10 +64,13 @@ class Certificate:
     content: Mapping[str, Any]
 
     @classmethod
-    def read(cls, path: Path) -> Certificate:
-        """Return the certificate of a file; raises JobError naming it."""
+    def read(cls, path: Path, files: ExitStack) -> Certificate:
+        """Return the certificate of a file; raises JobError naming it.
+
+        Its lines are never held whole: they are read when they are wanted, from the file, which `files` closes.
+        """
         try:
-            return cls.from_json(path.read_text("utf-8"))
+            return cls.from_content(read_long(files.enter_context(path.open("rb"))))
         except (OSError, ValueError) as error:
             if isinstance(error, JobError):
                 raise error.at(Place(str(path))) from error

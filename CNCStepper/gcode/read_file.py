@@ -8,15 +8,15 @@ from pathlib import Path
 
 from CNCStepper.errors import Place, ProgramError
 from CNCStepper.gcode.dialects import Dialect
+from CNCStepper.gcode.file_form import BOM
+from CNCStepper.gcode.file_pieces import byte_pieces, encoding_of
 from CNCStepper.gcode.flow import run_on
 from CNCStepper.gcode.interpret import Interpreter
-from CNCStepper.gcode.read_runs import BYTE_ORDER_MARK, PIECE, compiled_reader
+from CNCStepper.gcode.read_runs import compiled_reader
 from CNCStepper.gcode.subprograms import library_of
 from CNCStepper.gcode.words import program_lines
 from CNCStepper.state import Start
 from CNCStepper.toolpath import Chunk, Toolpath
-
-_MARK = BYTE_ORDER_MARK.encode("utf-8")
 
 
 def interpret_file(
@@ -61,7 +61,7 @@ class FileReading:
 
         When the last one is out, the states, events and spans of `interpreter.table` are complete.
         """
-        encoding = "utf-8" if all(map(_is_utf_8, self._pieces())) else "latin-1"
+        encoding = encoding_of(self._pieces())
         table = self.interpreter.table
         for _ in self._read(encoding):
             yield from table.take_whole()
@@ -69,7 +69,7 @@ class FileReading:
 
     def _read(self, encoding: str) -> Iterator[None]:
         """Read the file in pieces up to the first line that leads elsewhere, and then whole; yield now and then."""
-        size, read, mark = self.path.stat().st_size, 0, _MARK if encoding == "utf-8" else b""
+        size, read, mark = self.path.stat().st_size, 0, BOM if encoding == "utf-8" else b""
         reader = compiled_reader(self.interpreter, size)
         for piece in self._pieces(mark):
             if not (reader.read(piece, encoding) if reader else self._lines(piece.decode(encoding))):
@@ -91,32 +91,8 @@ class FileReading:
 
     def _pieces(self, mark: bytes = b"") -> Iterator[bytes]:
         """Yield the file as pieces of whole lines, without the byte-order mark; raises ProgramError when cancelled."""
-        rest = b""
-        with self.path.open("rb") as file:
-            while piece := file.read(PIECE):
-                if self._cancelled():
-                    place = Place(str(self.path), self.interpreter.line_number)
-                    raise ProgramError("cancelled", "reading was cancelled", place=place)
-                rest = (rest + piece).removeprefix(mark)
-                mark = b""
-                end = _end_of_lines(rest)
-                if end:
-                    yield rest[:end]
-                rest = rest[end:]
-        if rest:
-            yield rest
-
-
-def _end_of_lines(data: bytes) -> int:
-    """Return where the last whole line of `data` ends; a CR at the very end may belong to a LF that follows."""
-    return data.rfind(b"\n") + 1 or data.rfind(b"\r", 0, -1) + 1
-
-
-def _is_utf_8(piece: bytes) -> bool:
-    if piece.isascii():
-        return True
-    try:
-        piece.decode("utf-8")
-    except UnicodeDecodeError:
-        return False
-    return True
+        for piece in byte_pieces(self.path, mark):
+            if self._cancelled():
+                place = Place(str(self.path), self.interpreter.line_number)
+                raise ProgramError("cancelled", "reading was cancelled", place=place)
+            yield piece

@@ -57,7 +57,7 @@ def test_program_and_certificate_are_written(program: Path) -> None:
     assert result.exit_code == 0, result.output
     text = out.read_text("utf-8")
     assert text.startswith("(restart of peca de teste.nc at line 14)")
-    proof = Certificate.read(certificate)
+    proof = Certificate.from_json(certificate.read_text("utf-8"))
     proof.compare("program", digest_of_text(text))
     first = FirstProgram.of(proof.send_job().restart_of)
     assert first and (first.file, first.sha256) == (str(program.resolve()), digest_of_text(PROGRAM))

@@ -7,6 +7,7 @@ The controller and the sender are processes of their own always, the command lin
 from __future__ import annotations
 
 import io
+import json
 import signal
 import subprocess
 import sys
@@ -18,6 +19,10 @@ import numpy as np
 import pytest
 
 from CNCStepper.cli.main import main
+from CNCStepper.control.certificate import digest_of_text
+from CNCStepper.control.long_json import LongList
+from CNCStepper.control.outcome import DONE, Outcome, SenderStatus
+from CNCStepper.control.send_job import SendJob
 
 CONFIRMED = ("--machine", "table-a", "--zero-confirmed")
 PROGRAM = "G21 G90\nG0 Z5\nG0 X10 Y0\nG1 Z-1 F300\n(MSG, look)\nM0\nG3 X10 Y0 I-10 J0 F2000\nG0 Z5\nM2\n"
@@ -202,6 +207,41 @@ def test_other_bytes_machines_starts_and_tools_are_refused(program: Path, certif
     assert "[certificate-program]" in certified(program, nowhere, certificate).stderr
     certificate.write_text(certificate.read_text("utf-8").replace("look", "talk"), encoding="utf-8")
     assert "[certificate-changed]" in certified(program, nowhere, certificate).stderr
+
+
+@pytest.mark.slow
+def test_a_certified_program_is_never_held_whole(
+    program: Path, certificate: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """What is watched is spooled a block at a time."""
+    jobs = []
+
+    def watch(job: SendJob, resume_pauses: bool) -> Outcome:
+        assert isinstance(job.lines, LongList) and isinstance(job.file_lines, LongList)
+        jobs.append((list(job.lines), list(job.file_lines)))
+        assert job.program_sha256 == digest_of_text(program.read_text("utf-8"))
+        return Outcome(DONE, "", True, SenderStatus("idle", total=len(job.lines)))
+
+    monkeypatch.setattr("CNCStepper.cli.watch.watch", watch)
+    monkeypatch.setattr("CNCStepper.cli.program_file.read_program", lambda path: pytest.fail("it is held"))
+    sent = certified(program, "nowhere", certificate, "--machine", "table-a", *ZERO)
+    assert sent.returncode == 0, sent.stderr
+    told = json.loads(certificate.read_text("utf-8"))["send"]
+    assert jobs == [(told["lines"], told["file_lines"])]
+
+
+def test_a_program_whose_subroutine_was_changed_since_is_refused(tmp_path: Path) -> None:
+    program, other, path = (tmp_path / name for name in ("program.nc", "down.ngc", "c.json"))
+    other.write_text("o<down> sub\nG1 Z-1 F300\no<down> endsub\n", encoding="ascii")
+    program.write_text("G21 G90\nM3 S10000\nG4 P3\nG0 Z5\no<down> call\nG0 Z5\nM5\nM2\n", encoding="ascii")
+    halted = ("--machine", "table-a", "--dialect", "grblhal", *ZERO)
+    told = called("check", program, *halted, "--certificate", path)
+    assert told.returncode == 0, told.stdout + told.stderr
+    same = certified(program, "/dev/no-such-port", path)
+    assert "/dev/no-such-port" in same.stderr and "[certificate" not in same.stderr
+    other.write_text("o<down> sub\nG1 Z-2 F300\no<down> endsub\n", encoding="ascii")
+    changed = certified(program, "/dev/no-such-port", path)
+    assert changed.returncode == 1 and "[certificate-wire]" in changed.stderr, changed.stderr
 
 
 @pytest.mark.slow

@@ -9,7 +9,7 @@ import pytest
 from plain_programs import COLUMNS, PlainPrograms
 
 from CNCStepper.errors import ProgramError
-from CNCStepper.gcode import read_file, read_runs
+from CNCStepper.gcode import file_pieces, read_runs
 from CNCStepper.gcode.interpret import interpret
 from CNCStepper.gcode.read_file import FileReading, interpret_file
 from CNCStepper.state import Start
@@ -36,7 +36,7 @@ def check(file: Path, text: str, dialect: str) -> None:
 def test_pieces_of_any_size_give_the_table_of_the_whole(
     piece: int, end: str, pays: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(read_file, "PIECE", piece)
+    monkeypatch.setattr(file_pieces, "PIECE", piece)
     monkeypatch.setattr(read_runs, "PAYS", pays)
     monkeypatch.setattr(read_runs, "PAYS_WITH_LOADING", pays)
     writer = PlainPrograms(piece, "grbl", ZERO)
@@ -75,7 +75,7 @@ def test_a_file_that_is_no_utf_8_is_latin_1(tmp_path: Path) -> None:
 def test_what_comes_after_plain_lines_may_lead_elsewhere(
     piece: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(read_file, "PIECE", piece)
+    monkeypatch.setattr(file_pieces, "PIECE", piece)
     monkeypatch.setattr(read_runs, "PAYS", 0)
     file = tmp_path / "loop.ngc"
     file.write_text(LOOP, "ascii")
@@ -84,7 +84,7 @@ def test_what_comes_after_plain_lines_may_lead_elsewhere(
 
 
 def test_a_refusal_names_line_and_column_of_the_file(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(read_file, "PIECE", 32)
+    monkeypatch.setattr(file_pieces, "PIECE", 32)
     file = tmp_path / "bad.nc"
     file.write_text("G0 X0 F100\n" + "G1 X1\n" * 40 + "G1 X2 Q1\n", "ascii")
     with pytest.raises(ProgramError) as caught:
@@ -93,7 +93,7 @@ def test_a_refusal_names_line_and_column_of_the_file(tmp_path: Path, monkeypatch
 
 
 def test_it_tells_how_far_it_is_and_can_be_cancelled(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(read_file, "PIECE", 1000)
+    monkeypatch.setattr(file_pieces, "PIECE", 1000)
     file = tmp_path / "long.nc"
     file.write_text("G0 X0 F100\n" + "G1 X1\nX2\n" * 2000, "ascii")
     shares: list[float] = []

@@ -172,7 +172,7 @@ def test_run_writes_program_report_certificate_and_picture_for_each_tool(folder:
     kinds = {"program": "nc", "report": "json", "certificate": "json", "part": "png"}
     assert names == {f"{kind}-{part}.{end}" for kind, end in kinds.items() for part in ("1-T1", "2-T3")}
     for part in ("1-T1", "2-T3"):
-        certificate = Certificate.read(folder / "saída" / f"certificate-{part}.json")
+        certificate = Certificate.from_json((folder / "saída" / f"certificate-{part}.json").read_text("utf-8"))
         certificate.check_clean()
         program = (folder / "saída" / f"program-{part}.nc").read_text("ascii")
         certificate.compare("program", digest_of_text(program))
