@@ -14,7 +14,7 @@ from itertools import chain, islice
 from typing import Any, BinaryIO, TypeVar, overload
 
 LONG = ("lines", "file_lines")  # the keys of long lists, which hold texts and numbers only
-OF = ((), ("send",))  # the keys before them: of a job, or of the certificate of one
+OF = ((), ("send",), ("certificate", "send"))  # the keys before them: of a job, of its certificate, of a way back
 BLOCK_BYTES = 262_144
 BLOCK_ITEMS = 10_000
 BYTES = "latin-1"  # a character a byte: what the marks of JSON are found in, whatever stands in its texts

@@ -10,12 +10,14 @@ back as a file: a certificate, with what the next client must know to find the p
 
 from __future__ import annotations
 
-import json
 from collections import deque
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
+from functools import cached_property
+from itertools import count
 from math import dist
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import Any
 
 from CNCStepper.control import connect, halt
@@ -23,12 +25,14 @@ from CNCStepper.control.certificate import Certificate
 from CNCStepper.control.feeder import Feeder
 from CNCStepper.control.grbl import Grbl
 from CNCStepper.control.grbl_report import Vector
+from CNCStepper.control.long_json import read_long
 from CNCStepper.control.phases import RETREATED
 from CNCStepper.control.readiness import MAX_RATE, STEPS_PER_MM
 from CNCStepper.control.send_job import SendJob
-from CNCStepper.control.session_file import write_private
+from CNCStepper.control.session_file import WIRE, write_private
+from CNCStepper.control.spool import read_spool, write_spool
 from CNCStepper.control.timing import Timing
-from CNCStepper.errors import JobError, LinkError, MachineRefusal
+from CNCStepper.errors import CNCStepperError, JobError, LinkError, MachineRefusal
 from CNCStepper.state import WORK_SYSTEMS
 
 STANDS = ("held", "paused", RETREATED)  # the phases in which a leg may begin
@@ -41,10 +45,14 @@ PLANNER_BLOCKS = 15  # of grbl as delivered
 
 @dataclass(frozen=True)
 class Leg:
-    """A way that a client has proven; content: plain data as `job.retreat` makes it, kept for the next client."""
+    """A way that a client has proven; wire: the file of its lines.
+
+    content: of the plain data that `job.retreat` makes, what is kept for the next client.
+    """
 
     job: SendJob
     content: Mapping[str, Any]
+    wire: Path
 
     @property
     def is_rest(self) -> bool:
@@ -67,6 +75,7 @@ class Retrace:
         self._origin: dict[str, Any] = {}
         self._reports: deque[tuple] = deque(maxlen=KEPT_REPORTS)
         self._blocks = PLANNER_BLOCKS
+        self._numbers = count(1)  # of the legs
 
     @property
     def lines_before(self) -> int:
@@ -123,24 +132,13 @@ class Retrace:
         """Return the leg of a file; raises JobError where it is none, or was not proven, MachineRefusal in motion."""
         _check_phase(phase)
         try:
-            content = json.loads(file.read_text("utf-8"))
-            certificate = Certificate.from_content(content["certificate"])
-            certificate.check_clean()
-            job = certificate.send_job(port=self.program.port, baud=self.program.baud, zero_confirmed=True)
-            messages = {int(index): text for index, text in content["messages"].items()}
-            own = {"file": self.program.file, "file_lines": content["file_lines"], "messages": messages}
-            state = content["certificate"]["start"]["state"]
-            offsets_mm = state["work_offsets_mm"] | {"G92": state["g92_mm"]}
-            zero = {"work_offsets_mm": offsets_mm, "work_system": state["work_system"]}
-            return Leg(
-                replace(job, expected={}, **own, **zero), content
-            )  # settings were compared before the first line
-        except (OSError, ValueError, KeyError, TypeError) as error:
-            if isinstance(error, JobError):
-                raise
-            raise JobError(
-                "retreat-file", f"the way back cannot be read: {error}", advice="ask for it again"
-            ) from error
+            with file.open("rb") as opened:
+                return self._leg(read_long(opened))
+        except CNCStepperError:
+            raise
+        except (OSError, ValueError, KeyError, TypeError, AttributeError) as error:
+            what = f"the way back cannot be read: {error}"
+            raise JobError("retreat-file", what, advice="ask for it again") from error
 
     def start(self, leg: Leg) -> None:
         """Note that a leg begins: what was reported before belongs to another text."""
@@ -151,6 +149,45 @@ class Retrace:
         """Note that all lines are cut; return whether they were a leg after which the machine waits."""
         self._is_over = self.leg is not None and not self.leg.is_rest
         return self._is_over
+
+    # --- inside --------------------------------------------------------------------------------
+
+    def _leg(self, content: Mapping[str, Any]) -> Leg:
+        """Return the leg of its content, whose lines are in an open file until then."""
+        certificate = Certificate.from_content(content["certificate"])
+        certificate.check_clean()
+        job = certificate.send_job(port=self.program.port, baud=self.program.baud, zero_confirmed=True)
+        state = content["certificate"]["start"]["state"]
+        proven = replace(
+            job,
+            file=self.program.file,
+            file_lines=content["file_lines"],
+            messages={int(index): text for index, text in content["messages"].items()},
+            expected={},  # settings were compared before the first line
+            work_offsets_mm=state["work_offsets_mm"] | {"G92": state["g92_mm"]},
+            work_system=state["work_system"],
+        )
+        wire = self._new_wire()
+        return Leg(read_spool(wire, write_spool(wire, proven)), _kept(content), wire)
+
+    def _new_wire(self) -> Path:
+        """Return the path for the lines of a new leg; of those before, the last begun is still sent from."""
+        folder = Path(self._folder.name)
+        for wire in folder.iterdir():
+            if self.leg is None or wire != self.leg.wire:
+                wire.unlink()
+        return folder / f"{next(self._numbers)}{WIRE}"
+
+    @cached_property
+    def _folder(self) -> TemporaryDirectory[str]:
+        """The folder for the lines of legs; it goes with the run."""
+        return TemporaryDirectory(prefix="cncstepper-", ignore_cleanup_errors=True)
+
+
+def _kept(content: Mapping[str, Any]) -> dict[str, Any]:
+    """Return what the next client needs of a leg beside its lines."""
+    kept = {name: value for name, value in content.items() if name not in ("file_lines", "messages")}
+    return kept | {"certificate": {"start": content["certificate"]["start"]}}
 
 
 def _content_of(job: SendJob) -> dict[str, Any]:
