@@ -16,6 +16,7 @@ from CNCStepper.control.connect import Found, offsets_of
 from CNCStepper.control.grbl import Grbl
 from CNCStepper.control.grbl_report import Status, Vector
 from CNCStepper.control.journal.finished import SEGMENTS
+from CNCStepper.control.lines import ARCS
 from CNCStepper.control.readiness import CHECK, STEPS_PER_MM, state_refusal
 from CNCStepper.control.send_job import SendJob
 from CNCStepper.errors import MachineRefusal
@@ -156,10 +157,11 @@ def start_from(offsets_mm: Offsets, modes: str, mpos_mm: Vector | None) -> Start
 
 
 def held_words(offsets_mm: Offsets, modes: str) -> list[str]:
-    """Return what a machine holds besides, as lines: a tool's length, what a coordinate means, the feed."""
+    """Return what a machine holds besides, as lines: a tool's length, what a coordinate means, the feed, a motion."""
     length = offsets_mm.get("TLO")
-    words = (word for word in modes.split() if word in MODES or (word[0] == "F" and float(word[1:]) > 0))
-    return [*([f"G43.1Z{length[-1]}"] if length and length[-1] else []), "".join(words)]
+    words = [word for word in modes.split() if word in MODES or (word[0] == "F" and float(word[1:]) > 0)]
+    plain, arcs = "".join(word for word in words if word not in ARCS), [word for word in words if word in ARCS]
+    return [*([f"G43.1Z{length[-1]}"] if length and length[-1] else []), plain, *arcs]
 
 
 def _homes(offsets_mm: Mapping[str, Sequence[float]]) -> dict[int, float]:

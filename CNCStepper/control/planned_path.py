@@ -13,6 +13,7 @@ from math import acos, atan2, ceil, nan, pi
 
 import numpy as np
 
+from CNCStepper.control.lines import ARCS
 from CNCStepper.errors import ProgramError
 from CNCStepper.gcode.interpret import Interpreter
 from CNCStepper.state import Start, States
@@ -68,9 +69,9 @@ class PlannedPath:
         self._interpreter = Interpreter(start)
         here = np.array([start.position_mm[:3]], float)
         self._pieces = Pieces(here, here, np.array([0]), np.array([first - 1]))
-        self._lines_before = first - 1 - len(held)  # of the line from which the interpreter counts
+        self._lines_before = first - 1  # of the line from which the interpreter counts
         for line in held:
-            self._read_line(line)
+            self._take_held(line)
         self._take_moves()
 
     def read(self, sent: int) -> None:
@@ -116,6 +117,13 @@ class PlannedPath:
     def ends_at(self, place_mm: Sequence[float], near_mm: Sequence[float]) -> bool:
         """Return whether the last line read leads to a place, or nobody knows where."""
         return not np.any(np.abs(self._pieces.ends[-1] - place_mm) > near_mm)
+
+    def _take_held(self, text: str) -> None:
+        if text in ARCS:
+            self._interpreter.repeat(text)
+        else:
+            self._lines_before -= 1
+            self._read_line(text)
 
     def _read_line(self, text: str) -> None:
         table = self._interpreter.table
