@@ -13,6 +13,7 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from CNCStepper.control.connect import Found, offsets_of
+from CNCStepper.control.gaps import Gaps
 from CNCStepper.control.grbl import Grbl
 from CNCStepper.control.grbl_report import Status, Vector
 from CNCStepper.control.journal.finished import SEGMENTS
@@ -42,15 +43,24 @@ class PathWatch:
 
     restarted: at that report the controller may have restarted unheard, so that its position is unknown.
 
-    tell(kind, text): hears the warning that the path is not known any more.
+    tell(kind, text): hears the warning that the path is not known any more. gaps: follow the lines sent, where there
+    is play.
     """
 
-    def __init__(self, job: SendJob, driver: Grbl, found: Found, tell: Callable[[str, str], None]):
+    def __init__(
+        self,
+        job: SendJob,
+        driver: Grbl,
+        found: Found,
+        tell: Callable[[str, str], None],
+        gaps: Gaps | None = None,
+    ):
         self.excursion: MachineRefusal | None = None
         self.restarted = False
         self._job = job
         self._driver = driver
         self._tell = tell
+        self._gaps = gaps
         self._told = False  # that the path is not known
         self._path = self._planned(found)
         axes = (driver.settings.get(STEPS_PER_MM + axis, 1 / STEP_MM) for axis in range(3))
@@ -112,7 +122,7 @@ class PathWatch:
             self._warn(str(error))
             return None
         start, held = start_of(self._driver, found), held_words(offsets_of(self._driver, found), found.modes)
-        return PlannedPath(self._job.lines, start, held, first)
+        return PlannedPath(self._job.lines, start, held, first, self._gaps)
 
     def _tell_unknown(self, path: PlannedPath) -> None:
         if path.refused and not self._told:

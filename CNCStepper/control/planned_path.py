@@ -13,6 +13,7 @@ from math import acos, atan2, ceil, nan, pi
 
 import numpy as np
 
+from CNCStepper.control.gaps import Gaps
 from CNCStepper.control.lines import ARCS
 from CNCStepper.errors import ProgramError
 from CNCStepper.gcode.interpret import Interpreter
@@ -59,12 +60,16 @@ class PlannedPath:
     """The moves of the lines sent so far that may not be done yet; there is always one, at first where it begins.
 
     start: how the machine stands. held: lines that say what else is in force there. first: the line, from 0, before
-    which it stands. refused: why the way is not known from some line on, or None.
+    which it stands. gaps: follow the moves, where there is play. refused: why the way is not known from some line on,
+    or None.
     """
 
-    def __init__(self, lines: Sequence[str], start: Start, held: Sequence[str] = (), first: int = 0):
+    def __init__(
+        self, lines: Sequence[str], start: Start, held: Sequence[str] = (), first: int = 0, gaps: Gaps | None = None
+    ):
         self.refused: ProgramError | None = None
         self._lines = lines
+        self._gaps = gaps
         self._read = first
         self._interpreter = Interpreter(start)
         here = np.array([start.position_mm[:3]], float)
@@ -147,6 +152,8 @@ class PlannedPath:
         """Put the moves that the interpreter has made behind the others, and forget its states: none is needed here."""
         table = self._interpreter.table
         for chunk in table.take():
+            if self._gaps:
+                self._gaps.follow(self._pieces.ends[-1], chunk.end[:, :3])
             points, counts = way_of(chunk, self._pieces.ends[-1])
             self._pieces = self._pieces.with_moves(points, counts, chunk.line + self._lines_before)
         table.states = States(table.states[-1:])
