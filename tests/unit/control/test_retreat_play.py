@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import random
 from pathlib import Path
 
 import numpy as np
@@ -11,6 +12,7 @@ from cut_table import ROUNDING_MM, STEP_MM, Cut, path_of, polyline, worst_distan
 from test_jog_in_hold import SAMPLE_MM, jogged, led, off_path
 
 from CNCStepper.control.command import Command
+from CNCStepper.gcode.retreat.way import Place, Way
 from CNCStepper.machine.profile import Machine, load_machine
 
 pytestmark = pytest.mark.slow
@@ -221,3 +223,40 @@ def test_pause_behind_a_way_back_is_left_with_each_axis_on_its_side_of_the_gap(t
     (_, place, aheads), (_, again, aheads_again) = marks
     assert aheads[2] == pytest.approx(GAP_MM, abs=STEP_MM)
     assert again == pytest.approx(place, abs=STEP_MM) and aheads_again == pytest.approx(aheads, abs=STEP_MM)
+
+
+def gone_mm(way: Way, place: Place) -> float:
+    """How far X has gone, there and back, up to a place of straight moves."""
+    parts = [way.move(row).part(0.0, place.share if row == place.row else 1.0) for row in range(place.row + 1)]
+    return sum(abs(part.end[0] - part.begin[0]) for part in parts)
+
+
+@pytest.mark.parametrize("seed", range(8))
+def test_reversal_in_doubt_is_cut_again_and_nothing_is_left_out(tmp_path: Path, seed: int) -> None:
+    """There and back again on one line, where motors at one place may have their tool at two, and no `Bf:` is told."""
+    print("seed", seed)
+    rng = random.Random(seed)
+    end, begin = rng.choice((("X-4", "X-3"), ("X-4 Y-4", "X-3 Y-3"), ("X-4 Y-1", "X-3 Y-.75")))
+    lines = f"{end} F{rng.choice((300, 1500))}\n{begin}\n{end}\n{begin}\nX-6 Y-5\n"
+    program = f"G21 G90\nG1 Z-3 F300\n{lines}M2\n"
+    cut, motors_mm = Cut(tmp_path, program, loose(), settings={10: 1.0}), [0.0]
+    follow = cut.table.board.on_step
+
+    def look(board) -> None:
+        follow(board)
+        motors_mm.append(board.axes.position_mm[0])
+
+    def person():
+        wanted_mm = rng.uniform(3.5, 9.0)
+        yield lambda: np.abs(np.diff(motors_mm)).sum() > wanted_mm
+        yield from cut.hold()
+        gone, found = np.abs(np.diff(motors_mm)).sum(), []
+        yield from cut.find(found)
+        early, late = (gone_mm(found[0].motors, place) for place in found[0].found)
+        assert early - NEAR_MM < gone < late + NEAR_MM
+        yield from led(cut, "back", rng.uniform(0.1, 2.0))
+        yield from led(cut, "rest")
+
+    cut.table.board.on_step = look
+    whole(cut, person, program)
+    assert worst_distance_mm(cut.trace, polyline(path_of(program))) <= NEAR_MM
