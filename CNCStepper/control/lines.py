@@ -8,6 +8,7 @@ import re
 from CNCStepper.control.firmware import Firmware
 from CNCStepper.errors import Place, ProgramError
 
+ARCS = ("G2", "G3")  # a line of no more than that is refused
 # Bytes that act at once wherever they stand: ! ? ~, controls, all above 0x7e.
 _ACTING = re.compile(r"[^ \"->@-}]")
 _MOVE = re.compile(r"(?:N\d+)?(?:G0?[0-3](?![\d.]))?[XYZIJKRF\d.+-]*")

@@ -13,9 +13,11 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from CNCStepper.control.connect import Found, offsets_of
+from CNCStepper.control.gaps import Gaps
 from CNCStepper.control.grbl import Grbl
 from CNCStepper.control.grbl_report import Status, Vector
 from CNCStepper.control.journal.finished import SEGMENTS
+from CNCStepper.control.lines import ARCS
 from CNCStepper.control.readiness import CHECK, STEPS_PER_MM, state_refusal
 from CNCStepper.control.send_job import SendJob
 from CNCStepper.errors import MachineRefusal
@@ -41,15 +43,24 @@ class PathWatch:
 
     restarted: at that report the controller may have restarted unheard, so that its position is unknown.
 
-    tell(kind, text): hears the warning that the path is not known any more.
+    tell(kind, text): hears the warning that the path is not known any more. gaps: follow the lines sent, where there
+    is play.
     """
 
-    def __init__(self, job: SendJob, driver: Grbl, found: Found, tell: Callable[[str, str], None]):
+    def __init__(
+        self,
+        job: SendJob,
+        driver: Grbl,
+        found: Found,
+        tell: Callable[[str, str], None],
+        gaps: Gaps | None = None,
+    ):
         self.excursion: MachineRefusal | None = None
         self.restarted = False
         self._job = job
         self._driver = driver
         self._tell = tell
+        self._gaps = gaps
         self._told = False  # that the path is not known
         self._path = self._planned(found)
         axes = (driver.settings.get(STEPS_PER_MM + axis, 1 / STEP_MM) for axis in range(3))
@@ -111,7 +122,7 @@ class PathWatch:
             self._warn(str(error))
             return None
         start, held = start_of(self._driver, found), held_words(offsets_of(self._driver, found), found.modes)
-        return PlannedPath(self._job.lines, start, held, first)
+        return PlannedPath(self._job.lines, start, held, first, self._gaps)
 
     def _tell_unknown(self, path: PlannedPath) -> None:
         if path.refused and not self._told:
@@ -156,10 +167,11 @@ def start_from(offsets_mm: Offsets, modes: str, mpos_mm: Vector | None) -> Start
 
 
 def held_words(offsets_mm: Offsets, modes: str) -> list[str]:
-    """Return what a machine holds besides, as lines: a tool's length, what a coordinate means, the feed."""
+    """Return what a machine holds besides, as lines: a tool's length, what a coordinate means, the feed, a motion."""
     length = offsets_mm.get("TLO")
-    words = (word for word in modes.split() if word in MODES or (word[0] == "F" and float(word[1:]) > 0))
-    return [*([f"G43.1Z{length[-1]}"] if length and length[-1] else []), "".join(words)]
+    words = [word for word in modes.split() if word in MODES or (word[0] == "F" and float(word[1:]) > 0)]
+    plain, arcs = "".join(word for word in words if word not in ARCS), [word for word in words if word in ARCS]
+    return [*([f"G43.1Z{length[-1]}"] if length and length[-1] else []), plain, *arcs]
 
 
 def _homes(offsets_mm: Mapping[str, Sequence[float]]) -> dict[int, float]:

@@ -13,6 +13,8 @@ from math import acos, atan2, ceil, nan, pi
 
 import numpy as np
 
+from CNCStepper.control.gaps import Gaps
+from CNCStepper.control.lines import ARCS
 from CNCStepper.errors import ProgramError
 from CNCStepper.gcode.interpret import Interpreter
 from CNCStepper.state import Start, States
@@ -58,19 +60,23 @@ class PlannedPath:
     """The moves of the lines sent so far that may not be done yet; there is always one, at first where it begins.
 
     start: how the machine stands. held: lines that say what else is in force there. first: the line, from 0, before
-    which it stands. refused: why the way is not known from some line on, or None.
+    which it stands. gaps: follow the moves, where there is play. refused: why the way is not known from some line on,
+    or None.
     """
 
-    def __init__(self, lines: Sequence[str], start: Start, held: Sequence[str] = (), first: int = 0):
+    def __init__(
+        self, lines: Sequence[str], start: Start, held: Sequence[str] = (), first: int = 0, gaps: Gaps | None = None
+    ):
         self.refused: ProgramError | None = None
         self._lines = lines
+        self._gaps = gaps
         self._read = first
         self._interpreter = Interpreter(start)
         here = np.array([start.position_mm[:3]], float)
         self._pieces = Pieces(here, here, np.array([0]), np.array([first - 1]))
-        self._lines_before = first - 1 - len(held)  # of the line from which the interpreter counts
+        self._lines_before = first - 1  # of the line from which the interpreter counts
         for line in held:
-            self._read_line(line)
+            self._take_held(line)
         self._take_moves()
 
     def read(self, sent: int) -> None:
@@ -117,6 +123,13 @@ class PlannedPath:
         """Return whether the last line read leads to a place, or nobody knows where."""
         return not np.any(np.abs(self._pieces.ends[-1] - place_mm) > near_mm)
 
+    def _take_held(self, text: str) -> None:
+        if text in ARCS:
+            self._interpreter.repeat(text)
+        else:
+            self._lines_before -= 1
+            self._read_line(text)
+
     def _read_line(self, text: str) -> None:
         table = self._interpreter.table
         try:
@@ -139,6 +152,8 @@ class PlannedPath:
         """Put the moves that the interpreter has made behind the others, and forget its states: none is needed here."""
         table = self._interpreter.table
         for chunk in table.take():
+            if self._gaps:
+                self._gaps.follow(self._pieces.ends[-1], chunk.end[:, :3])
             points, counts = way_of(chunk, self._pieces.ends[-1])
             self._pieces = self._pieces.with_moves(points, counts, chunk.line + self._lines_before)
         table.states = States(table.states[-1:])

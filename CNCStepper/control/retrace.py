@@ -64,6 +64,11 @@ class Leg:
         """Where the machine must stand."""
         return tuple(self.content["certificate"]["start"]["state"]["position_mm"])
 
+    @property
+    def ahead_mm(self) -> Vector:
+        """How far the motors stand ahead of the tool there; further than their gaps after a jog."""
+        return tuple(self.content["ahead_mm"])
+
 
 class Retrace:
     """Remembers for one run; used by its thread alone."""

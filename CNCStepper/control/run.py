@@ -25,6 +25,7 @@ from CNCStepper.control.buttons import quicker
 from CNCStepper.control.command import Command, Inbox
 from CNCStepper.control.feeder import Feeder
 from CNCStepper.control.found import check_found
+from CNCStepper.control.gaps import Gaps, gaps_of
 from CNCStepper.control.grbl import Answered, Grbl, Received
 from CNCStepper.control.grbl_report import Alarm, Greeting, Status
 from CNCStepper.control.journal.kept import Journals, Keeping, NoJournal, check_not_held
@@ -94,6 +95,7 @@ class JobRun:
         self._wishes = Wishes(clock, refuse)
         self._by_line = job.by_line
         self._path: PathWatch | None = None  # before the first line
+        self._gaps: Gaps | None = None  # where no play is taken up
         self._begin_s = clock()
         self._idle_reports = 0
         self._trouble: list[Received] = []  # the alarm or greeting that ended the job
@@ -148,12 +150,13 @@ class JobRun:
         try:
             check_zero(self.job.zero_confirmed)
             self.job.check()
+            self._gaps = gaps_of(self.job)
             found = connected()
             assert self.driver
             check_found(self.job, self.driver, found, self._tell)
             self._new_journal.begin(self.job, self.driver, found)
             self._retrace.begin(self.driver, found)
-            self._path = PathWatch(self.job, self.driver, found, self._tell)
+            self._path = PathWatch(self.job, self.driver, found, self._tell, self._gaps)
         except Stopped:
             known = self._stands() or not self.job.home_first
             return self._outcome(STOPPED, "stopped before the first line was sent", known)
@@ -259,7 +262,7 @@ class JobRun:
             return
         if message is not None:
             self._idle_reports = 0
-            self._stand.begin(driver, self._feeder.sent)
+            self._stand.begin(driver, self._feeder.sent, self._gaps)
             self._phases.stand(message)
         elif self._retrace.ends_leg():
             self._idle_reports = 0
@@ -330,7 +333,9 @@ class JobRun:
             raise
         self._stand.end()
         self._retrace.start(leg)
-        self._path = PathWatch(leg.job, driver, found, self._tell)
+        if self._gaps:
+            self._gaps.begin(leg.ahead_mm)
+        self._path = PathWatch(leg.job, driver, found, self._tell, self._gaps)
         rest = self._retrace.lines_before if leg.is_rest else None
         self._journal = Led.from_now(self._journal, self._feeder.sent, self._feeder.acknowledged, rest)
         self._feeder, self._idle_reports = Feeder(leg.job, self._journal), 0

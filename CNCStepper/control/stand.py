@@ -4,7 +4,7 @@
 grbl refuses jogs and keeps G10 waiting while it is held, as it is at an M0. So the sender sends no M0: it waits until
 all before it is cut, and goes on when it is told. The lines that follow were proven from where the program stood; so
 whoever jogged away is first taken back there (`gcode/retreat/over.py`), in work coordinates, for a new zero moves the
-program with it.
+program with it. Where axes have play, each that was moved comes to the side of its gap on which it stood (`gaps.py`).
 
 So does a sender that was led along its cut: its lines are gone with a reset, so the machine is idle. The way from there
 goes on with is its client's, who takes whoever jogged back to the cut.
@@ -12,17 +12,18 @@ goes on with is its client's, who takes whoever jogged back to the cut.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
 from CNCStepper.control import acts
 from CNCStepper.control.command import Command
+from CNCStepper.control.gaps import UP, Gaps
 from CNCStepper.control.grbl import Answered, Grbl
 from CNCStepper.control.grbl_report import Vector
 from CNCStepper.control.jogger import Jogger, Way, check_in_time
 from CNCStepper.control.timing import Timing
 from CNCStepper.errors import CNCStepperError, MachineRefusal
-from CNCStepper.gcode.retreat.over import Axes, over
+from CNCStepper.gcode.retreat.over import THERE_MM, Axes, over
 
 
 @dataclass(frozen=True)
@@ -64,19 +65,22 @@ class Stand:
         self._jogger: Jogger | None = None
         self._index = -1  # of the line that is waited before
         self._place_mm: Vector | None = None
+        self._gaps: Gaps | None = None
+        self._loose: set[int] = set()  # the axes that were moved here
         self._resume_asked = False
         self._going_back = False
         self._leads_on = True
         self._changed_s = 0.0  # what the machine said before shows another moment
 
-    def begin(self, driver: Grbl, index: int, leads_on: bool = True) -> None:
+    def begin(self, driver: Grbl, index: int, gaps: Gaps | None = None, leads_on: bool = True) -> None:
         """Stand before the job's line `index`; a stand that was only disturbed keeps its place.
 
-        leads_on: whether the job goes on from here; else only a client can lead it on, from the zero that was cut from.
+        gaps: of the motors, where the job's lines take up play. leads_on: whether the job goes on from here; else only
+        a client can lead it on, from the zero that was cut from.
         """
-        self._leads_on = leads_on
+        self._leads_on, self._gaps = leads_on, gaps
         if index != self._index:
-            self._index, self._place_mm = index, driver.wpos_mm
+            self._index, self._place_mm, self._loose = index, driver.wpos_mm, set()
         self._driver, self._resume_asked, self._going_back = driver, False, False
         self._jogger = Jogger(driver, self._give_up, self._tell)
 
@@ -116,12 +120,10 @@ class Stand:
         elif self._resume_asked:
             raise _busy("the job is about to go on")
         elif command.name == "jog":
-            self.is_off_path = True
-            self._jogger.step(Way(**command.values))
+            self._jogger.step(self._leaving(command.values))
         elif command.name == "jog_on":
-            self.is_off_path = True
             values = dict(command.values)
-            self._jogger.keep(values.pop("press"), Way(**values))
+            self._jogger.keep(values.pop("press"), self._leaving(values))
         elif self._jogger.active:
             raise _busy("the machine jogs")
         elif command.name == "set_zero":
@@ -147,9 +149,31 @@ class Stand:
 
     # --- inside --------------------------------------------------------------------------------
 
+    def _leaving(self, values: Mapping[str, float]) -> Way:
+        """Return a jog, noting that it leads off the path."""
+        way = Way(**values)
+        self.is_off_path = True
+        self._loose |= {axis for axis, far_mm in enumerate((way.x_mm, way.y_mm, way.z_mm)) if far_mm}
+        return way
+
     def _ways(self, driver: Grbl) -> list[To]:
         here_mm, there_mm = driver.wpos_mm, self._place_mm
-        return [] if here_mm is None or there_mm is None else way_back(here_mm, there_mm)
+        if here_mm is None or there_mm is None:
+            return []
+        if self._gaps and not self._going_back:
+            return self._ways_to_side(driver, self._gaps, here_mm[:3], there_mm[:3])
+        return way_back(here_mm, there_mm)
+
+    def _ways_to_side(self, driver: Grbl, gaps: Gaps, here_mm: Vector, there_mm: Vector) -> list[To]:
+        """Return the jogs to the place by which each axis that was moved is on the side of its gap on which it was."""
+        pairs = zip(here_mm, there_mm, strict=True)
+        self._loose |= {axis for axis, (here, there) in enumerate(pairs) if abs(here - there) > THERE_MM}
+        if not self._loose or driver.mpos_mm is None:
+            return []
+        if self._loose - {UP}:
+            self._loose.add(UP)  # the tool goes up first
+        work_zero_mm = driver.mpos_mm[UP] - here_mm[UP]
+        return [To(place_mm, speed) for place_mm, speed in gaps.way_back(here_mm, there_mm, self._loose, work_zero_mm)]
 
     def _go_back(self, driver: Grbl, ways: list[To]) -> None:
         assert self._jogger

@@ -12,7 +12,7 @@ from dataclasses import replace
 from CNCStepper.errors import Place, ProgramError
 from CNCStepper.gcode import simple
 from CNCStepper.gcode.blame import blamed
-from CNCStepper.gcode.codes import NO_MOTION
+from CNCStepper.gcode.codes import MOTION_NAMES, NO_MOTION
 from CNCStepper.gcode.dialects import Dialect, dialect_named
 from CNCStepper.gcode.dialects.form import with_axes
 from CNCStepper.gcode.execute import Execution, ProfileReader
@@ -117,8 +117,15 @@ class Interpreter:
 
     def forget_motion(self) -> None:
         """Let no motion be modal."""
-        self.model.motion = NO_MOTION
-        self._plans = self.grammar.plans(NO_MOTION)
+        self._repeat(NO_MOTION)
+
+    def repeat(self, name: str) -> None:
+        """Let a motion be modal, "G0" to "G3", as a machine has it whose earlier lines were not read."""
+        self._repeat(MOTION_NAMES.index(name))
+
+    def _repeat(self, motion: int) -> None:
+        self.model.motion = motion
+        self._plans = self.grammar.plans(motion)
 
     def _line(self, text: str) -> None:
         """Read a line in the form of RS274."""

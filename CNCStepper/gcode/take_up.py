@@ -10,18 +10,20 @@ The motors cross the gap no faster than the move goes that follows: where the ga
 stands elsewhere than was thought, it moves, and in the work. Only a laser's do so as a rapid, in which its beam is off.
 F stays what it was. Words keep their numbers where the motor stands where the tool does, and in incremental moves.
 Before a place is stored or named (G92, G10, G28.1, G30.1) the motors go back into the gap, to where the tool stands.
-Places of the machine (G28, G30, G53) are gone to as they are written. Probes are refused: where they end is not known.
+Places of the machine (G28, G30, G53) are gone to as they are written (`as_written.py`). Probes are refused: where they
+end is not known.
 """
 
 from __future__ import annotations
 
 from array import array
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from math import isnan
 
 import numpy as np
 
 from CNCStepper.errors import Place, ProgramError
+from CNCStepper.gcode.as_written import AsWritten
 from CNCStepper.gcode.codes import MOTION_NAMES
 from CNCStepper.gcode.dialects import Dialect, dialect_named
 from CNCStepper.gcode.interpret import Interpreter
@@ -58,6 +60,7 @@ class TakeUp:
         self._play = play
         self._reader = Interpreter(start, dialect, file)
         self._motors = Motors(play, self._reader.model.position)
+        self._as_written = AsWritten(self._motors)
         self._file = file
         self._crossed = ""  # the motion of ours that the wire said last, where the program may know another
 
@@ -75,7 +78,7 @@ class TakeUp:
     def _sent(self, line: str, words: list[Word], before: Model, rows: Chunk | None) -> Iterator[str]:
         names, after = {word.name for word in words}, self._reader.model
         if names & OF_MACHINE:
-            self._stand({word.letter for word in words}, after)
+            yield from self._to_machine({word.letter for word in words}, before, rows)
             yield self._with_motion(line, names)
         elif names & NAMES_PLACE:
             yield from self._into_the_gap(before)
@@ -89,12 +92,23 @@ class TakeUp:
         else:
             yield from self._arc(words, before, rows)
 
-    def _stand(self, letters: set[str], after: Model) -> None:
-        """Note that the motors of the named axes, or of all, go to where the text says."""
-        named = [letter in letters for letter in AXES]
-        for axis, end in enumerate(after.position):
-            if named[axis] or not any(named):
-                self._motors.at_mm[axis] = end
+    def _to_machine(self, letters: set[str], before: Model, rows: Chunk | None) -> Iterator[str]:
+        """Lead the motors of the named axes, or of all, to where the text says; yield the line that goes before."""
+        axes = [axis for axis, letter in enumerate(AXES) if letter in letters] or range(len(AXES))
+        places = self._places(axes, before, rows)
+        ready_mm = self._as_written.ready_mm(before.position, places[0]) if len(places) == 1 else None
+        if ready_mm is not None:
+            yield self._crossing(before, self._motors.at_mm, ready_mm, self._feed_mm_min(rows))
+            places.insert(0, list(ready_mm))
+        self._as_written.go(axes, before.position, places)
+
+    def _places(self, axes: Sequence[int], before: Model, rows: Chunk | None) -> list[list[float]]:
+        """Return to which places the motors of some axes go in a line: of G28 and G30 with a point between, to two."""
+        after, at_mm = self._reader.model, self._motors.at_mm
+        ends = [after.position] if rows is None else rows.end.tolist()
+        if len(ends) > 1 and not after.absolute:  # that point is as far from the motors as from the tool
+            ends[0] = [at + end - begin for at, end, begin in zip(at_mm, ends[0], before.position, strict=True)]
+        return [[end[axis] if axis in axes else at for axis, at in enumerate(at_mm)] for end in ends]
 
     def _with_motion(self, line: str, names: set[str]) -> str:
         """Return a G53 line with its motion, where a move of ours stands between it and the one that it repeats."""
@@ -153,6 +167,12 @@ class TakeUp:
         """Yield the lines of a move: each piece, and before it the line that takes up play."""
         model, motion = before, MOTION_NAMES[self._reader.model.motion]
         writer = Words(words, self._reader.model, pieces, centre_mm)
+        moved = {axis for piece in pieces for axis in self._as_written.moved(piece.begin_mm, piece.end_mm)}
+        rest_mm = self._as_written.rest_mm(moved) if self._reader.model.motion != RAPID else None
+        if rest_mm is not None:
+            yield self._crossing(model, self._motors.at_mm, rest_mm, feed_mm_min)
+            self._motors.at_mm = list(rest_mm)
+        self._as_written.went(range(len(AXES)) if rest_mm is not None else moved)
         for number, piece in enumerate(pieces):
             stood = tuple(self._motors.at_mm)
             taken_up = self._motors.go(piece.begin_mm, piece.end_mm)

@@ -230,6 +230,7 @@ class Held:
             "begin": self.place,
             "farthest": self.farthest,
             "reached": self.reached,
+            "ahead_mm": [motor - tool for motor, tool in zip(self.position_mm, self._there_mm, strict=True)],
         }
 
 

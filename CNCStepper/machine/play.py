@@ -15,8 +15,8 @@ does, in the other one the backlash ahead of it.
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Container, Sequence
+from dataclasses import dataclass, replace
 
 from CNCStepper.machine.profile import Machine
 
@@ -53,6 +53,15 @@ class Play:
     def ahead_mm(self, axis: int, sense: int) -> float:
         """Return how far the motor of an axis that goes in a sense stands ahead of its tool, with its sign."""
         return 0.0 if sense in (0, self.true_sense[axis]) else sense * self.backlash_mm[axis]
+
+    def ahead_after(self, axis: int, ahead_mm: float, way_mm: float) -> float:
+        """Return how far a motor stands ahead of its tool after a way that nobody takes up: only a side pushes."""
+        low, high = sorted(self.ahead_mm(axis, sense) for sense in (1, -1))
+        return min(max(ahead_mm + way_mm, low), high)
+
+    def of_axes(self, axes: Container[int]) -> Play:
+        """Return the play of some axes alone."""
+        return replace(self, backlash_mm=tuple(gap * (axis in axes) for axis, gap in enumerate(self.backlash_mm)))
 
     def sense(self, axis: int, begin_mm: float, end_mm: float) -> int:
         """Return whether the motor steps forwards (+1), backwards (-1) or not at all (0) between two places."""

@@ -9,7 +9,7 @@ Where nobody knows on which side the motors stand, as after a jog, they come to 
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence, Set
 from dataclasses import replace
 
 from CNCStepper.gcode.one_way import Piece, arc_pieces
@@ -57,6 +57,24 @@ def over_gaps(here_mm: Point, there_mm: Point, top_mm: float, play: Play) -> Ite
     yield from over(here_mm, (x_mm, y_mm, clear_mm), clear_mm)
     yield (there_mm[0], there_mm[1], None), OVER_MM_MIN
     yield (None, None, landed_mm(there_mm, play)[UP]), DOWN_MM_MIN
+
+
+def back_over_gaps(
+    here_mm: Sequence[float],
+    there_mm: Sequence[float],
+    ahead_mm: Sequence[float],
+    loose: Set[int],
+    top_mm: float,
+    play: Play,
+) -> Iterator[tuple[Axes, float]]:
+    """Yield the places and speeds of the motors' way back to where they stood, as far ahead of the tool as they were.
+
+    loose: the axes of which nobody knows on which side they stand, Z where X or Y is; the others stand as they stood.
+    The tool comes to its place and stays there, while the motors cross what is left of their gaps.
+    """
+    tool = (place - ahead * (axis in loose) for axis, (place, ahead) in enumerate(zip(there_mm, ahead_mm, strict=True)))
+    yield from over_gaps(_point(here_mm), _point(tuple(tool)), top_mm, play.of_axes(loose))
+    yield _point(there_mm), DOWN_MM_MIN
 
 
 def landed_mm(there_mm: Point, play: Play) -> Point:

@@ -67,7 +67,7 @@ class Tool:
 class Cut:
     """One job from its first line to its end; `trace` is where the tool really was."""
 
-    def __init__(self, folder: Path, program: str, machine: Machine | None = None, **table: Any):
+    def __init__(self, folder: Path, program: str, machine: Machine | None = None, by_line: bool = False, **table: Any):
         self.machine = machine or load_machine("table-a")
         self.table = Table(**table)
         self.refused: list[CNCStepperError] = []
@@ -81,7 +81,7 @@ class Cut:
         wire = prepare(program, "grbl", "part ç.nc", Start.at_zero(), play_of(self.machine, "grbl"))
         self.job = send_job(wire, self.machine, "part ç.nc", None, "grbl")
         self.sender = Sender(
-            replace(self.job, port="table", zero_confirmed=True),
+            replace(self.job, port="table", zero_confirmed=True, by_line=by_line),
             opener=lambda name, baud: self.table,
             clock=self.table.clock,
             tell=self._hear,
@@ -99,6 +99,17 @@ class Cut:
         outcome = self.sender.run()
         assert next(self.table.person, None) is None, "the job has ended before the person was done"
         return outcome
+
+    def mark(self) -> tuple[int, tuple[float, ...], tuple[float, ...]]:
+        """Return how long the trace is now, where the tool is, and how far each motor stands ahead of it."""
+        tool_mm = self._trace[-1]
+        motors_mm = self.table.board.axes.position_mm
+        return len(self._trace), tool_mm, tuple(np.subtract(motors_mm, tool_mm))
+
+    @property
+    def points(self) -> np.ndarray:
+        """The points at which the tool was at each step of a motor, float64[n, 3]."""
+        return np.array(self._trace)
 
     @property
     def trace(self) -> np.ndarray:

@@ -13,6 +13,7 @@ from fake_controller import FakeClock, FakeController, FakeLink
 
 from CNCStepper.control.grbl import Grbl
 from CNCStepper.control.grbl_report import Status, Unknown, parse
+from CNCStepper.control.path_watch import held_words
 from CNCStepper.control.planned_path import PlannedPath, arc_points
 from CNCStepper.control.send_job import SendJob
 from CNCStepper.control.sender import Sender
@@ -62,6 +63,15 @@ def test_line_by_line_and_all_at_once_the_path_is_the_same():
     for place in ((4, 0, 0), (15, 5, 0), (20, 0, 3), (0, 0, 0), (-2, 0, 0), (-5, 2, 0)):
         assert at_once.drop_to(place, NEAR_MM) and by_line.drop_to(place, NEAR_MM), place
         assert at_once.line == by_line.line
+
+
+def test_line_after_a_stand_goes_on_with_the_arc_that_is_modal():
+    path = PlannedPath(
+        ("G0Y1", "G2Y0J-.5F600", "X10I5"), Start.at_zero(), held_words({}, "G2 G54 G17 G21 G90 G94 F600"), 2
+    )
+    path.read(3)
+    assert path.refused is None and path.line == 1
+    assert path.drop_to((5, 5, 0), NEAR_MM) and path.line == 2
 
 
 def test_planner_is_as_large_as_the_controller_has_said_it_is():

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import random
 from pathlib import Path
 
 import numpy as np
@@ -10,6 +11,8 @@ import pytest
 from cut_table import ROUNDING_MM, STEP_MM, Cut, path_of, polyline, worst_distance_mm
 from test_jog_in_hold import SAMPLE_MM, jogged, led, off_path
 
+from CNCStepper.control.command import Command
+from CNCStepper.gcode.retreat.way import Place, Way
 from CNCStepper.machine.profile import Machine, load_machine
 
 pytestmark = pytest.mark.slow
@@ -113,3 +116,147 @@ def test_way_back_begins_at_a_pause_from_which_a_loose_machine_was_jogged(tmp_pa
     whole(cut, person, PAUSED)
     (away,) = off_path(cut, PAUSED)
     assert np.linalg.norm(away[0] - away[-1]) < SAMPLE_MM
+
+
+RISEN = ZIGZAG.replace("G2 X", "M0\nG2 X").replace("G1 Z-3 F300", "G1 Z-4 F300\nZ-3")
+ROUND = ZIGZAG.replace("M2", "M0\nG1 X-12 Y-8 F600\nM2")
+HIGH = -2.0  # to which these programs go up
+UP_AND_ASIDE = [(0.0, 0.0, 1.5), (2.0, -2.0, 0.0)]
+THERE_AND_BACK = [(0.0, 0.0, 1.5), (0.3, -0.7, 0.0), (-0.3, 0.7, 0.0), (0.0, 0.0, -1.5)]
+
+
+@pytest.mark.parametrize(
+    ("program", "jogs"),
+    [
+        (PAUSED, UP_AND_ASIDE),  # X was left forwards, Y backwards
+        (PAUSED, THERE_AND_BACK),
+        (ROUND, [(0.0, 0.0, 1.5), (-2.0, 2.0, 0.0)]),  # X backwards, Y forwards
+        (RISEN, [(0.0, 0.0, 1.0)]),  # Z upwards
+    ],
+)
+def test_job_itself_goes_on_from_its_pause_with_each_axis_on_its_side_of_the_gap(
+    tmp_path: Path, program: str, jogs: list
+) -> None:
+    cut, moments = Cut(tmp_path, program, loose()), []
+
+    def person():
+        yield cut.arrived
+        moments.append(cut.mark())
+        for x_mm, y_mm, z_mm in jogs:
+            yield from jogged(cut, x_mm=x_mm, y_mm=y_mm, z_mm=z_mm)
+        moments.append(cut.mark())
+        cut.sender.resume()
+        yield lambda: cut.phase == "running"
+        moments.append(cut.mark())
+
+    whole(cut, person, program)
+    (paused, place, aheads), (back, _, _), (on, again, aheads_again) = moments
+    assert again == pytest.approx(place, abs=STEP_MM) and aheads_again == pytest.approx(aheads, abs=STEP_MM)
+    line, points = polyline(path_of(program)), cut.points
+    assert max(worst_distance_mm(points[:paused], line), worst_distance_mm(points[on:], line)) <= NEAR_MM
+    way = points[back:on]
+    far = np.abs(way[1:, :2] - place[:2]).max(axis=1) > STEP_MM
+    aside = far & (np.diff(way[:, :2], axis=0) != 0.0).any(axis=1)
+    assert way[1:][aside, 2].min(initial=HIGH) > HIGH - STEP_MM, "the tool went aside in the work"
+    assert way[:, 2].min() > place[2] - STEP_MM, "the tool went down into the work"
+
+
+def test_stepping_by_line_goes_on_after_a_jog_with_each_axis_on_its_side_of_the_gap(tmp_path: Path) -> None:
+    """Jogged before each line, those of the motors alone too."""
+    cut, marks = Cut(tmp_path, ZIGZAG, loose(), by_line=True), []
+
+    def person():
+        for index in range(len(cut.job.lines)):
+            yield lambda index=index: cut.sender.status().sent == index and cut.phase == "paused"
+            marks.append(cut.mark())
+            yield from jogged(cut, x_mm=0.4, y_mm=-0.3)
+            cut.sender.resume()
+            yield lambda: cut.phase in ("running", "done")
+            marks.append(cut.mark())
+
+    whole(cut, person, ZIGZAG)
+    for (_, place, aheads), (_, again, aheads_again) in zip(marks[::2], marks[1::2], strict=True):
+        assert again == pytest.approx(place, abs=STEP_MM) and aheads_again == pytest.approx(aheads, abs=STEP_MM)
+
+
+def test_zero_set_at_a_pause_moves_what_follows_with_each_axis_on_its_side_of_the_gap(tmp_path: Path) -> None:
+    """Touched off in the sense in which a zero is true, 3 mm beside the old one."""
+    cut = Cut(tmp_path, PAUSED, loose())
+
+    def person():
+        yield cut.arrived
+        for way_mm in ({"z_mm": 2.0}, {"x_mm": 4.0}, {"x_mm": -1.0}):
+            yield from jogged(cut, **way_mm)
+        moments.append(cut.mark())
+        cut.sender.ask(Command("set_zero", {"axes": "X"}))
+        yield lambda: ("message", "zero of X set in G54") in cut.told
+        cut.sender.resume()
+        yield lambda: cut.phase == "running"
+        moments.append(cut.mark())
+
+    moments: list[tuple] = []
+    outcome = cut.run(person)
+    assert outcome.done and not cut.refused, outcome.text
+    (_, (zero_x_mm, _, _), _), (on, _, _) = moments
+    moved = polyline(path_of(PAUSED)) + np.array([zero_x_mm, 0.0, 0.0])
+    assert worst_distance_mm(cut.points[on:], moved) <= NEAR_MM
+    assert np.allclose(cut.trace[-1], moved[-1], atol=STEP_MM)
+
+
+def test_pause_behind_a_way_back_is_left_with_each_axis_on_its_side_of_the_gap(tmp_path: Path) -> None:
+    """Z stands there as it was left before the way back, which did not move it."""
+    cut, marks = Cut(tmp_path, RISEN, loose()), []
+
+    def person():
+        yield lambda: cut.trace[-1][1] < -7.5
+        yield from cut.hold()
+        yield from led(cut, "back", 0.8)
+        yield from led(cut, "rest")
+        yield lambda: cut.phase == "paused"
+        marks.append(cut.mark())
+        yield from jogged(cut, z_mm=1.0)
+        cut.sender.resume()
+        yield lambda: cut.phase == "running"
+        marks.append(cut.mark())
+
+    whole(cut, person, RISEN)
+    (_, place, aheads), (_, again, aheads_again) = marks
+    assert aheads[2] == pytest.approx(GAP_MM, abs=STEP_MM)
+    assert again == pytest.approx(place, abs=STEP_MM) and aheads_again == pytest.approx(aheads, abs=STEP_MM)
+
+
+def gone_mm(way: Way, place: Place) -> float:
+    """How far X has gone, there and back, up to a place of straight moves."""
+    parts = [way.move(row).part(0.0, place.share if row == place.row else 1.0) for row in range(place.row + 1)]
+    return sum(abs(part.end[0] - part.begin[0]) for part in parts)
+
+
+@pytest.mark.parametrize("seed", range(8))
+def test_reversal_in_doubt_is_cut_again_and_nothing_is_left_out(tmp_path: Path, seed: int) -> None:
+    """There and back again on one line, where motors at one place may have their tool at two, and no `Bf:` is told."""
+    print("seed", seed)
+    rng = random.Random(seed)
+    end, begin = rng.choice((("X-4", "X-3"), ("X-4 Y-4", "X-3 Y-3"), ("X-4 Y-1", "X-3 Y-.75")))
+    lines = f"{end} F{rng.choice((300, 1500))}\n{begin}\n{end}\n{begin}\nX-6 Y-5\n"
+    program = f"G21 G90\nG1 Z-3 F300\n{lines}M2\n"
+    cut, motors_mm = Cut(tmp_path, program, loose(), settings={10: 1.0}), [0.0]
+    follow = cut.table.board.on_step
+
+    def look(board) -> None:
+        follow(board)
+        motors_mm.append(board.axes.position_mm[0])
+
+    def person():
+        wanted_mm = rng.uniform(3.5, 9.0)
+        yield lambda: np.abs(np.diff(motors_mm)).sum() > wanted_mm
+        yield from cut.hold()
+        gone, found = np.abs(np.diff(motors_mm)).sum(), []
+        yield from cut.find(found)
+        early, late = (gone_mm(found[0].motors, place) for place in found[0].found)
+        assert early - NEAR_MM < gone < late + NEAR_MM
+        yield from led(cut, "back", rng.uniform(0.1, 2.0))
+        yield from led(cut, "rest")
+
+    cut.table.board.on_step = look
+    whole(cut, person, program)
+    assert worst_distance_mm(cut.trace, polyline(path_of(program))) <= NEAR_MM

@@ -1,12 +1,22 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Random programs of grbl that turn back often: lines and arcs of three planes, in all modes of distance and unit."""
+"""Random programs of grbl that turn back often: lines and arcs of three planes, in all modes of distance and unit.
+
+And the tool that motors with play push along.
+"""
 
 from __future__ import annotations
 
 import math
 import random
+from collections.abc import Sequence
+
+import numpy as np
+
+from CNCStepper.gcode.retreat.move import Move
+from CNCStepper.machine.play import Play
 
 PLANES = {"G17": ("X", "Y", "I", "J"), "G18": ("Z", "X", "K", "I"), "G19": ("Y", "Z", "J", "K")}
+APART_MM = 0.01  # of the points at which the tool is looked at
 
 
 def random_program(random_of: random.Random, moves: int) -> str:
@@ -28,6 +38,17 @@ def random_program(random_of: random.Random, moves: int) -> str:
             lines.append(_line(random_of, at, scale, places, absolute))
         else:
             lines.append(_arc(random_of, at, plane, scale, places, absolute))
+    return "\n".join([*lines, "M2", ""])
+
+
+def program_of_places(random_of: random.Random, moves: int, codes: Sequence[str]) -> str:
+    """Return a program in mm that goes to places by these codes, each line on one to three axes."""
+    lines = ["G21 G90 G17\nG1 F300"]
+    for _ in range(moves):
+        words = "".join(
+            f"{axis}{random_of.uniform(-9, 9):.3f}" for axis in random_of.sample("XYZ", random_of.randint(1, 3))
+        )
+        lines.append(random_of.choice(codes) + words)
     return "\n".join([*lines, "M2", ""])
 
 
@@ -60,3 +81,15 @@ def _to(at: dict[str, float], letter: str, end: float, places: int, absolute: bo
     number = end if absolute else end - at[letter]
     at[letter] = round(at[letter] + round(end - at[letter], places), places)
     return f"{letter}{number:.{places}f}"
+
+
+def pushed(play: Play, tool_mm: np.ndarray, moves: list[Move]) -> np.ndarray:
+    """Return where a tool comes to, which stands still until a side of its gap pushes it, float64[n, 3]."""
+    gaps, sense = np.array(play.backlash_mm), np.array(play.true_sense)
+    behind, ahead = np.where(sense < 0, gaps, 0.0), np.where(sense > 0, gaps, 0.0)
+    points = [tool_mm]
+    for move in moves:
+        for share in np.linspace(0.0, 1.0, 2 + int(move.length_mm / APART_MM)):
+            motors_mm = np.array(move.at(share))
+            points.append(np.clip(points[-1], motors_mm - behind, motors_mm + ahead))
+    return np.array(points)

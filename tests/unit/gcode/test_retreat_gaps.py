@@ -4,11 +4,12 @@
 from __future__ import annotations
 
 import random
+from collections.abc import Sequence
 from itertools import pairwise
 
 import numpy as np
 import pytest
-from play_paths import random_program
+from play_paths import program_of_places, pushed, random_program
 
 from CNCStepper.gcode.interpret import interpret
 from CNCStepper.gcode.prepare import prepare
@@ -20,12 +21,11 @@ from CNCStepper.machine.play import Motors, Play
 from CNCStepper.motion.backlash import tool_moves
 from CNCStepper.simulation.segments import segments
 from CNCStepper.state import Start
-from CNCStepper.toolpath import LINE, RAPID
+from CNCStepper.toolpath import LINE, RAPID, Toolpath
 
 AT_ZERO = Start.at_zero()
 STEPS_PER_MM = (80.0, 80.0, 400.0)
 STEP_MM = 0.018  # of X, Y and Z at once
-APART_MM = 0.01  # of the points at which the tool is looked at
 SEEDS = range(16)
 
 
@@ -34,21 +34,9 @@ def some_play(rng: random.Random) -> Play:
     return Play((*gaps[:2], 0.1), tuple(rng.choice((-1, 1)) for _ in range(3)), STEPS_PER_MM)
 
 
-def pushed(play: Play, tool_mm: np.ndarray, moves: list[Move]) -> np.ndarray:
-    """Return where a tool comes to, which stands still until a side of its gap pushes it, float64[n, 3]."""
-    gaps, sense = np.array(play.backlash_mm), np.array(play.true_sense)
-    behind, ahead = np.where(sense < 0, gaps, 0.0), np.where(sense > 0, gaps, 0.0)
-    points = [tool_mm]
-    for move in moves:
-        for share in np.linspace(0.0, 1.0, 2 + int(move.length_mm / APART_MM)):
-            motors_mm = np.array(move.at(share))
-            points.append(np.clip(points[-1], motors_mm - behind, motors_mm + ahead))
-    return np.array(points)
-
-
-def farthest_mm(points: np.ndarray, program: str) -> float:
-    """Return how far points are from the way of a program at most."""
-    ways = segments(interpret(program, AT_ZERO), 0.005)
+def farthest_mm(points: np.ndarray, path: Toolpath) -> float:
+    """Return how far points are from the way of a table of moves at most."""
+    ways = segments(path, 0.005)
     way = ways.end - ways.begin
     length2 = np.maximum((way**2).sum(axis=1), 1e-18)
     farthest = 0.0
@@ -59,12 +47,17 @@ def farthest_mm(points: np.ndarray, program: str) -> float:
 
 
 class Loose:
-    """A random program whose play is taken up, and the tool at some place of it, as likely in a gap as on a cut."""
+    """A random program whose play is taken up, and the tool at some place of it, as likely in a gap as on a cut.
 
-    def __init__(self, seed: int):
+    path: of the tool as the program says. codes: by which it goes to places, arcs too where none are named.
+    """
+
+    def __init__(self, seed: int, codes: Sequence[str] = ()):
         self.rng = rng = random.Random(seed)
-        self.play, self.program = some_play(rng), random_program(rng, 12)
-        wire = prepare(self.program, "grbl", "", AT_ZERO, self.play)
+        self.play = some_play(rng)
+        program = program_of_places(rng, 12, codes) if codes else random_program(rng, 12)
+        self.path = interpret(program, AT_ZERO)
+        wire = prepare(program, "grbl", "", AT_ZERO, self.play)
         motors = interpret("".join(f"{line}\n" for line in wire.lines), AT_ZERO)
         self.motors, self.way = Way(motors), Way(tool_moves(motors, self.play))
         self.place = self.some_place()
@@ -81,6 +74,19 @@ class Loose:
 def test_tool_goes_to_any_other_place_along_its_way(seed: int) -> None:
     print("seed", seed)
     loose = Loose(seed)
+    assert farthest_mm(wandered(loose), loose.path) < STEP_MM
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+def test_tool_goes_back_along_lines_to_places_of_the_machine(seed: int) -> None:
+    """Which it has gone straight, though short of some places by its play."""
+    print("seed", seed)
+    loose = Loose(seed, ("G1", "G53G0", "G53G1"))
+    assert farthest_mm(wandered(loose), loose.way.toolpath) < STEP_MM
+
+
+def wandered(loose: Loose) -> np.ndarray:
+    """Return where the tool is on its ways to some places, one after another, to which it comes."""
     motors, tool_mm = Motors(loose.play, loose.motors_mm), loose.tool_mm
     begin, reached = loose.place, [tool_mm[None]]
     for _ in range(3):
@@ -90,7 +96,7 @@ def test_tool_goes_to_any_other_place_along_its_way(seed: int) -> None:
         )
         begin, tool_mm = end, reached[-1][-1]
         assert tool_mm == pytest.approx(loose.way.move(end.row).at(end.share), abs=STEP_MM)
-    assert farthest_mm(np.vstack(reached), loose.program) < STEP_MM
+    return np.vstack(reached)
 
 
 @pytest.mark.parametrize("seed", SEEDS)
@@ -103,7 +109,7 @@ def test_program_goes_on_with_the_motors_where_it_has_them(seed: int) -> None:
     moves.append(crossing(motors.at_mm, own.end, own, loose.play))
     on = [loose.motors.move(row) for row in range(end.row + 1, len(loose.motors))]
     tool = pushed(loose.play, loose.tool_mm, [*moves, *on])
-    assert farthest_mm(tool, loose.program) < STEP_MM
+    assert farthest_mm(tool, loose.path) < STEP_MM
     assert tool[-1] == pytest.approx(loose.way.move(len(loose.way) - 1).end, abs=STEP_MM)
 
 
