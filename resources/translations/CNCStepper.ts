@@ -6998,10 +6998,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>counter-clockwise (M4)</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>curve {0} has no length</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7154,6 +7150,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>enters there because {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>entry "plunge"</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7239,6 +7239,10 @@
         </message>
         <message>
             <source>free the probe, reset, then home the machine</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>from 1 to {0}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7675,6 +7679,10 @@
         </message>
         <message>
             <source>it is within a way into the cut, which begins at line {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>it names no operation: choose a line</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8575,6 +8583,10 @@
         </message>
         <message>
             <source>pitch_mm is lowered to {0} mm, for the helix must not fall by more than {1}°</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>place not known</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10278,6 +10290,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the process that reads the last job has ended</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the process that reads the program has ended</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10427,6 +10443,10 @@
         </message>
         <message>
             <source>the reading</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the reading of the last job</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11146,6 +11166,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>turning clockwise (M3)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>turning counter-clockwise (M4)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>two arcs of the profile have one centre</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11411,6 +11439,10 @@
         </message>
         <message>
             <source>wait, hold or stop it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>waits for {0} s</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

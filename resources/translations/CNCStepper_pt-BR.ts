@@ -6998,10 +6998,6 @@
             <translation>corrija o zero-peça ou o programa e destrave com $X; a posição se mantém</translation>
         </message>
         <message>
-            <source>counter-clockwise (M4)</source>
-            <translation>anti-horário (M4)</translation>
-        </message>
-        <message>
             <source>curve {0} has no length</source>
             <translation>a curva {0} não tem comprimento</translation>
         </message>
@@ -7154,6 +7150,10 @@
             <translation>entra na linha {0} em {1}</translation>
         </message>
         <message>
+            <source>enters there because {0}</source>
+            <translation>entra ali porque {0}</translation>
+        </message>
+        <message>
             <source>entry "plunge"</source>
             <translation>entrada "plunge"</translation>
         </message>
@@ -7240,6 +7240,10 @@
         <message>
             <source>free the probe, reset, then home the machine</source>
             <translation>solte o apalpador, reinicie e referencie a máquina</translation>
+        </message>
+        <message>
+            <source>from 1 to {0}</source>
+            <translation>de 1 a {0}</translation>
         </message>
         <message>
             <source>from {0} at line {1}, to {2} at line {3}</source>
@@ -7676,6 +7680,10 @@
         <message>
             <source>it is within a way into the cut, which begins at line {0}</source>
             <translation>está dentro de uma entrada no corte, que começa na linha {0}</translation>
+        </message>
+        <message>
+            <source>it names no operation: choose a line</source>
+            <translation>ele não nomeia nenhuma operação: escolha uma linha</translation>
         </message>
         <message>
             <source>it should be *{0}</source>
@@ -8576,6 +8584,10 @@
         <message>
             <source>pitch_mm is lowered to {0} mm, for the helix must not fall by more than {1}°</source>
             <translation>pitch_mm é reduzido para {0} mm, pois a hélice não pode descer mais que {1}°</translation>
+        </message>
+        <message>
+            <source>place not known</source>
+            <translation>local desconhecido</translation>
         </message>
         <message>
             <source>places of the machine became those of the work, right for this work zero only</source>
@@ -10278,6 +10290,10 @@
             <translation>o processo que verifica o programa terminou sem resposta</translation>
         </message>
         <message>
+            <source>the process that reads the last job has ended</source>
+            <translation>o processo que lê o último trabalho terminou</translation>
+        </message>
+        <message>
             <source>the process that reads the program has ended</source>
             <translation>o processo que lê o programa terminou</translation>
         </message>
@@ -10428,6 +10444,10 @@
         <message>
             <source>the reading</source>
             <translation>a leitura</translation>
+        </message>
+        <message>
+            <source>the reading of the last job</source>
+            <translation>a leitura do último trabalho</translation>
         </message>
         <message>
             <source>the record does not end</source>
@@ -11146,6 +11166,14 @@
             <translation>torneamento (G7, G95, G96) está em vigor aqui: nenhuma entrada é escrita para um torno</translation>
         </message>
         <message>
+            <source>turning clockwise (M3)</source>
+            <translation>girando no sentido horário (M3)</translation>
+        </message>
+        <message>
+            <source>turning counter-clockwise (M4)</source>
+            <translation>girando no sentido anti-horário (M4)</translation>
+        </message>
+        <message>
             <source>two arcs of the profile have one centre</source>
             <translation>dois arcos do perfil têm o mesmo centro</translation>
         </message>
@@ -11412,6 +11440,10 @@
         <message>
             <source>wait, hold or stop it</source>
             <translation>espere, pause ou pare</translation>
+        </message>
+        <message>
+            <source>waits for {0} s</source>
+            <translation>espera {0} s</translation>
         </message>
         <message>
             <source>waits need table_ms, or first_ms, change_ms and least_ms, or acceleration_steps_s2 and steps</source>
