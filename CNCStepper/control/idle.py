@@ -342,4 +342,4 @@ class Idle:
 
 def is_fatal(error: CNCStepperError) -> bool:
     """Return whether an error ends the connection; a controller that restarts while it is asked does not."""
-    return isinstance(error, LinkError) and error.code != "controller-restarted"
+    return isinstance(error, LinkError) and error.code != connect.RESTARTED

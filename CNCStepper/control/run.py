@@ -45,6 +45,7 @@ from CNCStepper.control.watch import ANSWER_MISSING, Watch
 from CNCStepper.control.wishes import Wishes
 from CNCStepper.errors import CNCStepperError, LinkError, MachineRefusal
 
+MAY_HAVE_RESTARTED = (connect.RESTARTED, ANSWER_MISSING)  # errors; behind a restart the place is another one
 IDLE_REPORTS = 2  # one alone may come between the last answer and the start of its motion
 KEPT = "the machine stands, spindle and outputs are off, its position is kept (the reset cleared G92 and tool length)"
 LOST = "the machine's position is unknown: look that spindle and outputs are off, then home it or set its zero again"
@@ -158,7 +159,8 @@ class JobRun:
             known = self._stands() or not self.job.home_first
             return self._outcome(STOPPED, "stopped before the first line was sent", known)
         except CNCStepperError as error:
-            return self._outcome(REFUSED, str(error), self._stands() and error.code != UNKNOWN, error)
+            known = self._stands() and error.code not in (UNKNOWN, *MAY_HAVE_RESTARTED)
+            return self._outcome(REFUSED, str(error), known, error)
         self._phases.set("running")
         return None
 

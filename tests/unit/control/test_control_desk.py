@@ -891,3 +891,23 @@ def test_after_a_greeting_an_older_zero_is_refused_until_it_is_set_anew(visit):
     old, new = visit.outcomes
     assert old.kind == REFUSED and old.error.code == "position-unknown" and "G54 was set before" in old.text
     assert not old.position_known and new.kind == DONE and new.position_known
+
+
+def test_controller_that_restarts_while_a_job_asks_it_takes_no_job_before_its_zero_is_set(visit):
+    def person():
+        visit.ask("set_zero", axes="XYZ")
+        visit.ask("jog", x_mm=5.0)
+        yield visit.at("jogging")
+        yield visit.at("idle")
+        visit.table.on_write = lambda data: b"$#" in data and visit.table.board.power_up()
+        visit.job("G21G90", "G1X1F1000")
+        yield visit.ended()
+        visit.table.on_write = lambda data: None
+        visit.job("G21G90", "G1X1F1000", zeroed=False)
+        yield visit.ended(2)
+
+    visit.receive(person)
+    restarted, after = visit.outcomes
+    assert restarted.kind == after.kind == REFUSED
+    assert restarted.error.code == "controller-restarted" and not restarted.position_known
+    assert after.error.code == "position-unknown" and visit.desk.status().position_known is False
