@@ -9,6 +9,7 @@ from pathlib import Path
 
 from fault_disk import AtOnce, Disk
 from fault_judge import Claim, MachineTrace, Reference, Run
+from fault_switches import HOMED, LOCKED, NONE, board_of, homed_board
 
 from CNCStepper.control.command import Command
 from CNCStepper.control.journal.journal import MENDED, Journal
@@ -16,6 +17,7 @@ from CNCStepper.control.outcome import REFUSED, Outcome
 from CNCStepper.control.readiness import expected_settings
 from CNCStepper.control.send_job import SendJob
 from CNCStepper.control.sender import Sender
+from CNCStepper.control.timing import Timing
 from CNCStepper.errors import CNCStepperError, LinkError
 from CNCStepper.machine.profile import load_machine
 from CNCStepper.virtual.faults import Fault, FaultPlan
@@ -26,8 +28,9 @@ from CNCStepper.virtual.grbl.machine import Grbl
 STEP_S, QUIET_STEP_S = 0.01, 0.02
 LIMIT_S = 240.0  # no run of these tests takes so long; a sender that waits for ever does
 AFTERWARDS_S = 12.0  # what the buffers hold is cut after the sender has gone
-QUESTIONS = 5  # of a sender at the begin; each is answered
+QUESTIONS, HOMING_QUESTIONS = 5, 2  # of a sender at the begin; each is answered
 FILE = "part.nc"
+TIMING = Timing(homing_s=60.0)  # of these machines; a person gives a longer one its time
 STANDING = ("held", "paused", "door")  # phases in which somebody must resume
 
 
@@ -118,9 +121,13 @@ class SimulatedLink:
 
 
 @cache
-def reference_of(lines: tuple[str, ...]) -> Reference:
-    """Return the path of a program on a board that gets each line when the one before it is cut."""
-    board = Grbl(load_machine("table-a"))
+def reference_of(lines: tuple[str, ...], home_first: bool = False) -> Reference:
+    """Return the path of a program on a board that gets each line when the one before it is cut.
+
+    home_first: from where a homing ends, else from the work zero.
+    """
+    top_steps = board_of(NONE).axes.lost_steps[2]
+    board = homed_board() if home_first else board_of(NONE)
     trace = MachineTrace(board)
     ends = []
     for line in lines:
@@ -133,7 +140,7 @@ def reference_of(lines: tuple[str, ...]) -> Reference:
             if board.suspension.active:
                 board.receive(b"~")
         ends.append(len(trace.rows) - 1)
-    return Reference(tuple(trace.rows), tuple(ends))
+    return Reference(tuple(trace.rows), tuple(ends), float(top_steps))
 
 
 def claim_of(outcome: Outcome) -> Claim:
@@ -146,7 +153,8 @@ def claim_of(outcome: Outcome) -> Claim:
 class FaultBench:
     """One run of `lines` under a plan; hold_s: when a person holds it. Whoever finds it held lets it go on.
 
-    folder: of the journal; None keeps none. board: a machine that has run already, a new one when None.
+    folder: of the journal; None keeps none. switches: of a new machine, as `fault_switches` has them. board: a machine
+    that has run already instead.
     """
 
     def __init__(
@@ -156,11 +164,14 @@ class FaultBench:
         *,
         hold_s: float = 0.0,
         folder: Path | None = None,
+        switches: str = NONE,
         board: Grbl | None = None,
         job: SendJob | None = None,
     ):
         self.lines = lines
-        self.board = board or Grbl(load_machine("table-a"))
+        self.job = job or job_of(lines, home_first=switches == LOCKED)
+        self.board = board or board_of(switches)
+        self.switches, self.plan = switches, plan
         self.line = FaultyLink(Link(self.board), plan, outside=self._suffer)
         self.trace = MachineTrace(self.board)
         self.link = SimulatedLink(self.line)
@@ -171,8 +182,9 @@ class FaultBench:
         self._stands = self._waits = False  # waits: for room on the disk
         self.journal = Journal(folder, executor=AtOnce(), clock=self.link.clock) if folder else None
         self.sender = Sender(
-            job or job_of(lines),
+            self.job,
             opener=lambda name, baud: self.link,
+            timing=TIMING,
             clock=self.link.clock,
             tell=self._hear,
             refuse=self._wait,
@@ -187,8 +199,14 @@ class FaultBench:
         end_s = self.board.time_s + AFTERWARDS_S
         while not self.board.quiet and self.board.time_s < end_s:
             self.link.pass_time()
-        answers = QUESTIONS + sum(line != "M0" for line in self.lines)  # the sender stands at M0 itself
-        return Run(reference_of(self.lines), answers, self.trace, self.line, claim, self.link.heard, claim_s)
+        program = reference_of(self.lines, self.job.home_first)
+        greets = self.switches != HOMED
+        return Run(program, self._answers(), self.trace, self.line, claim, self.link.heard, claim_s, greets)
+
+    def _answers(self) -> int:
+        """Return how often the controller answers where nothing goes wrong; at an M0 the sender stands by itself."""
+        lines = sum(line != "M0" for line in self.lines)
+        return QUESTIONS + HOMING_QUESTIONS * self.job.home_first + lines
 
     def _claim(self) -> Claim:
         """Return what the sender says at its end; of one that was killed its client says that nothing is known."""
@@ -229,7 +247,7 @@ class FaultBench:
         self._waits = command.name == "resume"
 
 
-def job_of(lines: tuple[str, ...]) -> SendJob:
+def job_of(lines: tuple[str, ...], *, home_first: bool = False) -> SendJob:
     """Return the job of sending a program to the simulated machine."""
     expected = expected_settings(load_machine("table-a"))
-    return SendJob("simulated", lines, file=FILE, zero_confirmed=True, expected=expected)
+    return SendJob("simulated", lines, file=FILE, zero_confirmed=True, expected=expected, home_first=home_first)
