@@ -261,6 +261,7 @@ def test_check_mode_in_which_lines_are_read_and_nothing_moves_stops_the_job_and_
         ({"kind": "close", "at_s": 3.0}, "link-lost"),
         ({"kind": "kill", "at_s": 3.0}, "session-lost"),
         ({"kind": "withhold", "at_s": 3.0}, "answer-missing"),
+        ({"kind": "duplicate", "way": "out", "at_byte": 56}, "machine-aalarm"),
         ({"kind": "corrupt", "at_byte": len("?$\n$"), "bits": ord("H") ^ ord("X")}, "homing-not-made"),
         ({"kind": "drop", "at_byte": len("?$\n"), "count": len("$H")}, "homing-not-made"),
         ({"kind": "drop", "at_byte": len("?$\n$H")}, "answer-missing"),
