@@ -121,13 +121,14 @@ class SimulatedLink:
 
 
 @cache
-def reference_of(lines: tuple[str, ...], home_first: bool = False) -> Reference:
+def reference_of(lines: tuple[str, ...], switches: str = NONE) -> Reference:
     """Return the path of a program on a board that gets each line when the one before it is cut.
 
-    home_first: from where a homing ends, else from the work zero.
+    It begins at the work zero, on a machine that is locked at first where its homing ends.
     """
-    top_steps = board_of(NONE).axes.lost_steps[2]
-    board = homed_board() if home_first else board_of(NONE)
+    top_steps = MachineTrace(board_of(HOMED if switches else NONE)).rows[0].place[2]
+    board = homed_board() if switches == LOCKED else board_of(switches)
+    board.take_output()
     trace = MachineTrace(board)
     ends = []
     for line in lines:
@@ -140,7 +141,7 @@ def reference_of(lines: tuple[str, ...], home_first: bool = False) -> Reference:
             if board.suspension.active:
                 board.receive(b"~")
         ends.append(len(trace.rows) - 1)
-    return Reference(tuple(trace.rows), tuple(ends), float(top_steps))
+    return Reference(tuple(trace.rows), tuple(ends), top_steps)
 
 
 def claim_of(outcome: Outcome) -> Claim:
@@ -199,7 +200,7 @@ class FaultBench:
         end_s = self.board.time_s + AFTERWARDS_S
         while not self.board.quiet and self.board.time_s < end_s:
             self.link.pass_time()
-        program = reference_of(self.lines, self.job.home_first)
+        program = reference_of(self.lines, self.switches)
         greets = self.switches != HOMED
         return Run(program, self._answers(), self.trace, self.line, claim, self.link.heard, claim_s, greets)
 

@@ -48,7 +48,8 @@ class SecondGo:
         if job := self._job(lines):
             bring_back(bench.board, first)
             job = replace(job, home_first=self.homes)
-            run = FaultBench(lines, FaultPlan(), board=bench.board, job=job).run()
+            again = FaultBench(lines, FaultPlan(), switches=bench.switches, board=bench.board, job=job)
+            run = again.run()
             self.rows, self.claim, self.at_rest = run.trace.rows, run.claim, run.trace.at_rest
 
     def _job(self, lines: tuple[str, ...]) -> SendJob | None:

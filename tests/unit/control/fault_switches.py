@@ -2,7 +2,7 @@
 """Machines with limit switches: which runs have one, where it stands before its job, and faults while it homes.
 
 HOMED     homed in the morning, the tool on the work zero; its port was opened without a reset
-LOCKED    just switched on, standing anywhere; the job lets it home itself first
+LOCKED    just switched on; the job lets it home itself first
 """
 
 from __future__ import annotations
@@ -14,16 +14,17 @@ from fault_cases import plan_of
 from CNCStepper.machine.profile import load_machine
 from CNCStepper.virtual.faults import IN, OUT, Fault, FaultPlan
 from CNCStepper.virtual.grbl.machine import Grbl
-from CNCStepper.virtual.grbl.settings import HOMING_FEED, HOMING_SEEK, TRAVEL
+from CNCStepper.virtual.grbl.settings import DEBOUNCE_MS, HOMING_FEED, HOMING_SEEK
 from CNCStepper.virtual.grbl.states import State
 
 NONE, HOMED, LOCKED = "", "homed", "locked"
 SHARE = 0.25  # of the runs
-QUICK = {HOMING_SEEK: 5000.0, HOMING_FEED: 300.0}
-HOMED_S, OVER_S = 10.0, 14.0  # from power-up to the end of the homing, and until the tool is over the work, about
+QUICK = {HOMING_SEEK: 5000.0, HOMING_FEED: 300.0, DEBOUNCE_MS: 100.0}
+ZERO_MM = (-60.0, -60.0, -20.0)  # of the work, from the switches
+HOMED_S, OVER_S = 5.0, 8.0  # from power-up to the end of the homing, and until the tool is over the work, about
 IN_HOMING = 0.5  # of the faults of a machine that homes first
 OPENING_BYTES = {IN: 10, OUT: 300}  # up to the end of the homing, about
-AXES, STEP_S = 3, 0.01
+STEP_S = 0.01
 
 
 def switches_of(seed: int) -> str:
@@ -33,12 +34,13 @@ def switches_of(seed: int) -> str:
 
 
 def board_of(switches: str) -> Grbl:
-    """Return a machine; its work zero is the middle of its table, where the tool stands."""
+    """Return a machine whose tool stands on its work zero."""
     if switches == NONE:
         return Grbl(load_machine("table-a"))
     board = Grbl(load_machine("table-a"), homing=True)
     board.memory.settings.values |= QUICK
-    board.memory.places[54] = [-board.memory.settings[TRAVEL + axis] / 2 for axis in range(AXES)]
+    board.memory.places[54] = list(ZERO_MM)
+    board.axes.lost_steps = [round(mm / board.axes.step_mm(axis)) for axis, mm in enumerate(ZERO_MM)]
     board.take_output()
     if switches == HOMED:
         _know_place(board)
@@ -50,7 +52,7 @@ def board_of(switches: str) -> Grbl:
 
 def _know_place(board: Grbl) -> None:
     """Let a board count from its switches, as it would after a homing and a way to the work zero."""
-    for axis, place_mm in enumerate(board.memory.places[54]):
+    for axis, place_mm in enumerate(ZERO_MM):
         board.axes.set_position(axis, place_mm)
     board.state = State.IDLE
 
