@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import cache
+from math import inf
 from pathlib import Path
 
 from fault_disk import AtOnce, Disk
@@ -32,6 +33,7 @@ QUESTIONS, HOMING_QUESTIONS = 5, 2  # of a sender at the begin; each is answered
 FILE = "part.nc"
 TIMING = Timing(homing_s=60.0)  # of these machines; a person gives a longer one its time
 STANDING = ("held", "paused", "door")  # phases in which somebody must resume
+LOOKS_S = 1.5  # whoever finds it held
 
 
 class NeverEnds(Exception):
@@ -152,10 +154,10 @@ def claim_of(outcome: Outcome) -> Claim:
 
 
 class FaultBench:
-    """One run of `lines` under a plan; hold_s: when a person holds it. Whoever finds it held lets it go on.
+    """One run of `lines` under a plan; hold_s: when a person holds it. Whoever finds it held looks, and lets it go on.
 
     folder: of the journal; None keeps none. switches: of a new machine, as `fault_switches` has them. board: a machine
-    that has run already instead.
+    that has run already instead. fired_standing: how many faults happened while it was held or paused.
     """
 
     def __init__(
@@ -173,7 +175,7 @@ class FaultBench:
         self.job = job or job_of(lines, home_first=switches == LOCKED)
         self.board = board or board_of(switches)
         self.switches, self.plan = switches, plan
-        self.line = FaultyLink(Link(self.board), plan, outside=self._suffer)
+        self.line = FaultyLink(Link(self.board), plan, outside=self._suffer, told=self._count)
         self.trace = MachineTrace(self.board)
         self.link = SimulatedLink(self.line)
         self.link.at_read = self._person
@@ -181,6 +183,8 @@ class FaultBench:
         self.told: list[tuple[str, str]] = []
         self._hold_s = hold_s
         self._stands = self._waits = False  # waits: for room on the disk
+        self._resume_s = inf
+        self.fired_standing = 0
         self.journal = Journal(folder, executor=AtOnce(), clock=self.link.clock) if folder else None
         self.sender = Sender(
             self.job,
@@ -225,7 +229,13 @@ class FaultBench:
         else:
             self.disk.fill(fault.for_s)
 
+    def _count(self, fault: Fault, time_s: float) -> None:
+        self.fired_standing += self._stands
+
     def _person(self, now_s: float) -> None:
+        if now_s > self._resume_s:
+            self._resume_s = inf
+            self._go_on()
         if self._hold_s and now_s > self._hold_s:
             self._hold_s = 0.0
             if not self._stands:  # else it would be one's own resume that is taken back
@@ -235,7 +245,8 @@ class FaultBench:
         self.told.append((kind, text))
         if kind == "phase":
             self._stands = text.startswith(STANDING)
-        if (kind == "phase" and self._stands) or (text == MENDED and self._waits):
+            self._resume_s = self.link.clock() + LOOKS_S if self._stands else inf
+        if text == MENDED and self._waits:
             self._go_on()
 
     def _go_on(self) -> None:

@@ -70,6 +70,7 @@ def test_every_part_is_cut_exactly_or_stopped_and_completed_by_its_restart(first
         fired += run.line.fired
         machines[bench.switches or "no switches"] += 1
         machines["homing broken off"] += run.trace.begin_lost is None
+        machines["faults while held or paused"] += bench.fired_standing
         if verdict.kind == WRONG:
             faults = ", ".join(map(str, bench.plan.fault))
             wrong.append(f"seed {seed}: {verdict.why}; faults: {faults}; claim: {run.claim}")
@@ -78,6 +79,7 @@ def test_every_part_is_cut_exactly_or_stopped_and_completed_by_its_restart(first
     record_property("machines", dict(machines))
     assert not wrong, "\n".join(wrong)
     assert machines[HOMED] + machines[LOCKED] > BLOCK / 10 and machines[HOMED] and machines[LOCKED], machines
+    assert machines["faults while held or paused"], machines
     assert set(fired) == set(KINDS), f"never fired: {set(KINDS) - set(fired)}"
     assert all(verdicts[f"{kind}, restarted"] for kind in (STOPPED_KNOWN, STOPPED_UNKNOWN)) and verdicts[EXACT], (
         verdicts
