@@ -17,6 +17,7 @@ from CNCStepper.errors import LinkError, MachineRefusal
 ASK_AGAIN_S = 0.25
 OFFSETS = ("G54", "G55", "G56", "G57", "G58", "G59", "G59.1", "G59.2", "G59.3", "G28", "G30", "G92", "TLO")
 MODE = re.compile(r"[A-Z](?:\d+\.?\d*|\.\d+)")
+RESTARTED = "controller-restarted"
 OLD_VERSIONS = ("0.", "1.0")
 
 
@@ -169,7 +170,7 @@ def alarm_refusal(alarm: Alarm, firmware: Firmware) -> MachineRefusal:
 def restart_refusal(greeting: Greeting) -> MachineRefusal:
     """Return what a greeting in the middle of a job means."""
     return MachineRefusal(
-        "controller-restarted",
+        RESTARTED,
         "the controller restarted in the middle of the job",
         value=greeting.text,
         advice="check its supply and the reset button; home the machine or set its zero before the next cut",
@@ -193,7 +194,7 @@ def _answer(driver: Grbl, timing: Timing) -> list[Received]:
         received = _checked(driver, driver.receive(ASK_AGAIN_S / 5))
         if any(isinstance(report, Greeting) for report in received):
             raise LinkError(
-                "controller-restarted",
+                RESTARTED,
                 f"{driver.link.name} restarted while it was asked",
                 advice="check its supply and cable, then send again",
             )

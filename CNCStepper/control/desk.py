@@ -29,7 +29,7 @@ from CNCStepper.control.journal.journal import Journal
 from CNCStepper.control.moment import tell_words
 from CNCStepper.control.outcome import REFUSED, Outcome, SenderStatus
 from CNCStepper.control.readiness import check_state
-from CNCStepper.control.run import JobRun, Refuse, Stopped, Tell
+from CNCStepper.control.run import MAY_HAVE_RESTARTED, JobRun, Refuse, Stopped, Tell
 from CNCStepper.control.send_job import SendJob
 from CNCStepper.control.spooler import spooled
 from CNCStepper.control.timing import Timing
@@ -241,11 +241,14 @@ class Desk:
         finally:
             self._run, self._phase = None, ""
             self._zero_is_old = True  # a program may set it
-        idle.belief = belief
-        if outcome.kind == REFUSED:
-            outcome = replace(outcome, position_known=outcome.position_known and belief.position_known is not False)
-        elif not outcome.position_known:
-            idle.lose_position()
+        if outcome.kind == REFUSED:  # nothing was sent: what the machine said meanwhile it said by itself
+            if outcome.error and outcome.error.code in MAY_HAVE_RESTARTED:
+                idle.lose_position()
+            outcome = replace(outcome, position_known=outcome.position_known and idle.position_known is not False)
+        else:
+            idle.belief = belief  # the reset at the end of a job does not cost it
+            if not outcome.position_known:
+                idle.lose_position()
         self._last_done = job if outcome.done else None
         self._ended(outcome)
 

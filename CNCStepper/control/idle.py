@@ -13,7 +13,7 @@ from CNCStepper.control.console import Console
 from CNCStepper.control.firmware import TOOL_CHANGED
 from CNCStepper.control.grbl import HOLD, RESUME, Answered, Grbl, Received
 from CNCStepper.control.grbl_report import Alarm, Feedback, Greeting, Status
-from CNCStepper.control.home_first import HOME
+from CNCStepper.control.home_first import HOME, check_took
 from CNCStepper.control.jogger import Jogger, Way, check_in_time
 from CNCStepper.control.moment import moment
 from CNCStepper.control.outcome import SenderStatus
@@ -304,16 +304,29 @@ class Idle:
         if answer.sent.text != HOME:
             self._jogger.answered(answer)
             return
-        self._homing_since_s = None
         if answer.error:
+            self._homing_since_s = None
             firmware = self._driver.firmware
             code = firmware.error(answer.error)
             words = f"the machine does not home: {code.meaning} (error:{answer.error})"
             refusal = MachineRefusal(f"{firmware.key}-error-{answer.error}", words, advice=code.advice)
             self._refuse(Command("home"), refusal)
         else:
-            self.position_known = self.homed = True
-            self._tell("message", HOMED)
+            self._end_homing()
+
+    def _end_homing(self) -> None:
+        """Trust a machine that says to be homed, where it has taken its time for that; else stop what it may do."""
+        if self._homing_since_s is None:  # it failed: the alarm came in one piece with its `ok`
+            return
+        try:
+            check_took(self._driver.clock() - self._homing_since_s)
+        except LinkError as error:
+            self.stop()
+            self._refuse(Command("home"), error)
+            return
+        self._homing_since_s = None
+        self.position_known = self.homed = True
+        self._tell("message", HOMED)
 
     def _take_alarm(self, alarm: Alarm) -> None:
         self._alarm = str(connect.alarm_refusal(alarm, self._driver.firmware))
@@ -329,4 +342,4 @@ class Idle:
 
 def is_fatal(error: CNCStepperError) -> bool:
     """Return whether an error ends the connection; a controller that restarts while it is asked does not."""
-    return isinstance(error, LinkError) and error.code != "controller-restarted"
+    return isinstance(error, LinkError) and error.code != connect.RESTARTED

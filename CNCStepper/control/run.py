@@ -35,7 +35,7 @@ from CNCStepper.control.outcome import DONE, FAILED, REFUSED, STOPPED, Outcome, 
 from CNCStepper.control.overrides import NORMAL, override_byte, restore
 from CNCStepper.control.path_watch import PathWatch
 from CNCStepper.control.phases import RETREATED, Phases
-from CNCStepper.control.readiness import check_zero
+from CNCStepper.control.readiness import CHECK, check_zero
 from CNCStepper.control.remaining import Remaining
 from CNCStepper.control.restarted import UNKNOWN
 from CNCStepper.control.retrace import LAST, STANDS, Retrace, check_place, stand_reset
@@ -46,6 +46,8 @@ from CNCStepper.control.watch import ANSWER_MISSING, Watch
 from CNCStepper.control.wishes import Wishes
 from CNCStepper.errors import CNCStepperError, LinkError, MachineRefusal
 
+TRUSTED = ("Idle", "Run", "Hold", "Jog", "Door", CHECK, "Tool")  # states in which a controller counts its steps
+MAY_HAVE_RESTARTED = (connect.RESTARTED, ANSWER_MISSING)  # errors; behind a restart the place is another one
 IDLE_REPORTS = 2  # one alone may come between the last answer and the start of its motion
 KEPT = "the machine stands, spindle and outputs are off, its position is kept (the reset cleared G92 and tool length)"
 LOST = "the machine's position is unknown: look that spindle and outputs are off, then home it or set its zero again"
@@ -147,6 +149,7 @@ class JobRun:
     # --- before the first line -----------------------------------------------------------------
 
     def _begun(self, connected: Callable[[], connect.Found]) -> Outcome | None:
+        found: connect.Found | None = None
         try:
             check_zero(self.job.zero_confirmed)
             self.job.check()
@@ -158,17 +161,18 @@ class JobRun:
             self._retrace.begin(self.driver, found)
             self._path = PathWatch(self.job, self.driver, found, self._tell, self._gaps)
         except Stopped:
-            known = self._stands() or not self.job.home_first
+            known = not self.job.home_first or found is not None
             return self._outcome(STOPPED, "stopped before the first line was sent", known)
         except CNCStepperError as error:
-            return self._outcome(REFUSED, str(error), self._stands() and error.code != UNKNOWN, error)
+            known = self._stands(found) and error.code not in (UNKNOWN, *MAY_HAVE_RESTARTED)
+            return self._outcome(REFUSED, str(error), known, error)
         self._phases.set("running")
         return None
 
-    def _stands(self) -> bool:
-        """Return whether the machine was seen where it can be trusted."""
+    def _stands(self, found: connect.Found | None) -> bool:
+        """Return whether the machine was seen where it can be trusted; one that homes first only once it was found."""
         seen = self.driver.status if self.driver else None
-        return seen is not None and seen.state != "Alarm"
+        return seen is not None and seen.state in TRUSTED and (found is not None or not self.job.home_first)
 
     # --- streaming -----------------------------------------------------------------------------
 

@@ -40,8 +40,8 @@ class Fault(_Checked):
     seconds. way: "in" to the controller, "out" from it; bytes are counted there. count: bytes, `ok` or messages.
     for_s: of a delay, or of a full disk. bits: corrupted are these bits of each byte; 0 leaves one to chance. when:
     a fault of the board waits until the machine is in "motion" or at "rest". code: of an alarm, 1 (limit switch) or
-    2 (soft limit). text: of a flood's messages. pid_file: holds the number of the process to kill, or is a session
-    file.
+    2 (soft limit); while the machine homes either is 9 (no switch found). text: of a flood's messages. pid_file: holds
+    the number of the process to kill, or is a session file.
     """
 
     kind: Kind

@@ -22,6 +22,7 @@ from CNCStepper.virtual.grbl.axes import Axes
 from CNCStepper.virtual.grbl.block import Parser
 from CNCStepper.virtual.grbl.codes import (
     ALARM_HARD_LIMIT,
+    ALARM_HOMING_NOT_FOUND,
     ALARM_HOMING_RESET,
     ALARM_RESET_IN_MOTION,
     ALARM_SOFT_LIMIT,
@@ -215,7 +216,13 @@ class Grbl:
         self._begin()
 
     def fail(self, code: int) -> None:
-        """Raise ALARM:1 as a limit switch does, which stops dead, or ALARM:2 as a soft limit, after a ramp."""
+        """Raise ALARM:1 as a limit switch does, which stops dead, or ALARM:2 as a soft limit, after a ramp.
+
+        While it homes it watches neither: there it is a switch that is not found, ALARM:9, and the board resets itself.
+        """
+        if self.state is State.HOME:
+            self.break_homing(ALARM_HOMING_NOT_FOUND)
+            return
         if code == ALARM_SOFT_LIMIT:
             self._running = self._stop_and_alarm()
             next(self._running)
@@ -223,6 +230,12 @@ class Grbl:
         self.stop_at_once()
         self._running = self._stand_still()
         self.alarm(code)
+
+    def break_homing(self, code: int) -> None:
+        """End a homing as the firmware does where it fails: an alarm, and a reset of its own."""
+        self.stop_at_once()
+        self.alarm(code)
+        self.reset()
 
     def power_up(self) -> None:
         """Come back from a loss of supply: the place counts from 0 again, only the memory is kept.

@@ -57,9 +57,7 @@ def _jog_cancel(machine: Grbl, byte: int) -> None:
 
 def _door(machine: Grbl, byte: int) -> None:
     if machine.state is State.HOME:
-        machine.stop_at_once()
-        machine.alarm(ALARM_HOMING_DOOR)
-        machine.reset()
+        machine.break_homing(ALARM_HOMING_DOOR)
     elif machine.state not in (State.ALARM, State.CHECK, State.SLEEP):
         machine.send("[MSG:Check Door]")
         suspension = machine.suspension

@@ -5,10 +5,12 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import cache
+from math import inf
 from pathlib import Path
 
 from fault_disk import AtOnce, Disk
 from fault_judge import Claim, MachineTrace, Reference, Run
+from fault_switches import HOMED, LOCKED, NONE, board_of, homed_board
 
 from CNCStepper.control.command import Command
 from CNCStepper.control.journal.journal import MENDED, Journal
@@ -16,6 +18,7 @@ from CNCStepper.control.outcome import REFUSED, Outcome
 from CNCStepper.control.readiness import expected_settings
 from CNCStepper.control.send_job import SendJob
 from CNCStepper.control.sender import Sender
+from CNCStepper.control.timing import Timing
 from CNCStepper.errors import CNCStepperError, LinkError
 from CNCStepper.machine.profile import load_machine
 from CNCStepper.virtual.faults import Fault, FaultPlan
@@ -26,9 +29,11 @@ from CNCStepper.virtual.grbl.machine import Grbl
 STEP_S, QUIET_STEP_S = 0.01, 0.02
 LIMIT_S = 240.0  # no run of these tests takes so long; a sender that waits for ever does
 AFTERWARDS_S = 12.0  # what the buffers hold is cut after the sender has gone
-QUESTIONS = 5  # of a sender at the begin; each is answered
+QUESTIONS, HOMING_QUESTIONS = 5, 2  # of a sender at the begin; each is answered
 FILE = "part.nc"
+TIMING = Timing(homing_s=60.0)  # of these machines; a person gives a longer one its time
 STANDING = ("held", "paused", "door")  # phases in which somebody must resume
+LOOKS_S = 1.5  # whoever finds it held
 
 
 class NeverEnds(Exception):
@@ -118,9 +123,14 @@ class SimulatedLink:
 
 
 @cache
-def reference_of(lines: tuple[str, ...]) -> Reference:
-    """Return the path of a program on a board that gets each line when the one before it is cut."""
-    board = Grbl(load_machine("table-a"))
+def reference_of(lines: tuple[str, ...], switches: str = NONE) -> Reference:
+    """Return the path of a program on a board that gets each line when the one before it is cut.
+
+    It begins at the work zero, on a machine that is locked at first where its homing ends.
+    """
+    top_steps = MachineTrace(board_of(HOMED if switches else NONE)).rows[0].place[2]
+    board = homed_board() if switches == LOCKED else board_of(switches)
+    board.take_output()
     trace = MachineTrace(board)
     ends = []
     for line in lines:
@@ -133,7 +143,7 @@ def reference_of(lines: tuple[str, ...]) -> Reference:
             if board.suspension.active:
                 board.receive(b"~")
         ends.append(len(trace.rows) - 1)
-    return Reference(tuple(trace.rows), tuple(ends))
+    return Reference(tuple(trace.rows), tuple(ends), top_steps)
 
 
 def claim_of(outcome: Outcome) -> Claim:
@@ -144,9 +154,10 @@ def claim_of(outcome: Outcome) -> Claim:
 
 
 class FaultBench:
-    """One run of `lines` under a plan; hold_s: when a person holds it. Whoever finds it held lets it go on.
+    """One run of `lines` under a plan; hold_s: when a person holds it. Whoever finds it held looks, and lets it go on.
 
-    folder: of the journal; None keeps none. board: a machine that has run already, a new one when None.
+    folder: of the journal; None keeps none. switches: of a new machine, as `fault_switches` has them. board: a machine
+    that has run already instead. fired_standing: how many faults happened while it was held or paused.
     """
 
     def __init__(
@@ -156,12 +167,15 @@ class FaultBench:
         *,
         hold_s: float = 0.0,
         folder: Path | None = None,
+        switches: str = NONE,
         board: Grbl | None = None,
         job: SendJob | None = None,
     ):
         self.lines = lines
-        self.board = board or Grbl(load_machine("table-a"))
-        self.line = FaultyLink(Link(self.board), plan, outside=self._suffer)
+        self.job = job or job_of(lines, home_first=switches == LOCKED)
+        self.board = board or board_of(switches)
+        self.switches, self.plan = switches, plan
+        self.line = FaultyLink(Link(self.board), plan, outside=self._suffer, told=self._count)
         self.trace = MachineTrace(self.board)
         self.link = SimulatedLink(self.line)
         self.link.at_read = self._person
@@ -169,10 +183,13 @@ class FaultBench:
         self.told: list[tuple[str, str]] = []
         self._hold_s = hold_s
         self._stands = self._waits = False  # waits: for room on the disk
+        self._resume_s = inf
+        self.fired_standing = 0
         self.journal = Journal(folder, executor=AtOnce(), clock=self.link.clock) if folder else None
         self.sender = Sender(
-            job or job_of(lines),
+            self.job,
             opener=lambda name, baud: self.link,
+            timing=TIMING,
             clock=self.link.clock,
             tell=self._hear,
             refuse=self._wait,
@@ -187,8 +204,14 @@ class FaultBench:
         end_s = self.board.time_s + AFTERWARDS_S
         while not self.board.quiet and self.board.time_s < end_s:
             self.link.pass_time()
-        answers = QUESTIONS + sum(line != "M0" for line in self.lines)  # the sender stands at M0 itself
-        return Run(reference_of(self.lines), answers, self.trace, self.line, claim, self.link.heard, claim_s)
+        program = reference_of(self.lines, self.switches)
+        greets = self.switches != HOMED
+        return Run(program, self._answers(), self.trace, self.line, claim, self.link.heard, claim_s, greets)
+
+    def _answers(self) -> int:
+        """Return how often the controller answers where nothing goes wrong; at an M0 the sender stands by itself."""
+        lines = sum(line != "M0" for line in self.lines)
+        return QUESTIONS + HOMING_QUESTIONS * self.job.home_first + lines
 
     def _claim(self) -> Claim:
         """Return what the sender says at its end; of one that was killed its client says that nothing is known."""
@@ -206,7 +229,13 @@ class FaultBench:
         else:
             self.disk.fill(fault.for_s)
 
+    def _count(self, fault: Fault, time_s: float) -> None:
+        self.fired_standing += self._stands
+
     def _person(self, now_s: float) -> None:
+        if now_s > self._resume_s:
+            self._resume_s = inf
+            self._go_on()
         if self._hold_s and now_s > self._hold_s:
             self._hold_s = 0.0
             if not self._stands:  # else it would be one's own resume that is taken back
@@ -216,7 +245,8 @@ class FaultBench:
         self.told.append((kind, text))
         if kind == "phase":
             self._stands = text.startswith(STANDING)
-        if (kind == "phase" and self._stands) or (text == MENDED and self._waits):
+            self._resume_s = self.link.clock() + LOOKS_S if self._stands else inf
+        if text == MENDED and self._waits:
             self._go_on()
 
     def _go_on(self) -> None:
@@ -229,7 +259,7 @@ class FaultBench:
         self._waits = command.name == "resume"
 
 
-def job_of(lines: tuple[str, ...]) -> SendJob:
+def job_of(lines: tuple[str, ...], *, home_first: bool = False) -> SendJob:
     """Return the job of sending a program to the simulated machine."""
     expected = expected_settings(load_machine("table-a"))
-    return SendJob("simulated", lines, file=FILE, zero_confirmed=True, expected=expected)
+    return SendJob("simulated", lines, file=FILE, zero_confirmed=True, expected=expected, home_first=home_first)

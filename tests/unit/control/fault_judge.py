@@ -15,6 +15,7 @@ from math import dist, hypot, inf
 
 from CNCStepper.virtual.faults_link import FaultyLink
 from CNCStepper.virtual.grbl.machine import Grbl
+from CNCStepper.virtual.grbl.states import State
 
 NEAR_STEPS = 2.0
 RIGHT_MM = 0.002  # of a told position: three decimals
@@ -42,25 +43,27 @@ class Row:
 
 @dataclass(frozen=True)
 class Reference:
-    """The path of a program on a machine without faults; ends: the row at which each line has come to its end."""
+    """The path of a program on a machine without faults; ends: the row at which each line has come to its end.
+
+    top_steps: the true height of the work zero.
+    """
 
     rows: tuple[Row, ...]
     ends: tuple[int, ...]
+    top_steps: float
 
 
 class MachineTrace:
     """Notes the true path of a board's axes; `begin_lost` and `lost` say whether its count is still the one met.
 
-    lost_s: when it was so at last; None while it is.
+    lost_s: when it was so at last; None while it is. begin_lost: None of a board that is locked, or whose homing was
+    broken off: it counts from nowhere. A homing is no part of a path: at its end the trace begins anew.
     """
 
     def __init__(self, board: Grbl):
         self.board = board
-        self.rows = [self._row()]
-        self.begin_lost = list(board.axes.lost_steps)
-        self.lost_s: float | None = None
-        self._noted_s = board.time_s
-        self._counted, self._declared = board.axes.position_steps, board.axes.declared
+        self._homes = False
+        self._begin()
         board.on_step = self._note
 
     @property
@@ -73,7 +76,22 @@ class MachineTrace:
         """Whether nothing moves or is going to."""
         return self.board.quiet and self.board.spindle.rpm == 0
 
+    def _begin(self) -> None:
+        board = self.board
+        self.begin_s = self._noted_s = board.time_s
+        self.rows = [self._row()]
+        self.begin_lost = None if board.state is State.ALARM else list(board.axes.lost_steps)
+        self.lost_s = self.begin_s if self.lost else None
+        self._counted, self._declared = board.axes.position_steps, board.axes.declared
+
     def _note(self, board: Grbl) -> None:
+        homed, self._homes = self._homes, board.state is State.HOME
+        if homed and not self._homes:
+            self._begin()
+        elif not self._homes:
+            self._note_row(board)
+
+    def _note_row(self, board: Grbl) -> None:
         axes = board.axes
         if axes.position_steps != self._counted and axes.declared == self._declared:
             self.rows.append(self._row())
@@ -103,7 +121,7 @@ class Claim:
 class Run:
     """All that is known of one run but how the sender works. heard: what reached it, with the moments in s.
 
-    claim_s: when it said its claim.
+    claim_s: when it said its claim. greets: whether the controller was just switched on.
     """
 
     program: Reference
@@ -113,6 +131,7 @@ class Run:
     claim: Claim
     heard: list[tuple[float, bytes]] = field(default_factory=list)
     claim_s: float = inf
+    greets: bool = True
 
     @property
     def lost_before(self) -> bool:
@@ -156,6 +175,8 @@ def judge(run: Run) -> Verdict:
         return Verdict(WRONG, why)
     if run.trace.board.ring.lost and not run.damaged:
         return Verdict(WRONG, "the controller's buffer was overrun")
+    if run.trace.begin_lost is None:
+        return _judge_not_homed(run)
     if claim.done:
         return _judge_done(run)
     if not run.abandoned and not claim.refused and not run.trace.at_rest:
@@ -181,6 +202,14 @@ def _position_wrong(run: Run) -> str:
     return ""
 
 
+def _judge_not_homed(run: Run) -> Verdict:
+    board = run.trace.board
+    is_still = board.axes.idle and board.spindle.rpm == 0  # one in a hard alarm reads no line, and so is never quiet
+    if run.claim.done or len(run.trace.rows) > 1 or not is_still:
+        return Verdict(WRONG, "the program was begun, though the machine was not homed")
+    return Verdict(REFUSED if run.claim.refused else STOPPED_UNKNOWN)
+
+
 def _judge_done(run: Run) -> Verdict:
     if not run.trace.board.quiet:
         return Verdict(WRONG, "done is said while the machine moves")
@@ -188,7 +217,7 @@ def _judge_done(run: Run) -> Verdict:
         return Verdict(EXACT)
     if not run.damaged:
         return Verdict(WRONG, "done is said, but path or spindle are not the program's")
-    if TROUBLE.search(_after_greeting(run.said)) or len(ANSWER.findall(run.said)) != run.answers:
+    if TROUBLE.search(_after_greeting(run)) or len(ANSWER.findall(run.said)) != run.answers:
         return Verdict(WRONG, "done is said, but the controller's answers told otherwise")
     if _seen_off_path(run) is not None:
         return Verdict(WRONG, "done is said, but a report had told that the path was left")
@@ -206,20 +235,23 @@ def _judge_left(run: Run) -> Verdict:
     return Verdict(SILENT if seen_s is None else STOPPED_UNKNOWN)
 
 
-def _after_greeting(said: bytes) -> bytes:
-    """Return what was said after the greeting of the power-up."""
-    return said.partition(b"for help]\r\n")[2]
+def _after_greeting(run: Run) -> bytes:
+    """Return what was said after the greeting of the power-up, where there was one."""
+    return run.said.partition(b"for help]\r\n")[2] if run.greets else run.said
 
 
 def _seen_off_path(run: Run) -> float | None:
     """Return when the sender was told a place that is nowhere on the program's path, None where it never was."""
     board, tail = run.trace.board, b""
+    begin_lost = run.trace.begin_lost or []
     per_mm = [1 / board.axes.step_mm(axis) for axis in range(3)]
     for time_s, data in run.heard:
+        if time_s < run.trace.begin_s:  # of before it was homed
+            continue
         tail += data
         for found in REPORT.finditer(tail):
             counted = (float(text) * scale for text, scale in zip(found.groups(), per_mm, strict=True))
-            place = tuple(here + lost for here, lost in zip(counted, run.trace.begin_lost, strict=True))
+            place = tuple(here + lost for here, lost in zip(counted, begin_lost, strict=True))
             if not _on(run.reference, place, NEAR_STEPS + 1):
                 return time_s
         tail = tail[tail.rfind(b"\n") + 1 :]

@@ -80,7 +80,7 @@ class _Path:
     def __init__(self, program: Reference):
         self.rows, self._ends = program.rows, program.ends
         self._ways = list(accumulate((dist(a.place, b.place) for a, b in pairwise(self.rows)), initial=0.0))
-        self.top_steps = self.rows[0].place[2]
+        self.top_steps = program.top_steps
         self.length = self._ways[-1]
         cuts = [self._cuts(a, b) * dist(a.place, b.place) for a, b in pairwise(self.rows)]
         level = (cut * (a.place[:2] != b.place[:2]) for cut, (a, b) in zip(cuts, pairwise(self.rows), strict=True))
@@ -101,9 +101,9 @@ class _Path:
         return max(self._sum(self._contour, end) - self._sum(self._contour, begin), 0.0)
 
     def followed(self, rows: Sequence[Row]) -> list[float]:
-        """Return up to where a trace may have followed the path from its begin."""
+        """Return up to where a trace may have followed the path from its begin; nowhere where that was not reached."""
         count, stretches = reached(self.rows, rows)
-        return self._places(self.rows, stretches, rows[count].place)
+        return self._places(self.rows, stretches, rows[count].place) or [0.0]
 
     def entered(self, rows: Sequence[Row]) -> tuple[list[float], Sequence[Row]]:
         """Return from where on a trace may have followed the path to its end, and its rows up to there."""

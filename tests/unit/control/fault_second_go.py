@@ -12,6 +12,7 @@ from fault_judge import Claim, Row, Run
 from fault_restart import Interval
 
 from CNCStepper.control.journal.story import Story, read_story
+from CNCStepper.control.journal.told import told_of
 from CNCStepper.control.send_job import SendJob
 from CNCStepper.errors import ProgramError
 from CNCStepper.gcode.restart.places import Where
@@ -20,26 +21,35 @@ from CNCStepper.job.restart import restart_program
 from CNCStepper.machine.profile import load_machine
 from CNCStepper.virtual.faults import FaultPlan
 from CNCStepper.virtual.grbl.machine import Grbl
+from CNCStepper.virtual.grbl.settings import HOMING
 from CNCStepper.virtual.grbl.states import State
 
 NOTHING_CUT, NOTHING_LEFT = "restart-at-start", "restart-nothing-left"
-LOCKED = (State.ALARM, State.CHECK)
 RESET, UNLOCK = b"\x18", b"$X\n"
 SETTLED_S = 0.5
 
 
 class SecondGo:
-    """The restart after `first`; `said` is what the journal and the restart state."""
+    """The restart after `first`; `said` is what the journal and the restart state.
+
+    homes: whether the machine homes itself first, since its place is not known. is_well_advised: whether the journal
+    says so too.
+    """
 
     def __init__(self, bench: FaultBench, first: Run):
         story = story_of(bench)
+        has_switches = bench.board.memory.settings.on(HOMING)
+        self.homes = has_switches and not is_known(first)
+        self.is_well_advised = story is None or ("home it" in dict(told_of(story))["position"]) == has_switches
         lines = bench.lines
         self.said = Interval(story.finished, story.may_be_sent, story.finished) if story else Interval(0, 0, 0)
         self.rows: list[Row] = []
         self.claim: Claim | None = None
         if job := self._job(lines):
             bring_back(bench.board, first)
-            run = FaultBench(lines, FaultPlan(), board=bench.board, job=job).run()
+            job = replace(job, home_first=self.homes)
+            again = FaultBench(lines, FaultPlan(), switches=bench.switches, board=bench.board, job=job)
+            run = again.run()
             self.rows, self.claim, self.at_rest = run.trace.rows, run.claim, run.trace.at_rest
 
     def _job(self, lines: tuple[str, ...]) -> SendJob | None:
@@ -71,12 +81,23 @@ def story_of(bench: FaultBench) -> Story | None:
     return read_story(Path(copyfile(journal.path, journal.path.with_suffix(".left"))))  # no process locks the copy
 
 
+def is_known(first: Run) -> bool:
+    """Return whether a person trusts the position: who sees the supply fail does not."""
+    return first.claim.position_known and not first.trace.lost
+
+
 def bring_back(board: Grbl, first: Run) -> None:
-    """Bring a machine back: reset and unlocked, and with its zero set again where it is said to be unknown."""
-    known = first.claim.position_known and not first.trace.lost  # whoever sees the supply fail sets the zero again
-    if not known or board.state in LOCKED:  # some alarms are locked until a reset; at rest it loses nothing
+    """Bring a machine back: reset and unlocked, and with its zero set again where it is said to be unknown.
+
+    One with switches is left locked then: its job homes it.
+    """
+    known = is_known(first)
+    if not known or board.state is not State.IDLE:  # some alarms are locked until a reset; at rest it loses nothing
         board.receive(RESET)
         pass_time(board)
+    if not known and board.memory.settings.on(HOMING):
+        board.take_output()
+        return
     if board.state is State.ALARM:
         board.receive(UNLOCK)
         pass_time(board)

@@ -413,6 +413,42 @@ def test_homing_can_be_stopped_and_costs_the_position(tmp_path):
     assert len(visit.table.sent(RESET)) == 1 and visit.desk.status().position_known is False
 
 
+def test_homing_that_finds_no_switch_is_none_though_it_is_answered_ok(tmp_path):
+    visit = Visit(tmp_path, homing=True)
+
+    def person():
+        visit.ask("home")
+        yield visit.at("homing")
+        yield 0.5
+        visit.table.board.fail(1)
+        yield visit.at("alarm")
+        yield 0.5
+
+    visit.receive(person)
+    status = visit.desk.status()
+    assert "found no limit switch" in status.message
+    assert status.position_known is False and not status.homed
+    assert ("message", "the machine is homed") not in visit.told
+
+
+@pytest.mark.parametrize("other", [b"$X\n", b"$I\n", b"\n"])
+def test_homing_that_reached_the_machine_as_another_line_is_not_believed(tmp_path, other):
+    visit = Visit(tmp_path, homing=True)
+    to_board = visit.table._wire.send
+    visit.table._wire.send = lambda data: to_board(data.replace(b"$H\n", other))
+
+    def person():
+        visit.ask("home")
+        yield lambda: bool(visit.refused)
+        yield visit.at("alarm", "idle")
+
+    visit.receive(person)
+    assert visit.refusals() == ["homing-not-made"]
+    status = visit.desk.status()
+    assert status.position_known is False and not status.homed
+    assert ("message", "the machine is homed") not in visit.told
+
+
 def test_homing_that_is_not_set_up_is_refused_in_words(visit):
     def person():
         visit.ask("home")
@@ -855,3 +891,23 @@ def test_after_a_greeting_an_older_zero_is_refused_until_it_is_set_anew(visit):
     old, new = visit.outcomes
     assert old.kind == REFUSED and old.error.code == "position-unknown" and "G54 was set before" in old.text
     assert not old.position_known and new.kind == DONE and new.position_known
+
+
+def test_controller_that_restarts_while_a_job_asks_it_takes_no_job_before_its_zero_is_set(visit):
+    def person():
+        visit.ask("set_zero", axes="XYZ")
+        visit.ask("jog", x_mm=5.0)
+        yield visit.at("jogging")
+        yield visit.at("idle")
+        visit.table.on_write = lambda data: b"$#" in data and visit.table.board.power_up()
+        visit.job("G21G90", "G1X1F1000")
+        yield visit.ended()
+        visit.table.on_write = lambda data: None
+        visit.job("G21G90", "G1X1F1000", zeroed=False)
+        yield visit.ended(2)
+
+    visit.receive(person)
+    restarted, after = visit.outcomes
+    assert restarted.kind == after.kind == REFUSED
+    assert restarted.error.code == "controller-restarted" and not restarted.position_known
+    assert after.error.code == "position-unknown" and visit.desk.status().position_known is False

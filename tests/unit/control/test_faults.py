@@ -19,6 +19,7 @@ from fault_disk import FOR_GOOD_S
 from fault_judge import EXACT, EXCURSION, REFUSED, SILENT, STOPPED_KNOWN, STOPPED_UNKNOWN, WRONG, Run, Verdict, judge
 from fault_restart import Interval, judge_restart
 from fault_second_go import SecondGo
+from fault_switches import HOMED, LOCKED, OVER_S, plan_for, switches_of
 
 from CNCStepper.control.journal.journal import Journal
 from CNCStepper.control.path_watch import PathWatch
@@ -34,7 +35,9 @@ SPIKES = (*SHORT[:3], "G1X5F4000", *("G1X5.3", "G1X5") * 50, *SHORT[-3:])
 
 
 def bench_of(seed: int, folder: Path | None = None) -> FaultBench:
-    return FaultBench(program_of(seed), plan_of(seed), hold_s=2.0 if seed % HOLDS == 0 else 0.0, folder=folder)
+    switches = switches_of(seed)
+    hold_s = 2.0 + OVER_S * (switches == LOCKED) if seed % HOLDS == 0 else 0.0
+    return FaultBench(program_of(seed), plan_for(seed, switches), hold_s=hold_s, folder=folder, switches=switches)
 
 
 def judged(bench: FaultBench) -> tuple[Run, Verdict]:
@@ -47,6 +50,8 @@ def judged(bench: FaultBench) -> tuple[Run, Verdict]:
     why = judge_restart(run.program, run.trace.rows, second.rows, second.said)
     if not why and second.claim and not (second.claim.done and second.at_rest):
         why = f"the restart was not cut to its end: {second.claim}"
+    if not second.is_well_advised:
+        why = "the journal does not say how the position is found again"
     what = "restarted" if second.claim else "nothing left"
     return run, Verdict(WRONG, f"{why}; {second.said}") if why else Verdict(f"{verdict.kind}, {what}")
 
@@ -55,19 +60,26 @@ def judged(bench: FaultBench) -> tuple[Run, Verdict]:
 @pytest.mark.parametrize("first", range(1, 1 + RUNS, BLOCK))
 def test_every_part_is_cut_exactly_or_stopped_and_completed_by_its_restart(first, tmp_path, record_property):
     """A run that fails is repeated by `judged(bench_of(SEED, FOLDER))`."""
-    verdicts, fired, wrong = Counter(), Counter(), []
+    verdicts, fired, machines, wrong = Counter(), Counter(), Counter(), []
     for seed in range(first, first + BLOCK):
         folder = tmp_path / str(seed)
         folder.mkdir()
-        run, verdict = judged(bench_of(seed, folder))
+        bench = bench_of(seed, folder)
+        run, verdict = judged(bench)
         verdicts[verdict.kind] += 1
         fired += run.line.fired
+        machines[bench.switches or "no switches"] += 1
+        machines["homing broken off"] += run.trace.begin_lost is None
+        machines["faults while held or paused"] += bench.fired_standing
         if verdict.kind == WRONG:
-            faults = ", ".join(map(str, plan_of(seed).fault))
+            faults = ", ".join(map(str, bench.plan.fault))
             wrong.append(f"seed {seed}: {verdict.why}; faults: {faults}; claim: {run.claim}")
     record_property("faults fired", dict(fired))
     record_property("runs", dict(verdicts))
+    record_property("machines", dict(machines))
     assert not wrong, "\n".join(wrong)
+    assert machines[HOMED] + machines[LOCKED] > BLOCK / 10 and machines[HOMED] and machines[LOCKED], machines
+    assert machines["faults while held or paused"], machines
     assert set(fired) == set(KINDS), f"never fired: {set(KINDS) - set(fired)}"
     assert all(verdicts[f"{kind}, restarted"] for kind in (STOPPED_KNOWN, STOPPED_UNKNOWN)) and verdicts[EXACT], (
         verdicts
@@ -201,6 +213,19 @@ def test_question_that_arrives_as_a_check_mode_is_refused_and_the_part_is_cut_la
     assert b"[MSG:Enabled]" in run.said and verdict.kind == f"{REFUSED}, restarted", verdict.why
 
 
+def test_question_that_arrives_as_a_hold_is_refused_and_the_part_is_cut_later(tmp_path):
+    fault = Fault(kind="corrupt", at_byte=byte_of(SHORT, "$#") + 1, bits=ord("#") ^ ord("!"))
+    bench = FaultBench(SHORT, FaultPlan(fault=(fault,)), folder=tmp_path)
+    run, verdict = judged(bench)
+    assert run.claim.declared == "answer-missing" and verdict.kind == f"{REFUSED}, restarted", verdict.why
+
+
+def test_restart_while_the_controller_is_asked_costs_the_position(tmp_path):
+    plan = FaultPlan(fault=(Fault(kind="power", at_s=0.15),))
+    _, verdict = judged(FaultBench(WHOLE, plan, switches=HOMED, folder=tmp_path))
+    assert verdict.kind == f"{REFUSED}, restarted", verdict.why
+
+
 @pytest.mark.parametrize(("text", "byte"), [("F0 S0", 0), ("GC:", 1)])
 def test_modes_that_come_damaged_are_refused(text, byte):
     clean = FaultBench(SHORT, FaultPlan())
@@ -224,6 +249,50 @@ def test_check_mode_in_which_lines_are_read_and_nothing_moves_stops_the_job_and_
     assert run.claim.declared == "machine-check" and run.claim.position_known
     assert "without moving (value Check); leave the check mode" in bench.outcome.text
     assert verdict.kind == f"{STOPPED_KNOWN}, restarted", verdict.why
+
+
+# --- homing ----------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("fault", "declared"),
+    [
+        ({"kind": "alarm", "at_s": 3.0}, "grbl-alarm-9"),
+        ({"kind": "reset", "at_s": 3.0}, "grbl-alarm-6"),
+        ({"kind": "power", "at_s": 3.0}, "controller-restarted"),
+        ({"kind": "close", "at_s": 3.0}, "link-lost"),
+        ({"kind": "kill", "at_s": 3.0}, "session-lost"),
+        ({"kind": "withhold", "at_s": 3.0}, "answer-missing"),
+        ({"kind": "duplicate", "way": "out", "at_byte": 56}, "machine-aalarm"),
+        ({"kind": "corrupt", "at_byte": len("?$\n$"), "bits": ord("H") ^ ord("X")}, "homing-not-made"),
+        ({"kind": "drop", "at_byte": len("?$\n"), "count": len("$H")}, "homing-not-made"),
+        ({"kind": "drop", "at_byte": len("?$\n$H")}, "answer-missing"),
+    ],
+)
+def test_fault_in_a_homing_ends_the_job_with_the_position_unknown_and_a_second_go_completes_it(
+    fault, declared, tmp_path
+):
+    bench = FaultBench(WHOLE, FaultPlan(fault=(Fault(**fault),)), switches=LOCKED, folder=tmp_path)
+    run, verdict = judged(bench)
+    assert run.claim.declared == declared and not run.claim.position_known
+    assert verdict.kind in (f"{REFUSED}, restarted", f"{STOPPED_UNKNOWN}, restarted"), verdict.why
+
+
+def test_machine_with_switches_homes_before_its_restart_and_the_journal_says_so(tmp_path):
+    plan = FaultPlan(fault=(Fault(kind="power", at_s=3.0, when="motion"),))
+    bench = FaultBench(program_of(1), plan, switches=HOMED, folder=tmp_path)
+    run = bench.run()
+    assert judge(run).kind == STOPPED_UNKNOWN
+    second = SecondGo(bench, run)
+    assert second.homes and second.is_well_advised and second.claim.done
+    assert judge_restart(run.program, run.trace.rows, second.rows, second.said) == ""
+
+
+def test_homing_that_is_believed_though_it_was_none_fails_the_judge(monkeypatch):
+    monkeypatch.setattr("CNCStepper.control.home_first.check_took", lambda seconds: None)
+    fault = Fault(kind="corrupt", at_byte=len("?$\n$"), bits=ord("H") ^ ord("X"))
+    verdict = judge(FaultBench(WHOLE, FaultPlan(fault=(fault,)), switches=LOCKED).run())
+    assert verdict.kind == WRONG
 
 
 # --- restarts --------------------------------------------------------------------------------------------

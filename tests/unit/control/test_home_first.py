@@ -3,9 +3,11 @@
 
 from __future__ import annotations
 
+import pytest
 from desk_table import Person, Table
 
 from CNCStepper.control.grbl import RESET
+from CNCStepper.control.home_first import HOME
 from CNCStepper.control.outcome import DONE, REFUSED, STOPPED, Outcome
 from CNCStepper.control.send_job import SendJob
 from CNCStepper.control.sender import Sender
@@ -60,3 +62,36 @@ def test_stop_while_it_homes_stops_the_axes_and_the_place_is_unknown() -> None:
     outcome = bench.run()
     assert outcome.kind == STOPPED and not outcome.position_known
     assert bench.table.sent(RESET)
+
+
+class Changes(Bench):
+    """A bench on whose wire one line of the sender becomes another one."""
+
+    def __init__(self, line: bytes, other: bytes):
+        super().__init__(True, homing=True)
+        to_board = self.table._wire.send
+        self.table._wire.send = lambda data: to_board(data.replace(line, other))
+
+
+@pytest.mark.parametrize("other", [b"$X\n", b"$I\n", b"$\n", b"\n"])
+def test_homing_that_reached_the_machine_as_another_line_is_not_believed(other: bytes) -> None:
+    bench = Changes(HOME.encode() + b"\n", other)
+    outcome = bench.run()
+    assert outcome.kind == REFUSED and not outcome.position_known
+    assert outcome.error and outcome.error.code == "homing-not-made"
+    assert bench.table.sent(RESET) and LINES[0].encode() not in bench.lines
+
+
+def test_answer_too_many_before_the_homing_does_not_end_it() -> None:
+    outcome = Changes(b"$\n", b"$\n\n").run()
+    assert outcome.kind == REFUSED and not outcome.position_known
+
+
+def test_machine_that_moves_is_not_reset_but_refused() -> None:
+    bench = Bench(True, homing=True)
+    bench.table.board.receive(b"$X\nG1X-5F300\n")
+    for _ in range(10):
+        bench.table.pass_time(0.01)
+    outcome = bench.run()
+    assert outcome.kind == REFUSED and outcome.error and outcome.error.code == "machine-run"
+    assert not bench.table.sent(RESET)

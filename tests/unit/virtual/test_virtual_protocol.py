@@ -451,6 +451,15 @@ def test_homing_is_broken_off_by_a_reset(talk) -> None:
     assert board.say(b"\x84")[0] == "ALARM:7"
 
 
+@pytest.mark.parametrize("code", [1, 2])
+def test_homing_that_fails_finds_no_switch_and_resets_itself(talk, code) -> None:
+    board = talk(homing=True)
+    board.say("$H\n", 1.0)
+    board.board.fail(code)
+    assert board.say(b"") == ["ALARM:9", "ok", BANNER, LOCKED]
+    assert board.status()[""] == "Alarm"
+
+
 @pytest.mark.slow
 def test_hard_limits(talk) -> None:
     board = talk(homing=True)
