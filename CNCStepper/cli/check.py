@@ -76,6 +76,7 @@ def command(
     Exit 0 clean, 1 refused; each finding is file:line:column: text. Where --work-zero is not given, the place of
     the program on the table is reported as unknown.
     """
+    from CNCStepper.cli.made_with import made_with
     from CNCStepper.job.certify import certificate_of
     from CNCStepper.job.model import read_job
     from CNCStepper.job.prove import prove, prove_job
@@ -97,7 +98,7 @@ def command(
     if json_path:
         write_json(json_path, proof.report)
     if certificate:
-        certificate.write_text(certificate_of(proof).to_json(), encoding="utf-8")
+        certificate.write_text(certificate_of(proof).sending(made_with=made_with()).to_json(), encoding="utf-8")
     show_figures(proof.report)
     verdict = "refused" if proof.refused else "clean"
     click.echo(f"{program}: {verdict}; {proof.report['blocks']} blocks that move, {proof.report['time_s']:.1f} s")

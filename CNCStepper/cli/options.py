@@ -78,6 +78,11 @@ class PointType(click.ParamType):
         return numbers
 
 
+def as_typed(param: click.Parameter) -> str:
+    """Return by what a context's `meta` knows the word that was read into the value of a parameter."""
+    return f"CNCStepper.as_typed.{param.name}"
+
+
 class _Named(click.ParamType):
     """A word that one of our own readers understands; its refusal is a usage error (exit 2)."""
 
@@ -88,6 +93,8 @@ class _Named(click.ParamType):
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
         if not isinstance(value, str):
             return value
+        if ctx is not None and param is not None:
+            ctx.meta[as_typed(param)] = value
         try:
             return self._reader(value)
         except CNCStepperError as error:

@@ -4,17 +4,14 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable
-from dataclasses import dataclass, replace
-from functools import wraps
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
+from CNCStepper.cli.made_with import made_with
 from CNCStepper.cli.options import (
-    NumberType,
-    PointType,
     check_stock,
     dialect_name,
     dialect_option,
@@ -26,62 +23,18 @@ from CNCStepper.cli.options import (
     stock_options,
 )
 from CNCStepper.cli.progress import Progress
+from CNCStepper.cli.restart_options import Sending, restart_options
 from CNCStepper.cli.show import show_findings
 from CNCStepper.cli.start import Given, start_options
 from CNCStepper.machine.profile import Machine
 from CNCStepper.machine.tool import Tool
 
 if TYPE_CHECKING:
+    from CNCStepper.control.certificate import Certificate
     from CNCStepper.gcode.restart.places import Where
     from CNCStepper.job.model import Job
     from CNCStepper.job.restart import Entering, ProvenRestart
     from CNCStepper.simulation.stock import Stock
-
-_PLACE = (
-    click.option("--line", type=click.IntRange(1), help="The first line that is not certainly done."),
-    click.option("--time", type=click.IntRange(1), help="Which of its runs, for a line that is run often."),
-    click.option("--operation", default="", help="An operation of the program, by its name or its number."),
-    click.option("--contour", type=click.IntRange(1), help="A stretch of cuts between two rapids, by its number."),
-    click.option(
-        "--at", "at_mm", type=PointType(), default=(), help="The cut nearest to this point; without Z the first."
-    ),
-    click.option(
-        "--overlap", type=NumberType(-1e-9), default=0.0, help="Cut so many mm before the place again, within its cut."
-    ),
-    click.option(
-        "--height", type=NumberType(), help="Go up to this Z first. [default: the program's highest crossing rapid]"
-    ),
-)
-_SENDING = (
-    click.option(
-        "-o", "--out", type=click.Path(dir_okay=False, path_type=Path), help="Write the restart program there."
-    ),
-    click.option("--certificate", type=click.Path(dir_okay=False, path_type=Path), help="Write its certificate there."),
-    click.option("--port", help="Send it: a serial port (COM3, /dev/ttyUSB0) or a URL (socket://127.0.0.1:2217)."),
-    click.option("--baud", type=click.IntRange(min=300), default=115200, show_default=True),
-    click.option("--zero-confirmed", is_flag=True, help="As of `cncstepper send`; the tool is in."),
-    click.option("--home", "home_first", is_flag=True, help="Let the machine home itself first ($H)."),
-    click.option("--resume-pauses", is_flag=True, help="Go on by itself at M0: for a virtual machine or a dry run."),
-    click.option(
-        "--allow-differences",
-        is_flag=True,
-        help="Send though the controller's settings or offsets are not those wanted.",
-    ),
-)
-
-
-@dataclass(frozen=True)
-class _Sending:
-    """What becomes of the restart program."""
-
-    out: Path | None
-    certificate: Path | None
-    port: str | None
-    baud: int
-    zero_confirmed: bool
-    home_first: bool
-    resume_pauses: bool
-    allow_differences: bool
 
 
 @dataclass(frozen=True)
@@ -95,37 +48,15 @@ class _Against:
     tool: Tool | None
     job: Job | None
 
-
-def _options(function: Callable[..., Any]) -> Callable[..., Any]:
-    """Add the options of the place and of sending; the function gets them as `where`, `entering` and `sending`."""
-
-    @wraps(function)
-    def command(
-        *arguments: Any,
-        line: int | None,
-        time: int | None,
-        operation: str,
-        contour: int | None,
-        at_mm: tuple[float, ...],
-        overlap: float,
-        height: float | None,
-        **more: Any,
-    ) -> Any:
-        from CNCStepper.gcode.restart.places import Where
-        from CNCStepper.job.restart import Entering
-
-        where = Where(line or 0, time or 0, operation, contour or 0, at_mm)
-        sending = _Sending(**{name: more.pop(name) for name in _Sending.__dataclass_fields__})
-        return function(*arguments, where=where, entering=Entering(overlap, height), sending=sending, **more)
-
-    for option in reversed((*_PLACE, *_SENDING)):
-        command = option(command)
-    return command
+    @property
+    def has_stock(self) -> bool:
+        """Whether the restart is cut on a stock, so that what its moves meet is seen."""
+        return self.job is not None or (self.stock is not None and self.tool is not None)
 
 
 @click.command("restart")
 @program_argument
-@_options
+@restart_options
 @machine_option(required=False)
 @stock_options(required=False)
 @job_option
@@ -136,7 +67,7 @@ def command(
     program: Path,
     where: Where,
     entering: Entering,
-    sending: _Sending,
+    sending: Sending,
     machine: Machine | None,
     stock: tuple[float, float, float] | None,
     origin: str,
@@ -154,10 +85,14 @@ def command(
 
     Without --port nothing is sent: you see what it would do, and with -o you get the program. Without a place you get
     the list of the contours. --machine, or --job with its machine, is needed; with --job, or with --stock and --tool,
-    the restart is cut on the stock that the moves before it have left, and refused where a rapid meets material.
+    the restart is cut on the stock that the moves before it have left, and refused where a rapid meets material. What
+    is cut on no stock is sent only with --without-stock. `cncstepper resume` gives the whole command for a job that did
+    not end.
+
     Exit 0 when it is clean (and, with --port, done), else 1.
     """
     from CNCStepper.job.model import load_job
+    from CNCStepper.job.restart import certificate_of_restart
 
     check_stock(stock, tool, job_path)
     job, machine_of_job = load_job(job_path) if job_path else (None, None)
@@ -165,18 +100,30 @@ def command(
     if machine is None:
         raise click.UsageError("give --machine, or --job whose machine counts")
     against = _Against(machine, dialect_name(dialect, machine), given, stock_of(stock, origin), tool, job)
+    _check_stock(against, sending)
     text = read_program(program)
     if not (where.line or where.operation or where.contour or where.at_mm):
         _list(text, program, against)
         return
     proven = _proven(text, program, where, entering, against, part)
-    _tell(proven)
-    _write(proven, sending)
+    _tell(proven, against)
+    certificate = certificate_of_restart(proven).sending(made_with=made_with())
+    _write(proven, certificate, sending)
     if proven.proof.refused:
         click.echo(f"{program}: this restart is refused")
         sys.exit(1)
     if sending.port:
-        _send(proven, sending)
+        _send(certificate, sending)
+
+
+def _check_stock(against: _Against, sending: Sending) -> None:
+    """Refuse to send what was cut on no stock without saying so, and what says both; raises a usage error."""
+    if sending.without_stock and against.has_stock:
+        raise click.UsageError("--without-stock goes without --job, --stock and --tool")
+    if sending.port and not (against.has_stock or sending.without_stock):
+        raise click.UsageError(
+            "give --job, or --stock and --tool, to have it cut on what is left of the stock first; or --without-stock"
+        )
 
 
 def _list(text: str, program: Path, against: _Against) -> None:
@@ -208,38 +155,35 @@ def _proven(
         return restart_program(text, machine, where, entering, stock=against.stock, tools=against.tool, **words)
 
 
-def _tell(proven: ProvenRestart) -> None:
-    from CNCStepper.job.restart_words import words_of
+def _tell(proven: ProvenRestart, against: _Against) -> None:
+    """Say what the restart does, and against what it was proven."""
+    from CNCStepper.job.restart_words import proven_against, words_of
 
     show_findings(proven.proof.findings)
     for sentence in words_of(proven.restart):
         click.echo(sentence)
+    click.echo(proven_against(against.has_stock, against.job is not None))
     click.echo(f"takes {proven.proof.report['time_s']:.1f} s")
 
 
-def _write(proven: ProvenRestart, sending: _Sending) -> None:
+def _write(proven: ProvenRestart, certificate: Certificate, sending: Sending) -> None:
     """Write program and certificate where they are wanted; the certificate names the program."""
-    from CNCStepper.job.restart import certificate_of_restart
-
     if sending.out:
         sending.out.write_text(proven.restart.text, encoding="utf-8", newline="\n")
         click.echo(f"{sending.out}: written")
     if sending.certificate:
-        sending.certificate.write_text(certificate_of_restart(proven).to_json(), encoding="utf-8")
+        sending.certificate.write_text(certificate.to_json(), encoding="utf-8")
         click.echo(f"{sending.certificate}: written")
 
 
-def _send(proven: ProvenRestart, sending: _Sending) -> None:
+def _send(certificate: Certificate, sending: Sending) -> None:
     """Send the proven lines as `cncstepper send` does."""
     from CNCStepper.cli.send import conclude, confirmed
     from CNCStepper.cli.watch import watch
-    from CNCStepper.job.restart import certificate_of_restart
 
     assert sending.port
-    certificate = certificate_of_restart(proven)
     certificate.check_clean()
-    job = replace(
-        certificate.send_job(),
+    job = certificate.send_job(
         port=sending.port,
         baud=sending.baud,
         allow_differences=sending.allow_differences,

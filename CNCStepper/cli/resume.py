@@ -3,8 +3,6 @@
 
 from __future__ import annotations
 
-import subprocess
-import sys
 from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -12,12 +10,14 @@ from typing import TYPE_CHECKING
 import click
 
 from CNCStepper.cli.options import FilePath, read_program
+from CNCStepper.errors import ProgramError
 
 if TYPE_CHECKING:
     from CNCStepper.control.journal.reached import Reached
     from CNCStepper.control.journal.story import Story
 
-START_SYSTEM = "G54"  # of which --work-zero tells
+
+NOTHING_CUT, NOTHING_LEFT = "restart-at-start", "restart-nothing-left"
 
 
 @click.command("resume")
@@ -67,7 +67,7 @@ def _told(story: Story) -> Iterator[tuple[str, str]]:
     yield from begun_as(story)
     yield from told_of(story, _reached(story))
     if not story.is_done:
-        yield "restart", _restart(story)
+        yield from _restart(story)
 
 
 def _reached(story: Story) -> Reached | None:
@@ -79,49 +79,53 @@ def _reached(story: Story) -> Reached | None:
     return None if text is None else reached(story, text)
 
 
-def _restart(story: Story) -> str:
-    """Return the command that restarts the program, or why there is none."""
+def _restart(story: Story) -> Iterator[tuple[str, str]]:
+    """Yield the command that restarts the program and what it lacks, or why there is none."""
     from CNCStepper.control.journal.told import why_no_line
 
-    if why_not := why_no_line(story):
-        return why_not
     name, sha256, line, _ = story.restarted
     file = Path(name)
-    if not file.is_file():
-        return f"from line {line} of the program, which is not a file here any more: {name}"
-    if _was_changed(file, sha256):
-        return f"none: {file} was changed since, so its lines are not those of the journal; bring the old text back"
-    words = ["cncstepper", "restart", str(file), "--line", str(line), *_machine(story), *_work_zero(story)]
-    return subprocess.list2cmdline(words) if sys.platform == "win32" else _quoted(words)
+    if why_not := why_no_line(story):
+        yield "restart", why_not
+    elif not file.is_file():
+        yield "restart", f"from line {line} of the program, which is not a file here any more: {name}"
+    elif _was_changed(file, sha256):
+        what = f"none: {file} was changed since, so its lines are not those of the journal; bring the old text back"
+        yield "restart", what
+    else:
+        yield from _offered(story, file, line)
 
 
-def _work_zero(story: Story) -> list[str]:
-    """Return the option by which a restart is made and compared with a zero that was set again within the job.
+def _offered(story: Story, file: Path, line: int) -> Iterator[tuple[str, str]]:
+    """Yield the command, and before it what it lacks."""
+    from CNCStepper.cli.restart_line import RestartLine
 
-    Of a machine that cannot home itself machine coordinates mean nothing after a loss: the zero is said in words only.
-    """
-    zero_mm = story.zero.get("offsets_mm", {}).get(START_SYSTEM)
-    if not zero_mm or not story.header["homing"] or START_SYSTEM not in story.zero["modes"].split():
-        return []
-    return ["--work-zero", ",".join(f"{value:.3f}" for value in zero_mm[:3])]
+    why_not = _nothing_to_enter(story, file, line)
+    if why_not == NOTHING_LEFT:
+        yield "restart", "none is needed: from there on the program cuts nothing"
+        return
+    offered = RestartLine(story, file, 0 if why_not else line)
+    yield from offered.told
+    if why_not:
+        yield "whole", f"nothing is cut before line {line}, so the program is sent from its beginning"
+    yield "restart", str(offered)
 
 
-def _machine(story: Story) -> list[str]:
-    """Return the option that names the machine; of a profile of one's own only the machine's name is known."""
-    from CNCStepper.machine.profile import load_machine, profile_names
+def _nothing_to_enter(story: Story, file: Path, line: int) -> str:
+    """Return NOTHING_CUT or NOTHING_LEFT where the program cuts nothing before a line, or from there on; else ""."""
+    from CNCStepper.gcode.restart.entrance import entrance_of
+    from CNCStepper.gcode.restart.places import Where, place_of
+    from CNCStepper.gcode.restart.program import read_program as read
 
-    name = story.header["machine"]
-    shipped = (key for key in profile_names() if load_machine(key).name == name)
-    return ["--machine", next(shipped, f"PROFILE OF {name or 'THE MACHINE'}.toml")]
+    try:
+        program = read(read_program(file), story.header.get("dialect") or "grbl", None, str(file))
+        entrance_of(program, place_of(program, Where(line=line)))
+    except ProgramError as error:  # any other the command itself tells, which reads the program with all its options
+        return error.code if error.code in (NOTHING_CUT, NOTHING_LEFT) else ""
+    return ""
 
 
 def _was_changed(file: Path, sha256: str) -> bool:
     from CNCStepper.control.certificate import digest_of_text
 
     return bool(sha256) and digest_of_text(read_program(file)) != sha256
-
-
-def _quoted(words: list[str]) -> str:
-    import shlex
-
-    return shlex.join(words)

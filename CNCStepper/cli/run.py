@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 import click
 
+from CNCStepper.cli.made_with import MadeWith, kept
 from CNCStepper.cli.options import FilePath
 from CNCStepper.cli.show import show_figures, show_findings, write_json
 
@@ -36,32 +37,34 @@ def command(job: Path, out: Path) -> None:
     loaded, machine = load_job(job)
     out.mkdir(parents=True, exist_ok=True)
     make = _split if is_split(loaded, machine) else _whole
-    sys.exit(1 if make(loaded, machine, job.stem, out) else 0)
+    sys.exit(1 if make(loaded, machine, job, out) else 0)
 
 
-def _whole(job: Job, machine: Machine, title: str, out: Path) -> bool:
+def _whole(job: Job, machine: Machine, path: Path, out: Path) -> bool:
     """Make and prove one program; return whether it is refused."""
     from CNCStepper.job.make import make_program
     from CNCStepper.job.prove import prove_job
 
-    made, file = make_program(job, machine, title), out / "program.nc"
+    made, file = make_program(job, machine, path.stem), out / "program.nc"
     _write_program(file, made.program)
     proof = prove_job(job, machine, made.program, str(file), answers=made.answers)
-    _conclude(proof, file, "", title, job)
+    _conclude(proof, file, "", path.stem, job, kept({"--job": [path]}))
     return proof.refused
 
 
-def _split(job: Job, machine: Machine, title: str, out: Path) -> bool:
+def _split(job: Job, machine: Machine, path: Path, out: Path) -> bool:
     """Make and prove a program for each tool; return whether one is refused."""
     from CNCStepper.job.make import make_parts
     from CNCStepper.job.prove import prove_parts
 
-    parts, refused = make_parts(job, machine, title), False
+    parts, refused = make_parts(job, machine, path.stem), False
     for part in parts:
         _write_program(out / part.file_name, part.program)
     for part, proof in zip(parts, prove_parts(job, machine, parts, out), strict=True):
         suffix = part.file_name.removeprefix("program").removesuffix(".nc")
-        _conclude(proof, out / part.file_name, suffix, f"{title}, {part.number} of {len(parts)}", job)
+        title = f"{path.stem}, {part.number} of {len(parts)}"
+        made_with = kept({"--job": [path], "--part": [part.number]})
+        _conclude(proof, out / part.file_name, suffix, title, job, made_with)
         refused |= proof.refused
     return refused
 
@@ -70,14 +73,14 @@ def _write_program(file: Path, text: str) -> None:
     file.write_text(text, encoding="ascii", newline="\n")
 
 
-def _conclude(proof: Proof, file: Path, suffix: str, title: str, job: Job) -> None:
+def _conclude(proof: Proof, file: Path, suffix: str, title: str, job: Job, made_with: MadeWith) -> None:
     """Write report, certificate and picture beside a program, and say what was found."""
     from CNCStepper.job.certify import certificate_of
 
     report, certificate = (file.with_name(f"{kind}{suffix}.json") for kind in ("report", "certificate"))
     picture = file.with_name(f"part{suffix}.png")
     write_json(report, proof.report)
-    certificate.write_text(certificate_of(proof).to_json(), encoding="utf-8")
+    certificate.write_text(certificate_of(proof).sending(made_with=made_with).to_json(), encoding="utf-8")
     proof.draw(picture, title, ", ".join(job.tools[number].words for number in proof.report["tools"] if number))
     show_findings(proof.findings)
     show_figures(proof.report)

@@ -108,6 +108,7 @@ def command(
     on, s stops, "x10 y-5 z0.1" jogs by these mm ("f100": at 100 mm/min), "zero z" sets the work zero of Z, "all" ends
     --step. Who jogged is taken back first: up, over, and slowly down to where the program stood.
     """
+    from CNCStepper.cli.made_with import made_with, merged
     from CNCStepper.cli.watch import watch
     from CNCStepper.job.model import load_job
 
@@ -124,7 +125,8 @@ def command(
         else:
             job = _checked(wanted, dialect_name(dialect, wanted.machine), unchecked)
         job = replace(job, port=port, baud=baud, allow_differences=allow_differences)
-        job = replace(job, by_line=by_line, home_first=home_first, program_sha256=wanted.program.sha256)
+        how = merged(job.made_with, made_with())
+        job = replace(job, by_line=by_line, home_first=home_first, program_sha256=wanted.program.sha256, made_with=how)
         outcome = watch(confirmed(job, zero_confirmed), resume_pauses)
     conclude(outcome)
 

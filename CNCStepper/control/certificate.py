@@ -135,6 +135,10 @@ class Certificate:
             what = f"the proof found {len(errors)} error(s) in the program, the first: {first['text']}"
             raise JobError("certificate-errors", what, advice="correct the program, and check it again", place=place)
 
+    def sending(self, **more: Any) -> Certificate:
+        """Return the certificate with more fields of a `SendJob` in what a sender is given."""
+        return Certificate({**self.content, "send": {**self.content["send"], **more}})
+
     def send_job(self, **instead: Any) -> SendJob:
         """Return the job of sending the proven lines, with other values for some fields of it."""
         try:

@@ -8,6 +8,7 @@ from collections.abc import Callable
 from CNCStepper.control.connect import Found, check_units, offsets_of
 from CNCStepper.control.first_modes import check_modes, mode_differences
 from CNCStepper.control.grbl import Grbl
+from CNCStepper.control.lift import check_lift
 from CNCStepper.control.readiness import check_offsets, check_settings, differences, offset_differences
 from CNCStepper.control.restarted import check_zero_here
 from CNCStepper.control.send_job import SendJob
@@ -20,6 +21,7 @@ def check_found(job: SendJob, driver: Grbl, found: Found, tell: Callable[[str, s
     lost when the controller restarted and positions in unknown units.
     """
     check_units(driver)
+    check_lift(job, driver, found, tell)
     job.check_lengths(found.firmware, driver.window)
     if found.greeted:
         check_zero_here(job.lines, driver, found)

@@ -28,6 +28,8 @@ class SendJob:
     by_line: wait before each line until somebody resumes. inputs: the machine's own buttons, as `machine.inputs.Input`
     has them. home_first: let the machine find its own zero before.
     restart_of: the program that a restart goes on with, as `journal.first_program` has it; empty: it is none.
+    lift: where a restart goes first, straight up (`control.lift`); empty: it is none, or has no Z.
+    made_with: the options of the command line that made it, for the journal; empty: not known (`cli.made_with`).
     """
 
     port: str
@@ -50,6 +52,8 @@ class SendJob:
     inputs: Sequence[Mapping[str, Any]] = ()
     restart_of: Mapping[str, Any] = field(default_factory=dict)
     home_first: bool = False
+    lift: Mapping[str, Any] = field(default_factory=dict)
+    made_with: Mapping[str, Any] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         if len(self.file_lines) not in (0, len(self.lines)):

@@ -22,6 +22,7 @@ from CNCStepper.geometry.curve import Curve, circle, from_points
 from CNCStepper.job.shapes import NO_SHAPES, Shapes, read_shapes, with_curves
 from CNCStepper.job.tool_keys import take_tool_file
 from CNCStepper.machine.feeds import Remark, remarks_on, with_feeds
+from CNCStepper.machine.json_file import read_json
 from CNCStepper.machine.material import material, material_names
 from CNCStepper.machine.profile import Machine, load_machine, profile_names, read_toml, validated
 from CNCStepper.machine.tool import Tool
@@ -228,7 +229,7 @@ def read_job(path: Path) -> Job:
     """Return the job as `load_job` does, without looking for its machine."""
     if not path.is_file():
         raise JobError("job-missing", f"there is no job file '{path}'", advice="give the path of a TOML job file")
-    content = _read_json(path) if path.suffix.lower() == ".json" else read_toml(path)
+    content = read_json(path) if path.suffix.lower() == ".json" else read_toml(path)
     shapes = read_shapes(_tables(content, "shape", path), path.parent, str(path))
     content.pop("shape", None)
     content["notes"] = (*content.get("notes", ()), *shapes.notes)
@@ -261,16 +262,6 @@ def operation_of(raw: dict[str, Any], folder: Path, file: str, shapes: Shapes = 
     if "points" in content:
         content["curves"] = (read_points(folder / content.pop("points"), closed=bool(content.get("closed", False))),)
     return validated(model, content, file)  # type: ignore[return-value]
-
-
-def _read_json(path: Path) -> dict[str, Any]:
-    try:
-        content = json.loads(path.read_text("utf-8"))
-    except ValueError as error:  # JSONDecodeError and UnicodeDecodeError are both
-        raise JobError("json", f"not a JSON file: {error}", place=Place(str(path))) from error
-    if not isinstance(content, dict):
-        raise JobError("json", "not a job: the file holds no object", place=Place(str(path)))
-    return content
 
 
 def _tables(content: dict[str, Any], key: str, path: Path) -> list[dict[str, Any]]:

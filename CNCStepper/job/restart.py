@@ -9,7 +9,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from math import isnan
 from pathlib import Path
+from typing import Any
 
 from CNCStepper.control.certificate import Certificate, digest_of_text
 from CNCStepper.control.journal.first_program import FirstProgram, pairs_of
@@ -31,6 +33,7 @@ from CNCStepper.job.prove import (
     prove_operations,
     with_findings,
 )
+from CNCStepper.job.restart_words import height_mm
 from CNCStepper.machine.profile import Machine
 from CNCStepper.machine.tool import Tool
 from CNCStepper.simulation.earlier import followed
@@ -137,14 +140,23 @@ def restart_job(
 
 def certificate_of_restart(proven: ProvenRestart) -> Certificate:
     """Return the certificate of a restart; it names the first program, which a restart of the restart begins from."""
-    content, made = certificate_of(proven.proof).content, proven.restart
+    made = proven.restart
     file = Path(made.program.file)
     first = FirstProgram(
         str(file.resolve()) if file.is_file() else str(made.program.file),
         proven.proof.given.before[-1],
         tuple(pairs_of(made.file_lines.tolist())),
     )
-    return Certificate({**content, "send": {**content["send"], "restart_of": first.to_content()}})
+    return certificate_of(proven.proof).sending(restart_of=first.to_content(), lift=_lift(made))
+
+
+def _lift(made: Restart) -> dict[str, Any]:
+    """Return to where the restart goes first, as a `SendJob` has it; the G92 in force is set only after it."""
+    approach, state = made.approach, made.approach.state
+    if isnan(approach.safe_mm):
+        return {}
+    system_mm = state.offset_mm[2] - state.g92_mm[2] - state.tool_length_mm
+    return {"system": state.work_system, "z_mm": approach.safe_mm - system_mm, "height_mm": height_mm(made)}
 
 
 def restart_name(file: str) -> str:

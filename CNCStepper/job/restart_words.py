@@ -31,8 +31,8 @@ def words_of(restart: Restart) -> Iterator[str]:
     if state.tool:
         yield f"with tool {state.tool} in the spindle"
     if not isnan(approach.safe_mm):
-        up_mm = approach.safe_mm - program.frame_mm[2] - state.tool_length_mm
-        yield f"goes up to Z {up_mm:.3f} first, then over the place"
+        up = f"goes to Z {height_mm(restart):.3f} first, straight up (it is not sent while the tool stands higher)"
+        yield f"{up}, then over the place"
     yield from _switched_on(restart)
     if approach.plunge_mm_min:
         yield f"goes down at {approach.plunge_mm_min:g} mm/min"
@@ -40,6 +40,12 @@ def words_of(restart: Restart) -> Iterator[str]:
         yield f"sets G92 as it was: {_point(np.array(state.g92_mm))}"
     own = int((restart.file_lines > 0).sum())
     yield f"then runs {own} lines of the program as they are; all before them is taken as cut"
+
+
+def height_mm(restart: Restart) -> float:
+    """Return the Z of the work to which a restart goes first; NaN for a table without Z."""
+    approach = restart.approach
+    return float(approach.safe_mm - restart.program.frame_mm[2] - approach.state.tool_length_mm)
 
 
 def _switched_on(restart: Restart) -> Iterator[str]:
@@ -55,6 +61,18 @@ def _switched_on(restart: Restart) -> Iterator[str]:
         yield "switches the coolant on"
     if approach.dwell_s:
         yield f"waits for {approach.dwell_s:g} s"
+
+
+def proven_against(has_stock: bool, has_shapes: bool) -> str:
+    """Return what was simulated of a restart, and what was not."""
+    if has_shapes:
+        return "cut on the stock that the moves before it have left, and judged against the shapes of the job"
+    if has_stock:
+        return "cut on the stock that the moves before it have left; the wanted shape is not known, so it is not judged"
+    return (
+        "NOT cut on any stock: the machine's limits are checked, but nobody sees whether a rapid meets material; "
+        "give --job, or --stock and --tool"
+    )
 
 
 def operation_table(program: Program) -> Iterator[tuple[int, int, str]]:

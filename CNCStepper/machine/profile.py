@@ -16,6 +16,7 @@ from pydantic import BaseModel, ConfigDict, Field, ValidationError, model_valida
 from CNCStepper.errors import JobError, Place
 from CNCStepper.machine.drive import Drive
 from CNCStepper.machine.inputs import Input, check_apart
+from CNCStepper.machine.json_file import read_json
 from CNCStepper.machine.refusal import refusal_of
 from CNCStepper.machine.signals import Signals
 from CNCStepper.machine.waits import Waits
@@ -231,7 +232,7 @@ def _profile_names() -> tuple[str, ...]:
 
 
 def load_machine(name_or_path: str | Path) -> Machine:
-    """Return the machine of a shipped profile ("table-a") or of a TOML file.
+    """Return the machine of a shipped profile ("table-a"), of a TOML file, or of the same as JSON.
 
     Raises JobError when there is no such profile or a value in it is not allowed.
     """
@@ -244,7 +245,8 @@ def load_machine(name_or_path: str | Path) -> Machine:
             f"there is no machine profile '{name_or_path}'",
             advice=f"give a TOML file or one of: {', '.join(profile_names())}",
         )
-    return validated(Machine, read_toml(path), str(path))
+    content = read_json(path) if path.suffix.lower() == ".json" else read_toml(path)
+    return validated(Machine, content, str(path))
 
 
 @cache

@@ -16,6 +16,7 @@ from pathlib import Path
 from typing import Any
 
 from CNCStepper.errors import JobError, Place
+from CNCStepper.machine.json_file import read_json
 from CNCStepper.machine.stored_tool import StoredTool, given_keys, tool_or_note
 from CNCStepper.machine.tool import Tool
 
@@ -116,14 +117,9 @@ def quantity(text: Any, units: dict[str, float]) -> float:
 
 def _json(path: Path) -> dict[str, Any]:
     try:
-        content = json.loads(path.read_text("utf-8-sig"))
+        return read_json(path)
     except OSError as error:
         raise JobError("tools-missing", f"'{path}' cannot be read: {error}", advice="correct the path") from error
-    except ValueError as error:
-        raise JobError("json", f"not a JSON file: {error}", place=Place(str(path))) from error
-    if not isinstance(content, dict):
-        raise JobError("json", "the file holds no object", place=Place(str(path)))
-    return content
 
 
 def _shape_of(content: dict[str, Any]) -> str:

@@ -82,7 +82,7 @@ def test_a_contour_is_chosen_from_the_list_and_the_rest_is_cut(hand: Hand, dock:
     hand.fill(f"{R}height", "-1")
     hand.wait(lambda: "above the height that is given" in hand.text(f"{R}message"), START_S, "the refusal")
     hand.fill(f"{R}height", "12")
-    assert "goes up to Z 12.000 first" in proven(hand)
+    assert "goes to Z 12.000 first" in proven(hand)
     hand.shot("restart-height")
     hand.choose(f"{D}Speed", "10× speed")
     hand.click(f"{R}send")
@@ -144,7 +144,7 @@ def test_a_job_whose_sender_was_killed_is_offered_and_restarted(hand: Hand, dock
     assert "path at line" in said or "OFF the path" in said
     words = proven(hand)
     line = int(hand.text(f"{R}line"))
-    assert line > 1 and f"From line {line}" == hand.text(f"{R}choice") and "goes up to Z" in words
+    assert line > 1 and f"From line {line}" == hand.text(f"{R}choice") and "goes to Z" in words
     hand.shot("restart-unfinished")
     hand.click(f"{R}send")
     at_zero(hand)

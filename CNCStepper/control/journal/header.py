@@ -21,6 +21,7 @@ def header_of(job: SendJob, driver: Grbl, found: Found) -> dict[str, Any]:
     """Return the first record of a job's journal, as plain data; positions and offsets in mm.
 
     goes_back: some line of the file is sent again after later ones, so that its number alone names no place.
+    made_with, profile: the options of the command line, and the machine's profile; empty where they are not known.
     """
     return {
         "format": FORMAT,
@@ -32,6 +33,8 @@ def header_of(job: SendJob, driver: Grbl, found: Found) -> dict[str, Any]:
         "restart_of": dict(job.restart_of),
         "certificate_sha256": job.certificate_sha256,
         "machine": job.machine,
+        "profile": job.retrace.get("machine", {}),
+        "made_with": dict(job.made_with),
         "lines": len(job.lines),
         "last_line": job.place(len(job.lines) - 1).line,
         "goes_back": any(map(operator.gt, job.file_lines, islice(job.file_lines, 1, None))),

@@ -13,6 +13,7 @@ from CNCStepper.control.session_file import session_folder
 from CNCStepper.errors import CNCStepperError
 
 JOURNAL = ".journal"
+PROFILE = ".profile.json"  # a copy of the machine's profile, for the restart that `resume` offers
 ON_THIS_COMPUTER = "socket://127.0.0.1:"
 KEPT_JOBS = 50
 KEPT_BYTES = 50_000_000
@@ -59,6 +60,7 @@ def prune(folder: Path, now_s: float | None = None) -> None:
             kept_bytes += path.stat().st_size
             if (count > KEPT_JOBS or kept_bytes > KEPT_BYTES) and not _is_needed(path, now_s):
                 path.unlink()
+                path.with_suffix(PROFILE).unlink(missing_ok=True)
 
 
 def _is_needed(path: Path, now_s: float) -> bool:

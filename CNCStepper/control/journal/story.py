@@ -84,6 +84,11 @@ class Story:
         return first.file, first.sha256, first.line(self.first_line), goes_back
 
     @property
+    def position_kept(self) -> bool:
+        """Whether the position was known at the end, and is not lost when the port is opened: it greeted no opening."""
+        return self.position_known is True and not self.header.get("greeted", False)
+
+    @property
     def last_line(self) -> int:
         """The file's line of the last that may have been sent; 0 for none."""
         return int(self.header["last_line"]) if self.is_end_damaged else self.group.last_line

@@ -4,10 +4,12 @@
 from __future__ import annotations
 
 import os
+import shlex
 import signal
 import subprocess
 import sys
 from collections.abc import Iterator
+from importlib import resources
 from pathlib import Path
 
 import numpy as np
@@ -17,6 +19,7 @@ from click.testing import CliRunner, Result
 from CNCStepper.cli.main import group
 from CNCStepper.control.certificate import Certificate, digest_of_text
 from CNCStepper.control.journal.first_program import FirstProgram
+from CNCStepper.control.journal.store import stories
 
 PROGRAM = (
     "G21 G90\nT1\nM3 S12000\nG4 P1\nG0 Z10\nX0 Y0\nG1 Z-1 F300\nX20 F2000\nY10\nX0\nG0 Z10\nG92 X5 Y5\nX10 Y10\n"
@@ -100,6 +103,22 @@ def test_a_machine_is_needed(program: Path) -> None:
     assert "--machine" in result.output
 
 
+def test_without_stock_it_says_so_and_is_not_sent(program: Path) -> None:
+    result = called(program, "--machine", "table-a", "--line", "10")
+    assert result.exit_code == 0 and "NOT cut on any stock" in result.output
+    assert "NOT cut" not in called(program, *AGAINST, "--line", "10").output
+    result = called(program, "--machine", "table-a", "--line", "10", "--port", "COM999")
+    assert result.exit_code == 2 and "or --without-stock" in " ".join(result.output.split())
+    assert called(program, *AGAINST, "--line", "10", "--without-stock").exit_code == 2
+
+
+def test_a_dry_run_says_that_it_goes_up_and_never_down(program: Path) -> None:
+    result = called(program, *AGAINST, "--line", "10", "--certificate", program.with_suffix(".json"))
+    assert "goes to Z 10.000 first, straight up (it is not sent while the tool stands higher)" in result.output
+    lift = Certificate.read(program.with_suffix(".json")).send_job().lift
+    assert lift == {"system": "G54", "z_mm": 10.0, "height_mm": 10.0}
+
+
 @pytest.fixture
 def table(tmp_path: Path) -> Iterator[tuple[str, Path]]:
     """A running virtual grbl: its port and its trace."""
@@ -132,3 +151,26 @@ def test_the_rest_is_cut_on_a_controller_with_the_shift_of_g92(program: Path, ta
     centre = np.array([20 - 5 - 5, 10 + 5])  # G92 has moved the zero by -5, 5
     assert np.hypot(*(low[:, :2] - centre).T) == pytest.approx(5.0, abs=0.05)
     assert places[-1, 2] == pytest.approx(10.0, abs=0.01)
+
+
+@pytest.mark.slow
+def test_what_resume_offers_runs_as_it_is_pasted(
+    program: Path, table: tuple[str, Path], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A job of a profile of one's own is stopped at a pause; the line that is offered then cuts the rest."""
+    monkeypatch.setattr(signal, "signal", lambda number, handler: None)
+    profile = program.with_name("My own çable.toml")
+    shipped = resources.files("CNCStepper.machine") / "profiles" / "table-a.toml"
+    profile.write_text(shipped.read_text("utf-8").replace("Cutting table A", "My own çable"), "utf-8")
+    program.write_text(PROGRAM.replace("G92 X5 Y5\n", "G4 P0.1\nS12000\nM0\nG92 X5 Y5\n"), "utf-8")
+    stock = ("--stock", "100,100,10", "--tool", "flat:2", "--dialect", "linuxcnc")
+    sending = ("--port", table[0], "--machine", str(profile), *stock, "--zero-confirmed")
+    assert CliRunner().invoke(group, ["send", str(program), *sending]).exit_code == 1  # nobody is there to go on
+    journal = next(story.path for story in stories() if story.header["file"] == str(program.resolve()))
+    told = CliRunner().invoke(group, ["resume", str(journal)]).output.splitlines()
+    pasted = shlex.split(told[-1].removeprefix("restart"))
+    assert pasted[:2] == ["cncstepper", "restart"] and str(profile) in pasted
+    result = CliRunner().invoke(group, [*pasted[1:], "--zero-confirmed", "--resume-pauses"])
+    assert result.exit_code == 0, result.output
+    assert "cut on the stock that the moves before it have left" in result.output
+    assert "the machine is idle" in result.output

@@ -18,6 +18,7 @@ from CNCStepper.control.journal.story import FORMAT, VERSION
 from CNCStepper.errors import JobError, MachineRefusal
 
 TEXT = "G21\nG1X1F600\nG1X2\n"
+LONG = TEXT + "X3\nX2\n" * 500
 HEADER = {
     "format": FORMAT, "version": VERSION, "begin": "2026-11-22 08:00:00", "machine": "Cutting table A", "port": "COM3",
     "firmware": "1.1h", "lines": 300, "last_line": 301, "homing": True, "goes_back": False, "file": "",
@@ -54,13 +55,15 @@ def told(folder: Path, **header) -> str:
 
 
 def test_a_killed_job_states_its_interval_and_the_restart(tmp_path, program):
-    text = told(tmp_path, file=str(program))
+    program.write_text(LONG, "utf-8")
+    text = told(tmp_path, file=str(program), program_sha256=digest_of_text(LONG))
     assert "all before line 43 is cut" in text
     assert "line 43 may not have been begun, line 98 may have been sent" in text
     assert "Run at work X10.000 Y10.000 Z10.000, machine X-90.000 Y-40.000 Z-10.000 mm" in text
     assert "kept only if the controller has had power" in text and "home it" in text
     quote = '"' if os.name == "nt" else "'"
-    assert text.endswith(f"cncstepper restart {quote}{program}{quote} --line 43 --machine table-a\n")
+    sending = "--machine table-a --port COM3 --home"
+    assert text.endswith(f"cncstepper restart {quote}{program}{quote} --line 43 --without-stock {sending}\n")
 
 
 PATH = {
@@ -84,22 +87,20 @@ def test_a_zero_that_was_set_within_the_job_is_told_and_restarted_with(tmp_path,
     end = {"zero": zero, "end": "stopped", "why": "stopped as asked", "position_known": True}
     text = told(tmp_path, file=str(program), group=group, end=end, **PATH | {"homing": homing})
     assert "set again at the pause at line 2: G54 X-100.000 Y-50.000 Z-12.500 (machine, mm)" in text
-    assert text.endswith(f"--line 3 --machine table-a {option}".rstrip() + "\n")
+    words = ["--line", "3", "--without-stock", "--machine", "table-a", *option.split(), "--port", "COM3"]
+    assert text.endswith(" ".join(words) + "\n")  # the position is kept: no --home
 
 
 def test_of_a_restart_the_first_program_is_restarted_again(tmp_path, program):
-    first = {"file": str(program), "program_sha256": digest_of_text(TEXT), "lines": [[40, 812]]}
+    program.write_text(LONG, "utf-8")
+    first = {"file": str(program), "program_sha256": digest_of_text(LONG), "lines": [[40, 812]]}
     text = told(tmp_path, file="part-restart.nc", program_sha256="00", restart_of=first)
     assert f"goes on with {program}: restart that one again" in text
-    assert text.endswith("--line 815 --machine table-a\n") and "peça 1.nc" in text.splitlines()[-1]
+    assert "--line 815 --without-stock --machine table-a " in text and "peça 1.nc" in text.splitlines()[-1]
     program.write_text("G21\n", "utf-8")
     assert "was changed since" in told(tmp_path, name="2", file="part-restart.nc", restart_of=first)
     again = first | {"lines": [[9, 812], [20, 812]]}
     assert "choose the pass yourself" in told(tmp_path, name="3", file="part-restart.nc", restart_of=again)
-
-
-def test_a_profile_of_ones_own_is_left_to_be_named(tmp_path, program):
-    assert "PROFILE OF my-table.toml" in told(tmp_path, file=str(program), machine="my-table")
 
 
 def test_a_job_that_lost_its_position_must_be_homed_or_set(tmp_path, program):
@@ -122,7 +123,15 @@ def test_a_job_that_lost_its_position_must_be_homed_or_set(tmp_path, program):
 def test_no_command_is_offered_where_it_could_be_wrong(tmp_path, program, header, words):
     text = told(tmp_path, **{"file": str(program)} | header)
     assert words in text
-    assert ("cncstepper restart" in text) == ("nothing" in words)
+    assert "cncstepper restart" not in text
+    assert ("cncstepper send" in text) == ("nothing" in words)
+
+
+def test_where_nothing_is_left_to_cut_no_restart_is_needed(tmp_path, program):
+    program.write_text(f"{TEXT}G0Z5\nM5\n", "utf-8")
+    group = Group(1.8e9, 5, 3, 3, 4, 5)
+    text = told(tmp_path, file=str(program), program_sha256="", group=group, lines=5)
+    assert text.endswith("none is needed: from there on the program cuts nothing\n")
 
 
 def test_damage_is_told(tmp_path, program):

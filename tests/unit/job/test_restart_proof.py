@@ -144,7 +144,7 @@ def test_words_tell_where_from_what_height_and_with_what() -> None:
         "with 88% of its move done",
         "cuts 5 mm before the place again",
         "with tool 1 in the spindle",
-        "goes up to Z 10.000 first, then over the place",
+        "goes to Z 10.000 first, straight up (it is not sent while the tool stands higher), then over the place",
         "starts the spindle at 12000 rpm, turning clockwise (M3)",
         "waits for 3 s",
         "goes down at 200 mm/min",
