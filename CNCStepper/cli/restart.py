@@ -91,6 +91,7 @@ def command(
 
     Exit 0 when it is clean (and, with --port, done), else 1.
     """
+    from CNCStepper.control.port_holder import check_free
     from CNCStepper.job.model import load_job
     from CNCStepper.job.restart import certificate_of_restart
 
@@ -101,6 +102,8 @@ def command(
         raise click.UsageError("give --machine, or --job whose machine counts")
     against = _Against(machine, dialect_name(dialect, machine), given, stock_of(stock, origin), tool, job)
     _check_stock(against, sending)
+    if sending.port:
+        check_free(sending.port)
     text = read_program(program)
     if not (where.line or where.operation or where.contour or where.at_mm):
         _list(text, program, against)

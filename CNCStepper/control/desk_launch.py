@@ -10,8 +10,9 @@ from concurrent.futures import Future
 from pathlib import Path
 
 from CNCStepper.control.own_process import start
+from CNCStepper.control.port_holder import check_no_job
 from CNCStepper.control.python_finder import find_python
-from CNCStepper.control.session_file import DESK, new_session, read_private, running_desks, session_folder
+from CNCStepper.control.session_file import DESK, desk_at, new_session, session_folder
 from CNCStepper.errors import CNCStepperError, LinkError
 
 WORKER = "CNCStepper.control.desk_worker"
@@ -23,7 +24,8 @@ Launched = tuple[Path, subprocess.Popen | None]
 def launch(port: str, baud: int, folder: Path | None) -> Future[Launched]:
     """Return at once what will be the file of the desk at `port` and its process, None when it runs already.
 
-    Its exception is MissingPackage when no Python can be the desk's, or LinkError when it cannot be started.
+    Its exception is MissingPackage when no Python can be the desk's, MachineRefusal while a job that was sent from a
+    command line has the port, or LinkError when it cannot be started.
     """
     answer: Future[Launched] = Future()
 
@@ -45,14 +47,9 @@ def launch(port: str, baud: int, folder: Path | None) -> Future[Launched]:
     return answer
 
 
-def desk_at(port: str, folder: Path | None = None) -> Path | None:
-    """Return the file of the desk that runs at a port, if there is one."""
-    desks = (path for path in running_desks(folder) if (read_private(path) or {}).get("machine_port") == port)
-    return next(desks, None)
-
-
 def _launched(port: str, baud: int, folder: Path) -> Launched:
     if there := desk_at(port, folder):
         return there, None
+    check_no_job(port, folder)
     path = new_session(folder, DESK)
     return path, start(find_python(), WORKER, path, port, str(baud))

@@ -12,7 +12,7 @@ import json
 import os
 import secrets
 import time
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from contextlib import suppress
 from pathlib import Path
 from typing import Any
@@ -54,14 +54,17 @@ def sessions(folder: Path | None = None) -> list[Path]:
 
 def session_at(machine_port: str, folder: Path | None = None) -> Path | None:
     """Return the file of the session that has this port; None where none has."""
-    return next(
-        (path for path in sessions(folder) if (read_private(path) or {}).get("machine_port") == machine_port), None
-    )
+    return _having(machine_port, sessions(folder))
 
 
 def running_desks(folder: Path | None = None) -> list[Path]:
     """Return the files of the desks that run, oldest first."""
     return [path for path in sorted((folder or session_folder()).glob(f"*{DESK}")) if is_fresh(path)]
+
+
+def desk_at(machine_port: str, folder: Path | None = None) -> Path | None:
+    """Return the file of the desk that has this port; None where none has."""
+    return _having(machine_port, running_desks(folder))
 
 
 def is_fresh(path: Path) -> bool:
@@ -122,6 +125,10 @@ def read_private(path: Path) -> dict[str, Any] | None:
         return json.loads(path.read_text("utf-8"))
     except FileNotFoundError:
         return None
+
+
+def _having(machine_port: str, files: Iterable[Path]) -> Path | None:
+    return next((path for path in files if (read_private(path) or {}).get("machine_port") == machine_port), None)
 
 
 def _prune(folder: Path) -> None:

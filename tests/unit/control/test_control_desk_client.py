@@ -21,7 +21,7 @@ from CNCStepper.control.desk_launch import WORKER
 from CNCStepper.control.outcome import DONE, STOPPED
 from CNCStepper.control.port_list import PortChoice, port_list
 from CNCStepper.control.send_job import SendJob
-from CNCStepper.control.session_file import DESK, FRESH_S, LOG, OUTCOME, new_session
+from CNCStepper.control.session_file import DESK, FRESH_S, LOG, OUTCOME, desk_at, new_session
 from CNCStepper.errors import CNCStepperError, MissingPackage
 
 LIMIT_S = 40.0
@@ -337,8 +337,8 @@ def test_file_that_nobody_touches_is_no_running_desk(tmp_path):
 
 def test_desk_is_found_by_its_port(tmp_path):
     (tmp_path / f"a{DESK}").write_text('{"machine_port": "COM3"}')
-    assert desk_launch.desk_at("COM3", tmp_path) == tmp_path / f"a{DESK}"
-    assert desk_launch.desk_at("COM4", tmp_path) is None
+    assert desk_at("COM3", tmp_path) == tmp_path / f"a{DESK}"
+    assert desk_at("COM4", tmp_path) is None
 
 
 def test_ports_are_named_for_people(monkeypatch):

@@ -16,12 +16,14 @@ import pytest
 from fake_controller import FakeServer
 
 from CNCStepper.control import python_finder
+from CNCStepper.control.desk_client import DeskClient
 from CNCStepper.control.outcome import DONE, FAILED, REFUSED, STOPPED
 from CNCStepper.control.own_process import start
+from CNCStepper.control.port_holder import check_free
 from CNCStepper.control.python_finder import candidates, checked, find_python, seek_python
 from CNCStepper.control.send_job import SendJob
 from CNCStepper.control.session import WORKER, SessionClient
-from CNCStepper.control.session_file import OUTCOME, new_session, sessions
+from CNCStepper.control.session_file import OUTCOME, new_session, sessions, write_private
 from CNCStepper.control.started import BEHIND, python_version, see_packages
 from CNCStepper.errors import LinkError, MachineRefusal, MissingPackage
 
@@ -65,6 +67,28 @@ def untouched(tmp_path_factory):
     """One session for all tests that must not change it."""
     with paused(tmp_path_factory.mktemp("sessions")) as session:
         yield session
+
+
+def test_a_port_that_ones_own_job_has_is_refused_with_its_name(untouched, tmp_path):
+    server, client = untouched
+    folder = client.session_file.parent
+    session = client.session_file.stem
+    with pytest.raises(MachineRefusal, match=rf"held by a job of yours.*paused.*cncstepper back --session {session}"):
+        check_free(server.url, folder)
+    desk = DeskClient.launch(server.url, folder=folder)
+    end_s = time.monotonic() + LIMIT_S
+    while desk.phase != "gone" and time.monotonic() < end_s:
+        desk.poll()
+        time.sleep(0.01)
+    assert desk.error and desk.error.code == "port-held"
+    check_free(server.url, tmp_path)
+    check_free("COM3", folder)
+
+
+def test_a_port_of_a_killed_job_is_free(tmp_path):
+    dead = new_session(tmp_path)
+    write_private(dead, {"host": "127.0.0.1", "port": 9, "token": "", "machine_port": "COM3"})
+    check_free("COM3", tmp_path)
 
 
 def test_job_runs_in_its_own_process_and_nothing_is_left(tmp_path):

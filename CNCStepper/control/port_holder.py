@@ -1,0 +1,59 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Who of this user has a machine's port already: a job that runs or stands, or a desk (a window, a console).
+
+A second opening would get nothing from a serial port, and from a network port a connection that breaks at once: both
+look as if the cable were at fault.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from CNCStepper.control.outcome import SenderStatus
+from CNCStepper.control.session import SessionClient
+from CNCStepper.control.session_file import desk_at, session_at
+from CNCStepper.errors import LinkError, MachineRefusal
+
+
+def check_free(port: str, folder: Path | None = None) -> None:
+    """Raise MachineRefusal where a job or a desk of this user has the port."""
+    check_no_job(port, folder)
+    if desk := desk_at(port, folder):
+        _check_desk(desk, port)
+
+
+def check_no_job(port: str, folder: Path | None = None) -> None:
+    """Raise MachineRefusal where a job that was sent from a command line has the port; a killed one has it no more."""
+    if session := session_at(port, folder):
+        try:
+            with SessionClient.attach(session) as client:
+                status = client.status() if client.outcome is None else None
+        except LinkError:  # it was killed: its journal tells of it
+            return
+        if status:
+            raise _held_by_job(session, port, status)
+
+
+def _check_desk(desk: Path, port: str) -> None:
+    from CNCStepper.control.desk_session import DeskSession  # whose desks ask `check_no_job` before they are launched
+
+    try:
+        with DeskSession.attach(desk) as client:
+            status = client.status()
+    except LinkError:  # it has ended meanwhile
+        return
+    if status.total:
+        raise _held_by_job(desk, port, status)
+    raise MachineRefusal(
+        "port-held",
+        f"{port} is held by a window or a console of yours",
+        advice="disconnect there first, or send the job from there",
+    )
+
+
+def _held_by_job(file: Path, port: str, status: SenderStatus) -> MachineRefusal:
+    return MachineRefusal(
+        "port-held",
+        f"{port} is held by a job of yours, {status.file or 'a program'}, which is {status.phase}",
+        advice=f"go on with it or stop it where it was started, or with: cncstepper back --session {file.stem}",
+    )
