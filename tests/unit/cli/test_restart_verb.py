@@ -115,7 +115,7 @@ def test_without_stock_it_says_so_and_is_not_sent(program: Path) -> None:
 def test_a_dry_run_says_that_it_goes_up_and_never_down(program: Path) -> None:
     result = called(program, *AGAINST, "--line", "10", "--certificate", program.with_suffix(".json"))
     assert "goes to Z 10.000 first, straight up (it is not sent while the tool stands higher)" in result.output
-    lift = Certificate.read(program.with_suffix(".json")).send_job().lift
+    lift = Certificate.from_json(program.with_suffix(".json").read_text("utf-8")).send_job().lift
     assert lift == {"system": "G54", "z_mm": 10.0, "height_mm": 10.0}
 
 

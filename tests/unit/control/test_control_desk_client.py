@@ -15,7 +15,7 @@ from pathlib import Path
 import pytest
 from fake_controller import FakeServer
 
-from CNCStepper.control import desk_launch, own_process, python_finder
+from CNCStepper.control import own_process, python_finder
 from CNCStepper.control.desk_client import DeskClient, running_desks
 from CNCStepper.control.desk_launch import WORKER
 from CNCStepper.control.outcome import DONE, STOPPED
