@@ -29,13 +29,13 @@ def check_lift(job: SendJob, driver: Grbl, found: Found, tell: Callable[[str, st
         return
     height_mm = job.lift["height_mm"]
     here_mm = math.ceil((height_mm + above_mm) / HEIGHT_STEP_MM - ABOVE_MM) * HEIGHT_STEP_MM
-    what = f"the tool stands at Z {height_mm + above_mm:.3f}, and the restart goes to Z {height_mm:.3f} first"
+    high, low = f"{height_mm + above_mm:.3f}", f"{height_mm:.3f}"
     if job.home_first:
-        tell("warning", f"{what}: straight down from where the machine is homed")
+        tell("warning", f"the restart goes straight down first, from Z {high}, where the machine has homed, to Z {low}")
         return
     raise MachineRefusal(
         "restart-above",
-        f"{what}: straight down, as a rapid",
+        f"the tool stands at Z {high}, and the restart goes straight down to Z {low} first, as a rapid",
         advice=f"jog it down to that height where you see what is below it, or restart with the height {here_mm:.1f} "
         "(--height), from which it goes over the place at once",
     )

@@ -31,8 +31,10 @@ def words_of(restart: Restart) -> Iterator[str]:
     if state.tool:
         yield f"with tool {state.tool} in the spindle"
     if not isnan(approach.safe_mm):
-        up = f"goes to Z {height_mm(restart):.3f} first, straight up (it is not sent while the tool stands higher)"
-        yield f"{up}, then over the place"
+        yield (
+            f"goes to Z {height_mm(restart):.3f} first, straight up (it is not sent while the tool stands higher), "
+            "then over the place"
+        )
     yield from _switched_on(restart)
     if approach.plunge_mm_min:
         yield f"goes down at {approach.plunge_mm_min:g} mm/min"

@@ -38,7 +38,7 @@ def test_a_tool_that_stands_higher_is_not_sent_down() -> None:
     table = Table()
     outcome = sent(table, [], lift=LIFT)
     assert outcome.kind == REFUSED and outcome.error and outcome.error.code == "restart-above"
-    assert "stands at Z 60.000, and the restart goes to Z 5.000 first" in outcome.text
+    assert "stands at Z 60.000, and the restart goes straight down to Z 5.000 first" in outcome.text
     assert "the height 60.0" in outcome.text
     assert not moved(table)
 
@@ -61,4 +61,4 @@ def test_one_that_stands_below_goes_up(lift: dict[str, Any]) -> None:
 def test_a_machine_that_has_just_homed_goes_down_and_says_so() -> None:
     table, told = Table(homing=True), list[str]()
     assert sent(table, told, lift=LIFT, home_first=True).kind == DONE
-    assert any("straight down from where the machine is homed" in text for text in told)
+    assert any("goes straight down first" in text for text in told)
