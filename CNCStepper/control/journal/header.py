@@ -42,7 +42,7 @@ def header_of(job: SendJob, driver: Grbl, found: Found) -> dict[str, Any]:
         "homing": bool(found.settings.get(HOMING)),
         "modes": found.modes,
         "offsets_mm": offsets_of(driver, found),
-        "dialect": job.retrace.get("dialect", ""),
+        "dialect": job.dialect,
         "mpos_mm": driver.mpos_mm,
     }
 
