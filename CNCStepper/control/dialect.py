@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Whether the lines of a job mean to the controller what they meant to the proof: they are sent as they stand.
 
-    G90 X40 Y0 F300      a cut at F300 in the language of thesis A, a rapid to grbl that has just begun
+G90 X40 Y0 F300      a cut at F300 in the language of thesis A, a rapid to grbl that has just begun
 """
 
 from __future__ import annotations

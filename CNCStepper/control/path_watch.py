@@ -30,7 +30,7 @@ STEPS = 2.0
 ROUNDING_MM = 0.002  # of positions and offsets as they are reported, in inches too
 STEP_MM = 0.0125  # where the controller does not report its steps/mm
 STANDING = ("Idle", "Run", "Hold")  # in others (door, tool, jog) a controller moves by itself, or a person it
-MODES = ("G0", "G1", "G2", "G3", "G17", "G18", "G19", "G20", "G21", "G90", "G91", "G93", "G94")
+MODES = ["G0", "G1", "G2", "G3", "G17", "G18", "G19", "G20", "G21", "G90", "G91", "G93", "G94", "G98", "G99"]
 TURNS_ON = re.compile(r"M0*[34](?!\d)", re.IGNORECASE)
 DAMAGED = "the machine is not on the program's path: a line was damaged on its way"
 RESTARTED = "the machine left the program's path: a line was damaged on its way, or the controller restarted unheard"
@@ -122,12 +122,12 @@ class PathWatch:
             self._warn(str(error))
             return None
         start, held = start_of(self._driver, found), held_words(offsets_of(self._driver, found), found.modes)
-        return PlannedPath(self._job.lines, start, held, first, self._gaps)
+        return PlannedPath(self._job.lines, start, held, first, self._gaps, found.firmware.dialects[0])
 
     def _tell_unknown(self, path: PlannedPath) -> None:
         if path.refused and not self._told:
             self._told = True
-            self._warn(str(path.refused))
+            self._warn(str(path.refused.at(self._job.place(path.lost_at))))
 
     def _warn(self, why: str) -> None:
         self._tell("warning", f"positions are not compared with the path any more: {why}")

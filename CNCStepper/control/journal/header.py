@@ -43,6 +43,7 @@ def header_of(job: SendJob, driver: Grbl, found: Found) -> dict[str, Any]:
         "modes": found.modes,
         "offsets_mm": offsets_of(driver, found),
         "dialect": job.dialect,
+        "controller": found.firmware.key,
         "mpos_mm": driver.mpos_mm,
     }
 

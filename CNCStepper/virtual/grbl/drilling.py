@@ -23,12 +23,13 @@ RELATIVE, TO_INITIAL = 91, 98
 
 
 def complete(block: Block, parser: Parser, zero_mm: float, unit_mm: float) -> None:
-    """Fill in the cycle of a block and where it ends; words that lack are those of the block before.
+    """Fill in the cycle of a block and where it ends; words that lack are those of the same cycle before.
 
     zero_mm: the height of Z0 in machine coordinates. Raises MachineRefusal.
     """
-    axis, before = PLANES[block.modal.plane][2], parser.drilling
-    initial = before.initial if before else parser.position[axis]
+    axis = PLANES[block.modal.plane][2]
+    initial = parser.drilling.initial if parser.drilling else parser.position[axis]
+    before = parser.drilling if block.modal.motion == parser.modal.motion else None
     relative = block.modal.distance == RELATIVE
     retract, bottom = before.retract if before else None, before.bottom if before else None
     if "R" in block.words:

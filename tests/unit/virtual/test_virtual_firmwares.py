@@ -141,7 +141,9 @@ def test_words_of_a_drilling_cycle_stick_until_another_motion(talk):
     ends = ways(board, "G21G90G0Z5", "G99G81X1Z-1R1F3000", "X2", "G91X1L2", "G80")
     assert [end for end in ends if end[2] == -1] == [(1, 0, -1), (2, 0, -1), (3, 0, -1), (4, 0, -1)]
     assert "G80 G54 G17 G21 G91 G94 G49 G99" in board.say(b"$G\n")[0]
-    assert board.say(b"G90G81X9F300\n") == ["error:28"] and board.say(b"G81X9Z1R0F300\n") == ["error:54"]
+    assert board.say(b"G90G81X9F300\n") == ["error:28"] and board.say(b"G81X9Z-1R0F3000\n", 2.0) == ["ok"]
+    assert board.say(b"G83X8Q1\n") == ["error:28"]
+    assert board.say(b"G81X9Z1R0F300\n") == ["error:54"]
 
 
 def test_grblhal_has_nine_work_systems(talk):
