@@ -31,6 +31,7 @@ ROUNDING_MM = 0.002  # of positions and offsets as they are reported, in inches 
 STEP_MM = 0.0125  # where the controller does not report its steps/mm
 STANDING = ("Idle", "Run", "Hold")  # in others (door, tool, jog) a controller moves by itself, or a person it
 MODES = ["G0", "G1", "G2", "G3", "G17", "G18", "G19", "G20", "G21", "G90", "G91", "G93", "G94", "G98", "G99"]
+DRILLS = re.compile(r"G(7[346]|8[1-9])\b")
 TURNS_ON = re.compile(r"M0*[34](?!\d)", re.IGNORECASE)
 DAMAGED = "the machine is not on the program's path: a line was damaged on its way"
 RESTARTED = "the machine left the program's path: a line was damaged on its way, or the controller restarted unheard"
@@ -171,7 +172,8 @@ def held_words(offsets_mm: Offsets, modes: str) -> list[str]:
     length = offsets_mm.get("TLO")
     words = [word for word in modes.split() if word in MODES or (word[0] == "F" and float(word[1:]) > 0)]
     plain, arcs = "".join(word for word in words if word not in ARCS), [word for word in words if word in ARCS]
-    return [*([f"G43.1Z{length[-1]}"] if length and length[-1] else []), plain, *arcs]
+    end_cycle = ["G80"] if DRILLS.search(modes) else []  # its depth and retract plane are not told
+    return [*([f"G43.1Z{length[-1]}"] if length and length[-1] else []), plain, *arcs, *end_cycle]
 
 
 def _homes(offsets_mm: Mapping[str, Sequence[float]]) -> dict[int, float]:

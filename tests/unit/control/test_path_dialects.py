@@ -7,6 +7,7 @@ import pytest
 from desk_table import Visit
 from fake_controller import FakeClock, FakeController, FakeLink
 
+from CNCStepper.control.path_watch import held_words
 from CNCStepper.control.planned_path import PlannedPath
 from CNCStepper.control.send_job import SendJob
 from CNCStepper.control.sender import Sender
@@ -70,6 +71,13 @@ def test_retract_mode_is_the_one_that_the_controller_holds():
         path = PlannedPath(lines, Start.at_zero(), [held], dialect="grblhal")
         path.read(3)
         assert path.end_mm == (9.0, 0.0, height_mm)
+
+
+def test_hole_whose_depth_nobody_told_is_not_followed():
+    held = held_words({}, "G81 G54 G17 G21 G90 G94 G49 G98 F300")
+    path = PlannedPath(("X9",), Start.at_zero(), held, dialect="grblhal")
+    path.read(1)
+    assert path.refused and path.lost_at == 0
 
 
 def test_holes_that_a_controller_may_still_have_to_drill_are_kept_however_it_pecks():
