@@ -16,7 +16,7 @@ from CNCStepper.control.connect import Found, offsets_of
 from CNCStepper.control.gaps import Gaps
 from CNCStepper.control.grbl import Grbl
 from CNCStepper.control.grbl_report import Status, Vector
-from CNCStepper.control.journal.finished import SEGMENTS
+from CNCStepper.control.journal.finished import SEGMENTS, finished_lines, longest_step_mm
 from CNCStepper.control.lines import ARCS
 from CNCStepper.control.readiness import CHECK, STEPS_PER_MM, state_refusal
 from CNCStepper.control.send_job import SendJob
@@ -65,6 +65,7 @@ class PathWatch:
         self._told = False  # that the path is not known
         self._path = self._planned(found)
         axes = (driver.settings.get(STEPS_PER_MM + axis, 1 / STEP_MM) for axis in range(3))
+        self._step_mm = longest_step_mm(driver.settings)
         self._near_mm = tuple(STEPS / max(steps, 1.0) + ROUNDING_MM for steps in axes)
 
     def read_on(self, sent: int) -> None:
@@ -84,6 +85,18 @@ class PathWatch:
         self._path.drop_planned_before(acknowledged, self._driver.planner_blocks + SEGMENTS)
         if not self._path.drop_to(place[:3], self._near_mm):
             self._leave(place, sent)
+
+    def done(self, acknowledged: int) -> int:
+        """Return how many of the acknowledged lines are surely cut, by the last report.
+
+        These are those before the one on which the machine was seen; where the path is not known, those that must have
+        left the planner.
+        """
+        passed = max(self._path.line, 0) if self._path else 0
+        if self._path is None or self._path.refused:
+            blocks = self._driver.planner_blocks + SEGMENTS
+            passed = max(passed, finished_lines(self._job.lines, acknowledged, blocks, self._step_mm))
+        return min(passed, acknowledged)
 
     def begin_anew(self, found: Found, sent: int) -> None:
         """Compare from here on: the machine stands, all lines sent are cut, and its zero may be another one."""
