@@ -124,6 +124,7 @@ def command(
     with ExitStack() as files:
         if certificate:
             job = _certified(certificate, wanted, dialect, despite_certificate, files)
+            _check_spoken(job.dialect, wanted.machine)
         else:
             job = _checked(wanted, dialect_name(dialect, wanted.machine), unchecked)
         job = replace(job, port=port, baud=baud, allow_differences=allow_differences)
@@ -172,6 +173,13 @@ class _Wanted:
         return replace(
             self, machine=machine, stock=job.stock.stock(), tools=job.on(machine).tools, start=start, job=job
         )
+
+
+def _check_spoken(dialect: str, machine: Machine | None) -> None:
+    """Refuse, before a port is opened, what the machine's controller would read as other moves."""
+    from CNCStepper.control.dialect import check_sendable
+
+    check_sendable(dialect, machine.controller if machine else "")
 
 
 def _certified(path: Path, wanted: _Wanted, dialect: str | None, despite: bool, files: ExitStack) -> SendJob:
@@ -244,6 +252,7 @@ def _checked(wanted: _Wanted, dialect: str, unchecked: bool) -> SendJob:
     from CNCStepper.simulation.finding import refused
     from CNCStepper.toolpath import require_straight_axes
 
+    _check_spoken(dialect, wanted.machine)
     wire, motors, toolpath = wire_and_ways(wanted.program.text, wanted.machine, dialect, wanted.file, wanted.start)
     require_straight_axes(motors, wanted.file)
     if wanted.machine and not unchecked:

@@ -147,8 +147,9 @@ class Certificate:
             raise _refusal("certificate", "the certificate lacks what a sender needs", str(error)) from error
 
     def _identity(self) -> dict[str, str]:
-        """Return by what a journal knows the program, the machine and this proof."""
+        """Return by what a journal knows the program, the machine and this proof, and the language of the lines."""
         return {
+            "dialect": str(self.content.get("wire", {}).get("dialect", "")),
             "machine": str(self.content.get("machine", {}).get("name", "")),
             "program_sha256": str(self.content.get("program", {}).get("sha256", "")),
             "certificate_sha256": self.sha256,

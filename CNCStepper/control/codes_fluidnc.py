@@ -22,6 +22,7 @@ FLUIDNC_ERRORS: dict[int, Code] = GRBL_ERRORS | {
     17: Code("laser mode needs a spindle of the kind Laser", _CONFIGURATION),
     18: Code("no axis is set up for homing", _CONFIGURATION),
     19: Code("a single axis may not be homed here", "home all axes with $H"),
+    20: Code("the controller does not know this command", "write the program for the dialect fluidnc or grbl"),
     38: Code("a value is larger than the controller allows", CORRECT_LINE),
     39: Code("the P word is larger than the controller allows", CORRECT_LINE),
     40: Code(

@@ -14,6 +14,8 @@ GRBLHAL_ERRORS: dict[int, Code] = GRBL_ERRORS | {
     6: Code("the step pulse is shorter than 2 microseconds", "set $0 to 2 or more"),
     18: Code("the controller was reset before it could do that", "send it again"),
     19: Code("a value is zero or negative where only positive ones are allowed", CORRECT_LINE),
+    20: Code("the controller does not know this command", "write the program for the dialect grblhal or grbl"),
+    29: Code("the controller does not have this work system", "use one of those that `$#` lists"),
     38: Code("the tool number is too large, or the tool table has no such tool", "use a tool that the table has"),
     39: Code("a value is outside of its range", CORRECT_LINE),
     40: Code("a tool change is pending, and this command must wait for its end", "end the tool change, then resume"),

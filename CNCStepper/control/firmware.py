@@ -27,6 +27,7 @@ GRBLHAL_TAGS = ("NEWOPT", "AXS")  # of `$I`, which grbl does not have
 class Firmware:
     """What differs from one firmware to the next; `key` begins its error codes ("grbl-error-20"), `name` is for people.
 
+    dialects: the languages of which it reads every line as it is meant, its own first.
     small_receive: its receive buffer may be smaller than grbl's, so what it says of it holds. line_characters: of its
     longest line, without blanks where these do not count. error_names: what it may answer in place of a number.
     inches_question: how it tells whether it reports in inches, where no setting $13 does.
@@ -36,6 +37,7 @@ class Firmware:
     name: str
     errors: Mapping[int, Code]
     alarms: Mapping[int, Code]
+    dialects: tuple[str, ...]
     small_receive: bool = False
     line_characters: int = 79
     blanks_count: bool = False
@@ -59,12 +61,14 @@ class Firmware:
         return self.error_names.get(text.removeprefix("error:").strip(), -1)
 
 
-GRBL = Firmware("grbl", "grbl 1.1", GRBL_ERRORS, GRBL_ALARMS)
+# The parsers of grblHAL and FluidNC are grbl's with words added: no line that grbl accepts means another move there.
+GRBL = Firmware("grbl", "grbl 1.1", GRBL_ERRORS, GRBL_ALARMS, ("grbl",))
 GRBLHAL = Firmware(
     "grblhal",
     "grblHAL",
     GRBLHAL_ERRORS,
     GRBLHAL_ALARMS,
+    ("grblhal", "grbl"),
     line_characters=255,
 )
 FLUIDNC = Firmware(
@@ -72,6 +76,7 @@ FLUIDNC = Firmware(
     "FluidNC",
     FLUIDNC_ERRORS,
     FLUIDNC_ALARMS,
+    ("fluidnc", "grbl"),
     small_receive=True,
     line_characters=254,
     blanks_count=True,

@@ -6,6 +6,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from CNCStepper.control.connect import Found, check_units, offsets_of
+from CNCStepper.control.dialect import check_spoken
 from CNCStepper.control.first_modes import check_modes, mode_differences
 from CNCStepper.control.grbl import Grbl
 from CNCStepper.control.lift import check_lift
@@ -17,9 +18,10 @@ from CNCStepper.control.send_job import SendJob
 def check_found(job: SendJob, driver: Grbl, found: Found, tell: Callable[[str, str], None]) -> None:
     """Tell every difference as a warning, and refuse those that the job does not allow; raises MachineRefusal.
 
-    A line that is too long for the firmware is refused in any case, as a ProgramError, and so are a work zero that was
-    lost when the controller restarted and positions in unknown units.
+    A line that is too long for the firmware is refused in any case, as a ProgramError, and so are lines in another
+    language than the controller's, a work zero that was lost when it restarted, and positions in unknown units.
     """
+    check_spoken(job.dialect, found.firmware)
     check_units(driver)
     check_lift(job, driver, found, tell)
     job.check_lengths(found.firmware, driver.window)

@@ -21,9 +21,10 @@ class SenderStatus:
     phase: "connecting", "running", "holding", "held", "paused" (M0; `message` is the program's), "door", "finishing",
     "retreated" (led back along its cut), "stopping", then the kind of the outcome; of a desk without a job "idle",
     "alarm" (`message` says which), "jogging", "homing", "held", "door" or "busy". machine_state: as grbl writes it.
-    file_line, file_line_sent: the last line of the file that was acknowledged, and that was sent. Positions are None
-    until reported. buffer: free blocks of the planner and free bytes, where the controller tells them. remaining_s,
-    done: the time still to go, None while nothing can be said, and the part that lies behind, 0 to 1.
+    file_line, file_line_sent: the last line of the file that is surely cut, and that was sent; `acknowledged` counts
+    those that the controller has taken. Positions are None until reported. buffer: free blocks of the planner and free
+    bytes, where the controller tells them. remaining_s, done: the time still to go, None while nothing can be said, and
+    the part that lies behind, 0 to 1.
     overrides: feed, rapid, spindle in percent. outputs: what is on: S or C for the spindle's sense, F flood, M mist.
     pins: the inputs that are on, as "XYZ" for limit switches, P for the
     probe, D for the door. homing: whether the machine can home itself. position_known: whether machine positions

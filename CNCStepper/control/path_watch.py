@@ -16,7 +16,7 @@ from CNCStepper.control.connect import Found, offsets_of
 from CNCStepper.control.gaps import Gaps
 from CNCStepper.control.grbl import Grbl
 from CNCStepper.control.grbl_report import Status, Vector
-from CNCStepper.control.journal.finished import SEGMENTS
+from CNCStepper.control.journal.finished import SEGMENTS, finished_lines, longest_step_mm
 from CNCStepper.control.lines import ARCS
 from CNCStepper.control.readiness import CHECK, STEPS_PER_MM, state_refusal
 from CNCStepper.control.send_job import SendJob
@@ -30,7 +30,8 @@ STEPS = 2.0
 ROUNDING_MM = 0.002  # of positions and offsets as they are reported, in inches too
 STEP_MM = 0.0125  # where the controller does not report its steps/mm
 STANDING = ("Idle", "Run", "Hold")  # in others (door, tool, jog) a controller moves by itself, or a person it
-MODES = ("G0", "G1", "G2", "G3", "G17", "G18", "G19", "G20", "G21", "G90", "G91", "G93", "G94")
+MODES = ["G0", "G1", "G2", "G3", "G17", "G18", "G19", "G20", "G21", "G90", "G91", "G93", "G94", "G98", "G99"]
+DRILLS = re.compile(r"G(7[346]|8[1-9])\b")
 TURNS_ON = re.compile(r"M0*[34](?!\d)", re.IGNORECASE)
 DAMAGED = "the machine is not on the program's path: a line was damaged on its way"
 RESTARTED = "the machine left the program's path: a line was damaged on its way, or the controller restarted unheard"
@@ -64,6 +65,7 @@ class PathWatch:
         self._told = False  # that the path is not known
         self._path = self._planned(found)
         axes = (driver.settings.get(STEPS_PER_MM + axis, 1 / STEP_MM) for axis in range(3))
+        self._step_mm = longest_step_mm(driver.settings)
         self._near_mm = tuple(STEPS / max(steps, 1.0) + ROUNDING_MM for steps in axes)
 
     def read_on(self, sent: int) -> None:
@@ -83,6 +85,18 @@ class PathWatch:
         self._path.drop_planned_before(acknowledged, self._driver.planner_blocks + SEGMENTS)
         if not self._path.drop_to(place[:3], self._near_mm):
             self._leave(place, sent)
+
+    def done(self, acknowledged: int) -> int:
+        """Return how many of the acknowledged lines are surely cut, by the last report.
+
+        These are those before the one on which the machine was seen; where the path is not known, those that must have
+        left the planner.
+        """
+        passed = max(self._path.line, 0) if self._path else 0
+        if self._path is None or self._path.refused:
+            blocks = self._driver.planner_blocks + SEGMENTS
+            passed = max(passed, finished_lines(self._job.lines, acknowledged, blocks, self._step_mm))
+        return min(passed, acknowledged)
 
     def begin_anew(self, found: Found, sent: int) -> None:
         """Compare from here on: the machine stands, all lines sent are cut, and its zero may be another one."""
@@ -122,12 +136,12 @@ class PathWatch:
             self._warn(str(error))
             return None
         start, held = start_of(self._driver, found), held_words(offsets_of(self._driver, found), found.modes)
-        return PlannedPath(self._job.lines, start, held, first, self._gaps)
+        return PlannedPath(self._job.lines, start, held, first, self._gaps, found.firmware.dialects[0])
 
     def _tell_unknown(self, path: PlannedPath) -> None:
         if path.refused and not self._told:
             self._told = True
-            self._warn(str(path.refused))
+            self._warn(str(path.refused.at(self._job.place(path.lost_at))))
 
     def _warn(self, why: str) -> None:
         self._tell("warning", f"positions are not compared with the path any more: {why}")
@@ -171,7 +185,8 @@ def held_words(offsets_mm: Offsets, modes: str) -> list[str]:
     length = offsets_mm.get("TLO")
     words = [word for word in modes.split() if word in MODES or (word[0] == "F" and float(word[1:]) > 0)]
     plain, arcs = "".join(word for word in words if word not in ARCS), [word for word in words if word in ARCS]
-    return [*([f"G43.1Z{length[-1]}"] if length and length[-1] else []), plain, *arcs]
+    end_cycle = ["G80"] if DRILLS.search(modes) else []  # its depth and retract plane are not told
+    return [*([f"G43.1Z{length[-1]}"] if length and length[-1] else []), plain, *arcs, *end_cycle]
 
 
 def _homes(offsets_mm: Mapping[str, Sequence[float]]) -> dict[int, float]:

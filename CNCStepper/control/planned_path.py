@@ -28,8 +28,9 @@ SAME_ANGLE = 5e-7  # at most: the firmware takes it for a whole circle
 class Pieces:
     """Straight pieces of way, one after the other, in machine coordinates.
 
-    begins, ends: float64[n, 3], mm; NaN where nobody knows the place. rows: int64[n], the number of the move that each
-    is of, rising by one from move to move. lines: int64[n], its line of the wire text, from 0.
+    begins, ends: float64[n, 3], mm; NaN where nobody knows the place. lines: int64[n], the line of the wire text that
+    each is of, from 0. rows: int64[n], rising by one from line to line that goes some way: how a controller makes the
+    moves of one line, an arc's chords or a drilling cycle's pecks, is its own matter.
     """
 
     begins: np.ndarray
@@ -41,18 +42,19 @@ class Pieces:
         return len(self.rows)
 
     def from_row(self, row: int) -> Pieces:
-        """Return those of a move and all after it."""
+        """Return those of a row and all after it."""
         first = int(np.searchsorted(self.rows, row))
         return Pieces(self.begins[first:], self.ends[first:], self.rows[first:], self.lines[first:])
 
     def with_moves(self, points: np.ndarray, counts: np.ndarray, lines: np.ndarray) -> Pieces:
         """Return them with further moves: points float64[k, 3] that they lead to, counts and lines one a move."""
-        rows = self.rows[-1] + 1 + np.arange(len(counts))
+        begins, lines = np.concatenate([self.ends[-1:], points[:-1]]), np.repeat(lines, counts)
+        rows = _rows_after(self.rows[-1], self.lines[-1], lines, (begins != points).any(axis=1))
         return Pieces(
-            np.concatenate([self.begins, self.ends[-1:], points[:-1]]),
+            np.concatenate([self.begins, begins]),
             np.concatenate([self.ends, points]),
-            np.concatenate([self.rows, np.repeat(rows, counts)]),
-            np.concatenate([self.lines, np.repeat(lines, counts)]),
+            np.concatenate([self.rows, rows]),
+            np.concatenate([self.lines, lines]),
         )
 
 
@@ -60,18 +62,25 @@ class PlannedPath:
     """The moves of the lines sent so far that may not be done yet; there is always one, at first where it begins.
 
     start: how the machine stands. held: lines that say what else is in force there. first: the line, from 0, before
-    which it stands. gaps: follow the moves, where there is play. refused: why the way is not known from some line on,
-    or None.
+    which it stands. gaps: follow the moves, where there is play. dialect: the controller's. refused: why the way is not
+    known from the line `lost_at` (from 0) on, or None.
     """
 
     def __init__(
-        self, lines: Sequence[str], start: Start, held: Sequence[str] = (), first: int = 0, gaps: Gaps | None = None
+        self,
+        lines: Sequence[str],
+        start: Start,
+        held: Sequence[str] = (),
+        first: int = 0,
+        gaps: Gaps | None = None,
+        dialect: str = "grbl",
     ):
         self.refused: ProgramError | None = None
+        self.lost_at = 0
         self._lines = lines
         self._gaps = gaps
         self._read = first
-        self._interpreter = Interpreter(start)
+        self._interpreter = Interpreter(start, dialect)
         here = np.array([start.position_mm[:3]], float)
         self._pieces = Pieces(here, here, np.array([0]), np.array([first - 1]))
         self._lines_before = first - 1  # of the line from which the interpreter counts
@@ -102,7 +111,7 @@ class PlannedPath:
         return None if np.isnan(here).any() else tuple(here.tolist())
 
     def drop_planned_before(self, acknowledged: int, queued: int) -> None:
-        """Forget what is done for sure: the lines that are `acknowledged` are planned, and `queued` may wait then."""
+        """Forget what is done for sure: the lines that are `acknowledged` are planned, and `queued` moves may wait."""
         planned = int(np.searchsorted(self._pieces.lines, acknowledged))
         if planned:
             self._pieces = self._pieces.from_row(self._pieces.rows[planned - 1] + 1 - queued)
@@ -145,11 +154,11 @@ class PlannedPath:
 
     def _lose(self, error: ProgramError) -> None:
         self._take_moves()
-        self.refused = error
+        self.refused, self.lost_at = error, self._read
         self._pieces = self._pieces.with_moves(np.full((1, 3), nan), np.ones(1, int), np.array([self._read]))
 
     def _take_moves(self) -> None:
-        """Put the moves that the interpreter has made behind the others, and forget its states: none is needed here."""
+        """Put the moves that the interpreter has made behind the others, and forget what is not needed here."""
         table = self._interpreter.table
         for chunk in table.take():
             if self._gaps:
@@ -157,6 +166,15 @@ class PlannedPath:
             points, counts = way_of(chunk, self._pieces.ends[-1])
             self._pieces = self._pieces.with_moves(points, counts, chunk.line + self._lines_before)
         table.states = States(table.states[-1:])
+        table.spans.clear()
+
+
+def _rows_after(row: int, line: int, lines: np.ndarray, goes: np.ndarray) -> np.ndarray:
+    """Return the rows of pieces after one of a row and line: a line that goes nowhere takes no place in the planner."""
+    begun = np.flatnonzero(np.diff(lines, prepend=line))  # where each line begins
+    first = np.zeros(len(lines), int)
+    first[begun] = np.logical_or.reduceat(goes, begun) if len(begun) else 0
+    return row + np.cumsum(first)
 
 
 def way_of(chunk: Chunk, here: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

@@ -22,18 +22,27 @@ class Remaining:
         self._ends_s = [end_s for _, end_s in plan]
         self._planned_s = self._ends_s[-1] if plan else 0.0
         self._behind_s = 0.0  # of the plan
+        self._next_s = 0.0  # of it, when the lines under way are done
         self._moving_s = 0.0
+        self._moved_s = 0.0  # of that, when the last line was seen done
         self._last_s: float | None = None
         self._share_of_lines = 0.0
 
-    def take(self, phase: str, elapsed_s: float, file_line: int, acknowledged: int, total: int) -> None:
-        """Learn from a moment; time during which the machine was seen held does not count as cutting."""
+    def take(self, phase: str, elapsed_s: float, file_line: int, done: int, total: int) -> None:
+        """Learn from a moment, at which `done` lines were cut, the last being `file_line` of the file.
+
+        Time during which the machine was seen held does not count as cutting.
+        """
         if phase not in STANDING or self._last_s is None:
             self._moving_s += max(elapsed_s - (self._last_s or 0.0), 0.0)
         self._last_s = elapsed_s
         place = bisect_right(self._lines, file_line)
+        before = self.done
         self._behind_s = self._ends_s[place - 1] if place else 0.0
-        self._share_of_lines = acknowledged / total if total else 0.0
+        self._next_s = self._ends_s[min(place, len(self._ends_s) - 1)] if self._ends_s else 0.0
+        self._share_of_lines = done / total if total else 0.0
+        if self.done != before:
+            self._moved_s = self._moving_s
 
     @property
     def ratio(self) -> float:
@@ -41,16 +50,17 @@ class Remaining:
         if self._behind_s <= 0.0:
             return 1.0
         trust = min(self._behind_s / TRUSTED_S, 1.0)
-        return (1.0 - trust) + trust * self._moving_s / self._behind_s
+        return (1.0 - trust) + trust * self._moved_s / self._behind_s
 
     @property
     def remaining_s(self) -> float | None:
         """The time still to go, None when nothing can be said yet."""
         if self._planned_s:
-            return (self._planned_s - self._behind_s) * self.ratio
+            under_way_s = min(self._moving_s - self._moved_s, (self._next_s - self._behind_s) * self.ratio)
+            return (self._planned_s - self._behind_s) * self.ratio - under_way_s
         if self._share_of_lines <= 0.0:
             return None
-        return self._moving_s * (1.0 - self._share_of_lines) / self._share_of_lines
+        return self._moved_s * (1.0 - self._share_of_lines) / self._share_of_lines
 
     @property
     def done(self) -> float:

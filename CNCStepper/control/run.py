@@ -100,6 +100,7 @@ class JobRun:
         self._gaps: Gaps | None = None  # where no play is taken up
         self._begin_s = clock()
         self._idle_reports = 0
+        self._done = 0  # lines that are surely cut
         self._trouble: list[Received] = []  # the alarm or greeting that ended the job
 
     def status(self) -> SenderStatus:
@@ -111,7 +112,7 @@ class JobRun:
             acknowledged=max(0, before + self._feeder.acknowledged),
             total=before + self._feeder.total,
             file=self.job.file,
-            file_line=self.job.last_line(self._feeder.acknowledged),
+            file_line=self.job.last_line(self._done),
             file_line_sent=self.job.last_line(self._feeder.sent),
             elapsed_s=self._clock() - self._begin_s,
             remaining_s=self._remaining.remaining_s,
@@ -251,9 +252,16 @@ class JobRun:
                 self._retrace.note(driver, self._feeder, self._phases.name)
             self._phases.take(driver, self._feeder)
             self._count_idle(driver)
-            elapsed_s, acknowledged = self._clock() - self._begin_s, self._feeder.acknowledged
-            line = self.job.last_line(acknowledged)
-            self._remaining.take(self._phases.name, elapsed_s, line, acknowledged, self._feeder.total)
+            self._note_progress()
+
+    def _note_progress(self) -> None:
+        """Learn how many lines are cut and how long the others take; all acknowledged ones are where the job rests."""
+        assert self._path
+        rests = self._idle_reports >= IDLE_REPORTS or self._phases.name in ("paused", RETREATED)
+        acknowledged, elapsed_s = self._feeder.acknowledged, self._clock() - self._begin_s
+        self._done = acknowledged if rests else max(self._done, self._path.done(acknowledged))
+        line, total = self.job.last_line(self._done), self._feeder.total
+        self._remaining.take(self._phases.name, elapsed_s, line, self._done, total)
 
     def _count_idle(self, driver: Grbl) -> None:
         if self._feeder.complete and self._phases.feeding:
@@ -342,7 +350,7 @@ class JobRun:
         self._path = PathWatch(leg.job, driver, found, self._tell, self._gaps)
         rest = self._retrace.lines_before if leg.is_rest else None
         self._journal = Led.from_now(self._journal, self._feeder.sent, self._feeder.acknowledged, rest)
-        self._feeder, self._idle_reports = Feeder(leg.job, self._journal), 0
+        self._feeder, self._idle_reports, self._done = Feeder(leg.job, self._journal), 0, 0
         self._feeder.by_line = self._by_line and leg.is_rest
         self._phases.run_anew()
 

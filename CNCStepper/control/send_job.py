@@ -22,6 +22,7 @@ class SendJob:
     expected: grbl settings that must hold, by number; differences are only told when
     `allow_differences`. zero_confirmed: somebody said that the work zero is right. work_offsets_mm, work_system:
     where the program was proven to begin (G54..G59.3 and G92 by name); empty: nobody knows, so nothing is compared.
+    dialect: in which the lines were read; empty: nobody has read them, so that it is not compared.
     machine, program_sha256, certificate_sha256: for the journal, empty where there is none.
     retrace: what a way back along the cut is proven with (dialect, start, machine: `job.certify`); empty: not known.
     plan: lines of the file in rising order, each with the planned time by its end, s; empty: not known.
@@ -43,6 +44,7 @@ class SendJob:
     baud: int = 115_200
     work_offsets_mm: Mapping[str, Sequence[float]] = field(default_factory=dict)
     work_system: str = ""
+    dialect: str = ""
     machine: str = ""
     program_sha256: str = ""
     certificate_sha256: str = ""

@@ -167,6 +167,7 @@ def send_job(
         expected=expected_settings(machine) if machine else {},
         work_offsets_mm=(_offsets(known) if known else {}) | (_places(start, wire.lines) if start else {}),
         work_system=known.work_system if known else "",
+        dialect=dialect or (machine.controller if machine else ""),
         machine=machine.name if machine else "",
         retrace=_retrace(machine, start or Start(), dialect) if machine else {},
         plan=plan,

@@ -13,7 +13,9 @@ by its button too, leaves the line that it was at with an `ok`, even a pause tha
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+
+from CNCStepper.control.readiness import STEPS_PER_MM
 
 LOOK_BACK = 400  # lines: a millisecond or two
 SEGMENTS = 12  # between planner and motors, the most of grbl, grblHAL and FluidNC
@@ -23,6 +25,7 @@ _ENDS = {2.0, 30.0}  # M-codes that set modes back
 _PAUSE, _DWELL = 0.0, 4.0  # M0 and G4: answered only when all before them is cut
 _WORD = re.compile(r"([A-Z])([-+]?\d*\.?\d+|[-+]?\d+\.)")
 _AXES = "XYZ"
+LONGEST_STEP_MM = 1.0  # of an axis whose setting is not reported
 
 Words = list[tuple[str, float]]
 
@@ -52,6 +55,12 @@ def finished_lines(lines: Sequence[str], acknowledged: int, blocks: int, step_mm
         if moves >= blocks:
             return index + 1
     return 0
+
+
+def longest_step_mm(settings: Mapping[int, float]) -> float:
+    """Return the longest step of the axes, from the settings of the controller."""
+    known = [settings.get(STEPS_PER_MM + axis, 0.0) for axis in range(len(_AXES))]
+    return 1 / min(known) if min(known) > 0 else LONGEST_STEP_MM
 
 
 def _words(text: str) -> Words:

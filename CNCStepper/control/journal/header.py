@@ -45,7 +45,8 @@ def header_of(job: SendJob, driver: Grbl, found: Found) -> dict[str, Any]:
         "homing": bool(found.settings.get(HOMING)),
         "modes": found.modes,
         "offsets_mm": offsets_of(driver, found),
-        "dialect": job.retrace.get("dialect", ""),
+        "dialect": job.dialect,
+        "controller": found.firmware.key,
         "mpos_mm": driver.mpos_mm,
     }
 

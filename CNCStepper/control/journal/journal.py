@@ -13,7 +13,7 @@ from __future__ import annotations
 import shutil
 import sys
 import time
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from concurrent.futures import Executor, Future, ThreadPoolExecutor
 from pathlib import Path
 from typing import Any
@@ -22,13 +22,12 @@ from CNCStepper.control.connect import Found, offsets_of
 from CNCStepper.control.grbl import Grbl, Received
 from CNCStepper.control.journal.ahead import Ahead
 from CNCStepper.control.journal.capacity import Capacity
-from CNCStepper.control.journal.finished import finished_lines
+from CNCStepper.control.journal.finished import finished_lines, longest_step_mm
 from CNCStepper.control.journal.group import Group
 from CNCStepper.control.journal.header import header_of
 from CNCStepper.control.journal.journal_file import JournalFile
 from CNCStepper.control.journal.store import JOURNAL, prune
 from CNCStepper.control.outcome import Outcome
-from CNCStepper.control.readiness import STEPS_PER_MM
 from CNCStepper.control.send_job import SendJob
 from CNCStepper.control.session_file import new_session
 from CNCStepper.errors import JobError
@@ -36,8 +35,6 @@ from CNCStepper.errors import JobError
 ROOM_BYTES = 10_000_000  # a day's journal
 PROGRESS_S = 2.0  # between two entries that permit nothing new
 AGAIN_S = 1.0  # until the next try after one that failed
-LONGEST_STEP_MM = 1.0  # of an axis whose setting is not reported
-AXES = 3
 MENDED = "the journal is written again: a job that was held for it can be resumed"
 
 
@@ -68,7 +65,7 @@ class Journal:
     def begin(self, job: SendJob, driver: Grbl, found: Found) -> None:
         """Put the job and its first lines on the disk; raises JobError when the disk is full or cannot be written."""
         self._job, self._driver = job, driver
-        self._step_mm = _longest_step_mm(driver.settings)
+        self._step_mm = longest_step_mm(driver.settings)
         self._ahead = Ahead(self._clock(), job.baud)
         first = min(self._ahead.lines, len(job.lines))
         try:
@@ -237,9 +234,3 @@ class Journal:
 def _facts(group: Group) -> tuple[Any, ...]:
     """Return what of a group is worth another entry."""
     return (group.may_be_sent, group.acknowledged, group.finished, group.state, group.mpos_mm)
-
-
-def _longest_step_mm(settings: Mapping[int, float]) -> float:
-    """Return the longest step of the axes, from the settings of the controller."""
-    known = [settings.get(STEPS_PER_MM + axis, 0.0) for axis in range(AXES)]
-    return 1 / min(known) if min(known) > 0 else LONGEST_STEP_MM

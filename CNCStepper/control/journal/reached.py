@@ -77,7 +77,7 @@ def _path_from(story: Story, lines: Sequence[str]) -> PlannedPath:
     start = start_from(offsets_mm, modes, tuple(story.header["mpos_mm"]))
     if story.zero:  # a job goes on with a new zero at the same place of the work
         start = replace(start, position_mm=_moved(start, story.header["offsets_mm"].get(start.work_system)))
-    path = PlannedPath(lines, start, held_words(offsets_mm, modes))
+    path = PlannedPath(lines, start, held_words(offsets_mm, modes), dialect=story.header.get("controller", "grbl"))
     for count in range(0, story.finished, PIECE_LINES):
         done = min(count + PIECE_LINES, story.finished)
         path.read(done)

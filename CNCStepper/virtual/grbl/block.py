@@ -10,7 +10,7 @@ from dataclasses import dataclass, field, fields
 from enum import Enum
 from operator import attrgetter
 
-SYSTEMS = 6  # G54 to G59
+FIRST_SYSTEM, LAST_SYSTEM = 54, 59  # G54 to G59; G59.1 to G59.3 count on as 60 to 62
 X, Y, Z = 0, 1, 2
 AXES = "XYZ"
 CENTRES = "IJK"
@@ -20,6 +20,9 @@ RAPID, FEED, ARC_CW, ARC_CCW, CANCELLED = 0, 1, 2, 3, 80
 PROBE_TOWARD, PROBE_TOWARD_QUIET, PROBE_AWAY, PROBE_AWAY_QUIET = 382, 383, 384, 385  # G38.2 to G38.5
 PROBES = (PROBE_TOWARD, PROBE_TOWARD_QUIET, PROBE_AWAY, PROBE_AWAY_QUIET)
 ARCS = (ARC_CW, ARC_CCW)
+CHIP_BREAK, DRILL, DRILL_DWELL, PECK = 73, 81, 82, 83
+PECKING = (CHIP_BREAK, PECK)
+CYCLES = (CHIP_BREAK, DRILL, DRILL_DWELL, PECK)
 
 DWELL, SET_DATA, MACHINE_MOVE = 40, 100, 530  # ten times the G number, so that G28.1 is 281
 GO_HOME, SET_HOME = (280, 300), (281, 301)
@@ -46,11 +49,23 @@ class Modal:
     feed_mode: int = 94
     system: int = 54
     tool_length: int = 49
+    retract: int = 98
     spindle: int = 5
     flood: bool = False
 
 
 _words_of = attrgetter(*(word.name for word in fields(Modal)))  # ten times quicker than `replace`, block by block
+
+
+@dataclass(frozen=True, slots=True)
+class Drilling:
+    """A drilling cycle: heights in machine coordinates, mm; peck 0 goes down at once. initial: before its run."""
+
+    initial: float
+    retract: float
+    bottom: float
+    peck: float
+    dwell_s: float
 
 
 @dataclass(slots=True)
@@ -65,6 +80,7 @@ class Parser:
     system_offset: list[float] = field(default_factory=lambda: [0.0, 0.0, 0.0])
     g92: list[float] = field(default_factory=lambda: [0.0, 0.0, 0.0])
     tool_length: float = 0.0
+    drilling: Drilling | None = None  # while a cycle is modal
 
 
 @dataclass(slots=True)
@@ -86,6 +102,8 @@ class Block:
     centre: list[float] = field(default_factory=lambda: [0.0, 0.0, 0.0])  # I J K; data of G10, G28, G30
     radius: float = 0.0
     system: int = 54  # the work system that G10 changes
+    drilling: Drilling | None = None
+    repeats: int = 1  # of a drilling cycle
 
     @property
     def axis_words(self) -> tuple[int, ...]:

@@ -10,14 +10,17 @@ from __future__ import annotations
 from math import sqrt
 
 from CNCStepper.units import MM_PER_INCH
+from CNCStepper.virtual.grbl import drilling
 from CNCStepper.virtual.grbl.block import (
     ARC_CW,
     ARCS,
     AXES,
     CANCELLED,
     CENTRES,
+    CYCLES,
     DWELL,
     FEED,
+    FIRST_SYSTEM,
     GO_HOME,
     MACHINE_MOVE,
     PLANES,
@@ -25,7 +28,6 @@ from CNCStepper.virtual.grbl.block import (
     RAPID,
     SET_DATA,
     SET_OFFSET,
-    SYSTEMS,
     AxisCommand,
     Block,
     Parser,
@@ -55,7 +57,7 @@ def complete(block: Block, parser: Parser, places: dict[int, list[float]]) -> No
     if block.axis_command is AxisCommand.TOOL_LENGTH and block.modal.tool_length == 43 and block.axis_words != (Z,):
         raise refused(37)
     _check_action(block, parser, places)
-    _check_motion(block, parser)
+    _check_motion(block, parser, places)
     _check_unused(block)
     if block.jog:
         _check_jog(block)
@@ -129,13 +131,13 @@ def _check_set_data(block: Block, parser: Parser, places: dict[int, list[float]]
     if "P" not in block.words and "L" not in block.words:
         raise refused(28)
     number = int(block.words.get("P", 0))
-    if number > SYSTEMS:
+    if number and FIRST_SYSTEM - 1 + number not in places:
         raise refused(29)
     kind = int(block.words.get("L", 0))
     if kind not in (2, 20) or (kind == 2 and "R" in block.words):
         raise refused(20)
     block.unused -= {"P", "L"}
-    block.system = 53 + number if number else block.modal.system
+    block.system = FIRST_SYSTEM - 1 + number if number else block.modal.system
     block.centre = list(places[block.system])
     for axis in block.axis_words:
         value = block.words[AXES[axis]]
@@ -167,7 +169,7 @@ def _check_go_home(block: Block, parser: Parser, places: dict[int, list[float]])
         block.centre[axis] = parser.position[axis]
 
 
-def _check_motion(block: Block, parser: Parser) -> None:
+def _check_motion(block: Block, parser: Parser, places: dict[int, list[float]]) -> None:
     if block.modal.motion == CANCELLED:
         if block.axis_words:
             raise refused(31)
@@ -184,8 +186,16 @@ def _check_motion(block: Block, parser: Parser) -> None:
         raise refused(26)
     if block.modal.motion in ARCS:
         _check_arc(block, parser)
+    elif block.modal.motion in CYCLES:
+        _check_drilling(block, parser, places)
     elif block.modal.motion in PROBES and block.target == parser.position:
         raise refused(33)
+
+
+def _check_drilling(block: Block, parser: Parser, places: dict[int, list[float]]) -> None:
+    axis = PLANES[block.modal.plane][2]
+    zero_mm = _system_offset(block, parser, places)[axis] + parser.g92[axis]
+    drilling.complete(block, parser, zero_mm + (parser.tool_length if axis == Z else 0.0), _mm(block, 1.0))
 
 
 def _check_arc(block: Block, parser: Parser) -> None:

@@ -9,10 +9,11 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from CNCStepper.motion.arcs import arc_points
-from CNCStepper.virtual.grbl import checks, parser
+from CNCStepper.virtual.grbl import checks, drilling, parser
 from CNCStepper.virtual.grbl.block import (
     ARCS,
     CLEAR_OFFSET,
+    CYCLES,
     DWELL,
     FEED,
     GO_HOME,
@@ -52,6 +53,7 @@ def run(machine: Grbl, line: str) -> Waiting:
         yield from machine.wait(_dwell_s(block.words["P"]))
     yield from _set_offsets(machine, block)
     machine.parser.modal = block.modal
+    machine.parser.drilling = block.drilling or (machine.parser.drilling if block.modal.motion in CYCLES else None)
     yield from _act(machine, block)
     if block.axis_command is AxisCommand.MOTION:
         yield from _make_motion(machine, block)
@@ -165,6 +167,8 @@ def _make_motion(machine: Grbl, block: Block) -> Waiting:
         yield from machine.queue(block.target, feed, rapid=block.modal.motion == RAPID)
     elif block.modal.motion in ARCS:
         yield from _make_arc(machine, block)
+    elif block.modal.motion in CYCLES:
+        yield from drilling.run(machine, block)
     elif block.modal.motion in PROBES and machine.state is not State.CHECK:
         yield from machine.probe.run(machine, block)
     state.position = block.target

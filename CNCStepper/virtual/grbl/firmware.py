@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What the board says and takes as grbl 1.1h, grblHAL or FluidNC, from each one's own sources.
 
-Only what a sender meets differs: greeting, `$I`, `$$`, `$G`, receive buffer, line length, M6, and a few refusals. All
-three plan and move as grbl does, with its work systems and its g-code.
+Only what a sender meets differs: greeting, `$I`, `$$`, `$G`, receive buffer, line length, M6, drilling cycles and work
+systems of grblHAL, and a few refusals. All three plan and move as grbl does.
 """
 
 from __future__ import annotations
@@ -20,9 +20,10 @@ class Firmware:
     """One firmware; `build` is its answer to `$I`: {0} the text that `$I=` stored, {1} the planner's blocks.
 
     line_characters: without the line end, and without blanks unless blanks_count. modes: further words of `$G`, before
-    the spindle's. shown_settings: numbers that `$$` lists, all where it is empty. read_only: settings stand in a file
-    and cannot be written. named: settings by name, as the line reader leaves it: capitals, no `/`. message: what stands
-    before its messages. tool_state: M6 waits in the state Tool until 0xA3 and a cycle start have come.
+    the spindle's, {0} the modal words. shown_settings: numbers that `$$` lists, all where it is empty. read_only:
+    settings stand in a file and cannot be written. named: settings by name, as the line reader leaves it: capitals, no
+    `/`. message: what stands before its messages. systems: how many work systems, from G54 on. cycles: it has G73, G81
+    to G83, G98 and G99. tool_state: M6 waits in the state Tool until 0xA3 and a cycle start have come.
     """
 
     name: str
@@ -40,6 +41,8 @@ class Firmware:
     read_only: bool = False
     named: Mapping[str, str] = field(default_factory=dict)
     message: str = ""
+    systems: int = 6
+    cycles: bool = False
     tool_state: bool = False
     planning_s: float = AVR_PLANNING_S
 
@@ -62,9 +65,11 @@ GRBLHAL = Firmware(
     line_characters=255,
     largest_tool=2**32 - 2,
     shortest_pulse_us=2,
-    modes=" G49 G98 G50",
+    modes=" G49 G{0.retract} G50",
     speed_dot=".",
     tool_length_axes=3,
+    systems=9,
+    cycles=True,
     tool_state=True,
     planning_s=FAST_PLANNING_S,
 )

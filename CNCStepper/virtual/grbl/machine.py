@@ -65,7 +65,7 @@ class Grbl:
         firmware: Firmware = GRBL,
     ):
         self.firmware: Firmware = firmware
-        self.memory: Memory = Memory(Settings(machine, homing, firmware))
+        self.memory: Memory = Memory(Settings(machine, homing, firmware), firmware)
         self.ring = RxRing(firmware.receive_bytes)
         self.reader = LineReader(firmware)
         self.axes = Axes(self.memory.settings)

@@ -8,28 +8,33 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from CNCStepper.virtual.grbl.block import SYSTEMS
+from CNCStepper.virtual.grbl.block import FIRST_SYSTEM
+from CNCStepper.virtual.grbl.firmware import GRBL, Firmware
 from CNCStepper.virtual.grbl.settings import Settings
 
-PLACES = (*range(54, 54 + SYSTEMS), 28, 30)
 
-
-def _zeros() -> dict[int, list[float]]:
-    return {place: [0.0, 0.0, 0.0] for place in PLACES}
+def no_places(firmware: Firmware = GRBL) -> dict[int, list[float]]:
+    """Return the places of a board on which nothing was stored."""
+    systems = range(FIRST_SYSTEM, FIRST_SYSTEM + firmware.systems)
+    return {place: [0.0, 0.0, 0.0] for place in (*systems, 28, 30)}
 
 
 @dataclass
 class Memory:
-    """The board's EEPROM; `places` are G54 to G59, G28 and G30 by number, mm in machine coordinates."""
+    """The board's EEPROM; `places` are G54 to G59 (G59.1 is 60), G28 and G30 by number, mm in machine coordinates."""
 
     settings: Settings
-    places: dict[int, list[float]] = field(default_factory=_zeros)
+    firmware: Firmware = GRBL
+    places: dict[int, list[float]] = field(default_factory=dict)
     startup_lines: list[str] = field(default_factory=lambda: ["", ""])
     build_text: str = ""
 
+    def __post_init__(self) -> None:
+        self.clear_places()
+
     def clear_places(self) -> None:
         """Forget every stored position (`$RST=#`)."""
-        self.places = _zeros()
+        self.places = no_places(self.firmware)
 
     def clear_all(self) -> None:
         """Forget everything but what the machine profile says (`$RST=*`)."""

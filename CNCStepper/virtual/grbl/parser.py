@@ -8,7 +8,7 @@ which error a line with two faults gets.
 
 from __future__ import annotations
 
-from CNCStepper.virtual.grbl.block import AxisCommand, Block, Modal
+from CNCStepper.virtual.grbl.block import CYCLES, FIRST_SYSTEM, LAST_SYSTEM, AxisCommand, Block, Modal
 from CNCStepper.virtual.grbl.codes import refused
 from CNCStepper.virtual.grbl.firmware import GRBL, Firmware
 from CNCStepper.virtual.grbl.words import read_words
@@ -30,6 +30,7 @@ GROUP_OF_M = {**dict.fromkeys((0, 1, 2, 30), "flow"), **dict.fromkeys((3, 4, 5),
 NOT_NEGATIVE = "FNPTS"
 VALUE_LETTERS = "FIJKLNPRSTXYZ"
 CHANGE_TOOL = 6
+CYCLE_GROUPS = {**dict.fromkeys(CYCLES, "motion"), 98: "retract", 99: "retract"}  # where the firmware has cycles
 
 
 def read_block(line: str, modal: Modal, firmware: Firmware = GRBL) -> Block:
@@ -41,7 +42,7 @@ def read_block(line: str, modal: Modal, firmware: Firmware = GRBL) -> Block:
     block = Block.after(modal, jog)
     for letter, value in read_words(line, len("$J=") if jog else 0):
         if letter == "G":
-            _take_g(block, *_split(value))
+            _take_g(block, *_split(value), firmware)
         elif letter == "M":
             _take_m(block, *_split(value), firmware)
         else:
@@ -56,16 +57,19 @@ def _split(value: float) -> tuple[int, int]:
     return number, round(100 * (value - number))
 
 
-def _take_g(block: Block, number: int, hundredths: int) -> None:
-    if number not in GROUP_OF_G:
+def _take_g(block: Block, number: int, hundredths: int, firmware: Firmware) -> None:
+    group = GROUP_OF_G.get(number) or (CYCLE_GROUPS.get(number) if firmware.cycles else None)
+    if group is None:
         raise refused(20)
+    if number == LAST_SYSTEM and hundredths in range(10, 10 * (FIRST_SYSTEM + firmware.systems - LAST_SYSTEM), 10):
+        number, hundredths = LAST_SYSTEM + hundredths // 10, 0
     _claim_axes(block, number, hundredths)
     if number in ONLY_FORMS:
         if hundredths not in ONLY_FORMS[number]:
             raise refused(20)
     elif hundredths:
         raise refused(23)
-    group = "centres" if (number, hundredths) == (91, 10) else GROUP_OF_G[number]
+    group = "centres" if (number, hundredths) == (91, 10) else group
     _enter_group(block, "G " + group)
     _set_g(block, group, number, hundredths)
 
@@ -74,7 +78,7 @@ def _claim_axes(block: Block, number: int, hundredths: int) -> None:
     """Note which command takes the axis words; two in one block are error 24."""
     if number in (10, 28, 30, 92):
         wanted = AxisCommand.NONE if hundredths else AxisCommand.ACTION
-    elif number in (0, 1, 2, 3, 38):
+    elif number in (0, 1, 2, 3, 38, *CYCLES):
         wanted = AxisCommand.MOTION
     else:
         wanted = AxisCommand.TOOL_LENGTH if number in (43, 49) else AxisCommand.NONE
@@ -118,7 +122,7 @@ def _enter_group(block: Block, group: str) -> None:
 
 
 def _take_value(block: Block, letter: str, value: float, firmware: Firmware) -> None:
-    if letter not in VALUE_LETTERS:
+    if letter not in VALUE_LETTERS and not (letter == "Q" and firmware.cycles):
         raise refused(20)
     if letter == "T" and value > firmware.largest_tool:
         raise refused(38)

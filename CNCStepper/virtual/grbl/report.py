@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
 from CNCStepper.units import inch_from_mm
-from CNCStepper.virtual.grbl.block import PROBE_TOWARD, Modal, Parser, Z
+from CNCStepper.virtual.grbl.block import LAST_SYSTEM, PROBE_TOWARD, Modal, Parser, Z
 from CNCStepper.virtual.grbl.firmware import GRBL, Firmware
 from CNCStepper.virtual.grbl.memory import Memory
 from CNCStepper.virtual.grbl.settings import INCHES, REPORTS_BUFFER, REPORTS_MPOS, Settings
@@ -57,11 +57,16 @@ def parser_state(parser: Parser, settings: Settings, firmware: Firmware = GRBL) 
     modal = parser.modal
     words = (
         _motion_word(modal),
-        f"G{modal.system} G{modal.plane} G{modal.units} G{modal.distance} G{modal.feed_mode}{firmware.modes}",
+        f"{_place_name(modal.system)} G{modal.plane} G{modal.units} G{modal.distance} G{modal.feed_mode}",
+        *firmware.modes.format(modal).split(),
         f"M{modal.spindle} {'M8' if modal.flood else 'M9'} T{parser.tool}",
         f"F{rate(parser.feed, settings)} S{fixed(parser.rpm, 0)}{firmware.speed_dot}",
     )
     return f"[GC:{' '.join(words)}]"
+
+
+def _place_name(place: int) -> str:
+    return f"G{place}" if place <= LAST_SYSTEM else f"G{LAST_SYSTEM}.{place - LAST_SYSTEM}"
 
 
 def _motion_word(modal: Modal) -> str:
@@ -76,7 +81,9 @@ def probe_result(position_mm: Iterable[float], found: bool, settings: Settings) 
 def parameters(machine: Grbl) -> list[str]:
     """Return the answer to `$#`."""
     settings, parser = machine.memory.settings, machine.parser
-    lines = [f"[G{place}:{coordinates(values, settings)}]" for place, values in machine.memory.places.items()]
+    lines = [
+        f"[{_place_name(place)}:{coordinates(values, settings)}]" for place, values in machine.memory.places.items()
+    ]
     lines.append(f"[G92:{coordinates(parser.g92, settings)}]")
     lengths = [*[0.0] * (machine.firmware.tool_length_axes - 1), parser.tool_length]
     lines.append(f"[TLO:{coordinates(lengths, settings)}]")

@@ -309,3 +309,25 @@ def test_a_job_whose_tools_were_changed_since_is_refused(job: Path, tmp_path: Pa
         job.write_text(text.replace(old, new), encoding="utf-8")
         other = certified(program, "/dev/no-such-port", path, "--job", job)
         assert other.returncode == 1 and f"[certificate-{word}]" in other.stderr, other.stderr
+
+
+@pytest.mark.parametrize(("dialect", "text"), [("thesis-a", "G90 X40 Y0 F300\n"), ("linuxcnc", "#1=5\nG0 X#1\nM2\n")])
+@pytest.mark.parametrize("given", [("--machine", "table-a"), ("--unchecked",)])
+def test_language_that_the_controller_does_not_read_is_refused_at_once(
+    tmp_path: Path, dialect: str, text: str, given: tuple[str, ...]
+) -> None:
+    program = tmp_path / "peça 1.nc"
+    program.write_text(text, encoding="utf-8")
+    nowhere = ("--port", "socket://127.0.0.1:9", "--zero-confirmed")
+    sent = called("send", program, *nowhere, "--dialect", dialect, *given)
+    assert sent.returncode == 1 and "[dialect-differs]" in sent.stderr, sent.stderr
+    assert f"cncstepper convert PROGRAM --dialect {dialect} --to grbl -o NEW" in sent.stderr
+
+
+def test_certificate_of_a_program_in_another_language_is_refused_too(tmp_path: Path) -> None:
+    program, path = tmp_path / "peça 1.ngc", tmp_path / "c.json"
+    program.write_text("G21 G90 G94 G17\nG0 X1\nM2\n", encoding="utf-8")
+    check = ("check", program, "--machine", "table-a", "--dialect", "linuxcnc", "--certificate", path)
+    assert called(*check).returncode == 0
+    sent = certified(program, "socket://127.0.0.1:9", path, "--despite-certificate")
+    assert sent.returncode == 1 and "[dialect-differs]" in sent.stderr, sent.stderr

@@ -207,3 +207,9 @@ def test_spindle_speed_and_laser_mode_are_compared_and_refuse(number, value):
     outcome = bench.send("G1X1F600", expected={30: 24000, 32: 0})
     assert outcome.error.code == "settings-differ" and f"${number} is {value}" in str(outcome.error)
     assert bench.controller.lines == []
+
+
+@pytest.mark.parametrize("firmware", FIRMWARES, ids=lambda firmware: firmware.name)
+def test_unknown_command_is_to_be_written_in_a_language_of_this_firmware(firmware):
+    named = firmware.error(20).advice.partition("the dialect ")[2].split(" or ")
+    assert tuple(named) == firmware.dialects

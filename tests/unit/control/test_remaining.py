@@ -61,3 +61,19 @@ def test_a_job_that_another_window_began_is_timed_from_its_own_begin() -> None:
     clock = Remaining()
     clock.take("running", 60.0, 90, 100, 400)
     assert clock.remaining_s == pytest.approx(180.0)
+
+
+def test_a_long_line_under_way_makes_no_machine_slow():
+    clock = cut(Remaining(PLAN), ("running", 0.0, 0), ("running", 30.0, 5), ("running", 60.0, 5))
+    assert clock.ratio == pytest.approx(1.0)
+    assert clock.remaining_s == pytest.approx(40.0)  # 30 of the 70 s of its last line have gone
+
+
+def test_a_line_that_takes_too_long_takes_no_time_of_the_others():
+    clock = cut(Remaining(PLAN), ("running", 0.0, 0), ("running", 10.0, 2), ("running", 99.0, 2))
+    assert clock.remaining_s == pytest.approx(80.0)
+
+
+def test_lines_between_those_of_the_plan_change_no_ratio():
+    clock = cut(Remaining(PLAN), ("running", 0.0, 0), ("running", 20.0, 3), ("running", 29.0, 4))
+    assert clock.ratio == pytest.approx(1.0) and clock.remaining_s == pytest.approx(71.0)

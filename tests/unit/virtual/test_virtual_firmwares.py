@@ -108,3 +108,53 @@ def test_line_takes_as_many_bytes_as_it_carries(machine):
         link.send(b" " * link.room)
         link.advance(0.001)
     assert sent >= 1000
+
+
+def ways(board, *lines: str) -> list[tuple[float, ...]]:
+    """Return where the straight moves of lines end, rounded."""
+    ends: list[tuple[float, ...]] = []
+    line = board.board.axes.line
+    board.board.axes.line = lambda target, feed, rapid: (
+        ends.append(tuple(round(value, 3) for value in target)) or line(target, feed, rapid)
+    )
+    for text in lines:
+        assert board.say(f"{text}\n".encode("ascii"), 20.0) == ["ok"], text
+    return [end for number, end in enumerate(ends) if not number or end != ends[number - 1]]
+
+
+@pytest.mark.parametrize(
+    ("line", "heights"),
+    [
+        ("G98G81X1Z-1R1F3000", (5, 1, -1, 1, 5)),
+        ("G99G82X1Z-1R1P0.1F3000", (5, 1, -1, 1)),
+        ("G99G83X1Z-1R1Q0.8F3000", (5, 1, 0.2, 1, -0.6, 1, -1, 1)),
+        ("G99G73X1Z-1R1Q0.8F3000", (5, 1, 0.2, 0.3, -0.6, -0.5, -1, -0.9, 1)),
+        ("G91G98G81X1Z-2R-4F3000", (5, 1, -1, 1, 5)),
+    ],
+)
+def test_grblhal_drills(talk, line, heights):
+    assert ways(talk(firmware=GRBLHAL), "G21G90G0Z5", line)[1:] == [(1, 0, height) for height in heights]
+
+
+def test_words_of_a_drilling_cycle_stick_until_another_motion(talk):
+    board = talk(firmware=GRBLHAL)
+    ends = ways(board, "G21G90G0Z5", "G99G81X1Z-1R1F3000", "X2", "G91X1L2", "G80")
+    assert [end for end in ends if end[2] == -1] == [(1, 0, -1), (2, 0, -1), (3, 0, -1), (4, 0, -1)]
+    assert "G80 G54 G17 G21 G91 G94 G49 G99" in board.say(b"$G\n")[0]
+    assert board.say(b"G90G81X9F300\n") == ["error:28"] and board.say(b"G81X9Z-1R0F3000\n", 2.0) == ["ok"]
+    assert board.say(b"G83X8Q1\n") == ["error:28"]
+    assert board.say(b"G81X9Z1R0F300\n") == ["error:54"]
+
+
+def test_grblhal_has_nine_work_systems(talk):
+    board = talk(firmware=GRBLHAL)
+    assert board.say(b"G10L2P7X-3\n") == ["ok"] and "[G59.1:-3.000,0.000,0.000]" in board.say(b"$#\n")
+    assert board.say(b"G59.1\n") == ["ok"] and "[GC:G0 G59.1 " in board.say(b"$G\n")[0]
+    assert board.say(b"G59.4\n") == ["error:23"] and board.say(b"G10L2P10X1\n") == ["error:29"]
+
+
+@pytest.mark.parametrize("firmware", [GRBL, FLUIDNC], ids=lambda firmware: firmware.name)
+def test_grbl_and_fluidnc_neither_drill_nor_have_more_work_systems(talk, firmware):
+    board = talk(firmware=firmware)
+    for line, error in (("G81X1Z-1R1F300", 20), ("G98", 20), ("G59.1", 23), ("G10L2P7X1", 29), ("X1Q1", 20)):
+        assert board.say(f"{line}\n".encode("ascii")) == [f"error:{error}"], line
