@@ -41,6 +41,7 @@ from CNCStepper.control.restarted import UNKNOWN
 from CNCStepper.control.retrace import LAST, STANDS, Retrace, check_place, stand_reset
 from CNCStepper.control.send_job import SendJob
 from CNCStepper.control.stand import Stand
+from CNCStepper.control.stand_count import StandCount
 from CNCStepper.control.timing import Timing
 from CNCStepper.control.watch import ANSWER_MISSING, Watch
 from CNCStepper.control.wishes import Wishes
@@ -65,7 +66,7 @@ class JobRun:
 
     tell(kind, text): hears what happens and must not block; kinds are "phase", "message" (the
     program's words) and "warning". refuse(command, error): hears what cannot be obeyed now. journal: permits each
-    line before it is sent.
+    line before it is sent. stands: those of the connection, where it has had some before.
     """
 
     def __init__(
@@ -78,6 +79,7 @@ class JobRun:
         tell: Tell = lambda kind, text: None,
         refuse: Refuse = lambda command, error: None,
         journal: Journals | None = None,
+        stands: StandCount | None = None,
     ):
         self.job = job
         self.driver: Grbl | None = None  # before it is connected
@@ -90,7 +92,8 @@ class JobRun:
         self._journal: Keeping = self._new_journal
         self._feeder = Feeder(job, self._journal)
         self._remaining = Remaining(job.plan)
-        self._phases = Phases(tell)
+        self._stand_count = stands or StandCount()
+        self._phases = Phases(tell, self._stand_count)
         self._watch = Watch(self._timing)
         self._stand = Stand(self._timing, tell, refuse)
         self._retrace = Retrace(job)
@@ -104,6 +107,7 @@ class JobRun:
 
     def status(self) -> SenderStatus:
         """Return this moment."""
+        stand = self._stand_count.number  # before the words of that stand
         before = self._retrace.lines_before
         return replace(
             moment(self.driver, self._phases.name, self._phases.message),
@@ -116,6 +120,7 @@ class JobRun:
             elapsed_s=self._clock() - self._begin_s,
             remaining_s=self._remaining.remaining_s,
             done=self._remaining.done,
+            stand=stand,
             wanted_back_mm=self._wishes.back_mm,
             wanted_rest=self._wishes.rest,
         )
@@ -284,6 +289,7 @@ class JobRun:
                 self._refuse(command, error)
 
     def _do(self, command: Command, driver: Grbl) -> None:
+        self._stand_count.check(command)
         if command.name in ("tell_place", "retrace"):
             self._go_back(driver, command)
         elif command.name == "want_back":
