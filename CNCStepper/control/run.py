@@ -108,15 +108,15 @@ class JobRun:
     def status(self) -> SenderStatus:
         """Return this moment."""
         stand = self._stand_count.number  # before the words of that stand
-        before = self._retrace.lines_before
+        before, feeder = self._retrace.lines_before, self._feeder  # a leg brings another, of lines of its own
         return replace(
             moment(self.driver, self._phases.name, self._phases.message),
-            sent=max(0, before + self._feeder.sent),
-            acknowledged=max(0, before + self._feeder.acknowledged),
-            total=before + self._feeder.total,
-            file=self.job.file,
-            file_line=self.job.last_line(self._feeder.acknowledged),
-            file_line_sent=self.job.last_line(self._feeder.sent),
+            sent=max(0, before + feeder.sent),
+            acknowledged=max(0, before + feeder.acknowledged),
+            total=before + feeder.total,
+            file=feeder.job.file,
+            file_line=feeder.job.last_line(feeder.acknowledged),
+            file_line_sent=feeder.job.last_line(feeder.sent),
             elapsed_s=self._clock() - self._begin_s,
             remaining_s=self._remaining.remaining_s,
             done=self._remaining.done,
@@ -333,14 +333,9 @@ class JobRun:
         overrides = driver.overrides or NORMAL
         found = stand_reset(driver, self._timing)
         self._stand_back(driver)
-        self.job, before = leg.job, self.job
-        try:
-            check_found(self.job, driver, found, self._tell)
-            check_place(driver, leg)
-            restore(driver, overrides, self._timing)
-        except CNCStepperError:
-            self.job = before
-            raise
+        check_found(leg.job, driver, found, self._tell)
+        check_place(driver, leg)
+        restore(driver, overrides, self._timing)
         self._stand.end()
         self._retrace.start(leg)
         if self._gaps:
@@ -348,7 +343,7 @@ class JobRun:
         self._path = PathWatch(leg.job, driver, found, self._tell, self._gaps)
         rest = self._retrace.lines_before if leg.is_rest else None
         self._journal = Led.from_now(self._journal, self._feeder.sent, self._feeder.acknowledged, rest)
-        self._feeder, self._idle_reports = Feeder(leg.job, self._journal), 0
+        self.job, self._feeder, self._idle_reports = leg.job, Feeder(leg.job, self._journal), 0
         self._feeder.by_line = self._by_line and leg.is_rest
         self._phases.run_anew()
 
