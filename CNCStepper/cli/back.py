@@ -4,12 +4,12 @@
 from __future__ import annotations
 
 import math
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 import click
 
 from CNCStepper.cli.options import machine_option
+from CNCStepper.cli.running_job import session_file, session_option
 from CNCStepper.errors import CNCStepperError, JobError
 from CNCStepper.machine.profile import Machine
 
@@ -26,6 +26,7 @@ MEANINGS = """\
 b MM    back along the cut by MM millimetres      f [MM]  forward again, as far as it was cut at most
 l LINE  back to where LINE of the program begins  r       resume: spindle on, cut from here to the end
 e       back to the last entry into the work      s       stop the job        q  leave, the machine stands"""
+OVER = "that was not done: the job has gone on meanwhile"
 LENGTH = click.FloatRange(min=0, min_open=True)
 
 
@@ -43,7 +44,7 @@ LENGTH = click.FloatRange(min=0, min_open=True)
     help="Go forward again: by MM, or without a number to where the cut ended.",
 )
 @click.option("--resume", is_flag=True, help="Switch spindle or beam on again and cut from here to the program's end.")
-@click.option("--session", help="Which job, by its session's name or file, where several run.")
+@session_option
 @machine_option(required=False)
 def command(
     distance_mm: float | None,
@@ -77,7 +78,7 @@ def command(
     from CNCStepper.control.phases import RETREATED
     from CNCStepper.job.way_back import WayBack
 
-    with attach(_session_file(session)) as client:
+    with attach(session_file(session)) as client:
         back = WayBack(client, machine)
         if back.hold().phase != RETREATED or not any(wishes):
             _show(back.hold(), back.held())
@@ -88,22 +89,6 @@ def command(
         else:
             held = back.held()
             _go(back, held, _target(held, distance_mm, line, entry, forward_mm))
-
-
-def _session_file(name: str | None) -> Path:
-    """Return the file of the session or desk meant; raises JobError where it is not clear which."""
-    from CNCStepper.control.desk_session import jobs_running
-
-    if name and Path(name).suffix:
-        return Path(name)
-    running = [path for path in jobs_running() if not name or path.stem == name]
-    if len(running) == 1:
-        return running[0]
-    if not running:
-        what = f"no job '{name}' runs" if name else "no job runs"
-        raise JobError("session-none", what, advice="start one with cncstepper send")
-    names = ", ".join(path.stem for path in running)
-    raise JobError("session-which", f"{len(running)} jobs run", value=names, advice="choose one with --session")
 
 
 def _target(held: Held, distance_mm: float | None, line: int | None, entry: bool, forward_mm: float | None) -> Place:
@@ -145,14 +130,24 @@ class _Dialogue:
         """Ask and obey; what is refused is told, and asked again."""
         click.echo(MEANINGS)
         while True:
-            answer = click.prompt(QUESTION, err=True).lower().split()
+            stand = self._client.status().stand
+            answer = click.prompt(QUESTION, err=True).lower().split() or [""]
             try:
-                if self._obey(*answer[:2]):
+                if self._over(stand, answer[0]):
+                    _show(self._client.status(), self._back.held())
+                elif self._obey(*answer[:2]):
                     return
             except CNCStepperError as error:
                 if error.code == "session-ended":
                     raise
                 click.echo(f"cncstepper: {error}", err=True)
+
+    def _over(self, stand: int, word: str) -> bool:
+        """Return whether an answer that moves the machine was asked for at a stand that is over, and say so."""
+        if word in ("s", "q") or self._client.status().stand == stand:
+            return False
+        click.echo(OVER, err=True)
+        return True
 
     def _obey(self, word: str, number: str = "") -> bool:
         """Carry out one answer; return whether it was the last."""

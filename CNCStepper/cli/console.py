@@ -11,7 +11,9 @@ from pathlib import Path
 import click
 
 from CNCStepper.cli.jog import FEED_MM_MIN, jog_line
+from CNCStepper.cli.live import overrides_in_words
 from CNCStepper.cli.overheard import Overheard
+from CNCStepper.cli.override_words import read_override
 from CNCStepper.cli.talk import Talk, place, port_options
 from CNCStepper.errors import CNCStepperError, LinkError
 
@@ -22,6 +24,7 @@ MOST_MM_MIN = 100_000.0
 HELP = """\
 ?                      where the machine stands
 !  ~                   hold; go on
+feed +10  rapid 50     overrides in %: also spindle -10, feed 100; flood, mist switch the coolant
 stop                   bring it to rest: hold, standstill, reset; spindle and outputs off
 home  unlock           $H and $X
 zero [XYZ]             make this place the work zero
@@ -37,10 +40,11 @@ history  help  quit    (Ctrl-D quits; Ctrl-C holds a move)"""
 def command(port: str, baud: int) -> None:
     """Type lines to the controller at --port; each is done, with the machine at rest, before the next is asked for.
 
-    Beside the controller's own lines it knows: ? ! ~ stop home unlock zero jog history help quit. Lines with bytes that
-    act at once (! ? ~ and what is not ASCII) are refused. While the position is unknown, after a restart or an alarm
-    that lost it, only homing, jog, unlock, questions and settings are accepted; zero makes it known too. What the
-    controller says by itself, an alarm for example, is shown as it comes.
+    Beside the controller's own lines it knows: ? ! ~ stop home unlock zero jog feed rapid spindle flood mist history
+    help quit; help says what each does. Lines with bytes that act at once (! ? ~ and what is not ASCII) are refused.
+    While the position is unknown, after a restart or an alarm that lost it, only homing, jog, unlock, questions and
+    settings are accepted; zero makes it known too. What the controller says by itself, an alarm for example, is shown
+    as it comes.
 
     Lines also come from a pipe or a file; then the first refusal ends it with exit status 1.
     """
@@ -61,7 +65,7 @@ class Session:
         self._words: dict[str, Callable[[list[str]], None]] = {
             "?": lambda _: self._show(),
             "!": lambda _: self._realtime(talk.client.hold, "held"),
-            "~": lambda _: self._realtime(talk.client.resume, "busy", "idle", "door"),
+            "~": lambda _: self._go_on(),
             "stop": lambda _: self._realtime(talk.client.stop, "idle", "alarm"),
             "home": lambda _: talk.home(),
             "$h": lambda _: talk.home(),
@@ -76,12 +80,18 @@ class Session:
         first, *words = line.split() or [""]
         if first.lower() in self._words:
             self._words[first.lower()](words)
+        elif override := _override(line):
+            self._talk.override(override)
+            click.echo(overrides_in_words(self._talk.status) or "ok")
         elif line:
             self._type(line)
 
     def _show(self) -> None:
-        self._talk.until(lambda event: event["event"] == "status")
-        click.echo(place(self._talk.status))
+        click.echo(place(self._talk.ask_status()))
+
+    def _go_on(self) -> None:
+        stand = self._talk.status.stand  # that of which was told
+        self._realtime(lambda: self._talk.client.resume(stand), "busy", "idle", "door")
 
     def _realtime(self, ask: Callable[[], None], *phases: str) -> None:
         ask()
@@ -111,6 +121,14 @@ def _follow(talk: Talk) -> None:
     except KeyboardInterrupt:
         talk.client.hold()
         raise
+
+
+def _override(line: str) -> dict[str, str] | None:
+    """Return the override that a line asks for, None where it asks for none; raises a usage error."""
+    try:
+        return read_override(line)
+    except ValueError as error:
+        raise click.UsageError(str(error)) from error
 
 
 def _feed_mm_min(words: list[str]) -> float:
@@ -172,7 +190,8 @@ def _hold(talk: Talk) -> None:
     """Hold what moves, and wait until it stands; what had been done already is no error."""
     talk.client.hold()
     with suppress(CNCStepperError):
-        talk.until(lambda event: event["event"] == "status" and talk.status.machine_state in STANDING)
+        while talk.ask_status().machine_state not in STANDING:
+            pass
     click.echo(f"{place(talk.status)}   ~ goes on, stop ends it")
 
 

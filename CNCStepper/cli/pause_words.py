@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a person may answer while a job stands: go on, stop, jog, set the zero, end stepping."""
+"""What a person may answer while a job stands: go on, stop, jog, set the zero, override, end stepping."""
 
 from __future__ import annotations
 
@@ -8,6 +8,9 @@ from typing import Any
 
 import click
 
+from CNCStepper.cli.override_words import HELP as OVERRIDES
+from CNCStepper.cli.override_words import read_override
+
 Wishes = list[tuple[str, dict[str, Any]]]  # commands of a session with their values
 
 GO_ON: Wishes = [("resume", {})]
@@ -15,14 +18,17 @@ STOP: Wishes = [("stop", {})]
 STOP_WORDS = ("s", "stop", "q", "quit", "n", "no")
 JOG_FEED_MM_MIN = 500.0
 LONGEST_MM = 1000.0
-HELP = "press Enter alone to go on or s to stop; x10 y-5 z0.1 jogs (f100: that fast), zero z touches off"
+HELP = (
+    "press Enter alone to go on or s to stop; x10 y-5 z0.1 jogs (f100: that fast), zero z touches off; "
+    f"overrides: {OVERRIDES}"
+)
 _WAY = re.compile(r"(?:[xyzf]-?(?:\d+\.?\d*|\.\d+) ?)+")
 _WORD = re.compile(r"([xyzf])(-?[\d.]+)")
 _ZERO = re.compile(r"zero ([xyz]{1,3})")
 
 
 def read_answer(text: str) -> Wishes:
-    """Return what an answer asks for; raises ValueError with words where it is none."""
+    """Return what an answer asks for; raises ValueError with words where it is none, and for a question mark."""
     words = " ".join(text.lower().split())
     if not words:
         return GO_ON
@@ -32,6 +38,10 @@ def read_answer(text: str) -> Wishes:
         return [("by_line", {"on": False}), *GO_ON]
     if zero := _ZERO.fullmatch(words):
         return [("set_zero", {"axes": zero[1].upper()})]
+    if override := read_override(words):
+        return [("override", override)]
+    if words == "?":
+        raise ValueError(HELP)
     return [("jog", _way(words, text))]
 
 

@@ -102,11 +102,16 @@ def command(
     are limit switches, --home lets the machine find its zero again. Without, such a board is sent nothing unless its
     zero is that very place: move the tool to the work zero, `cncstepper zero`, then send and move nothing in between.
 
-    Ctrl-C holds the machine and asks what to do. A stop here is not an emergency stop.
+    Ctrl-C holds the machine and asks what to do; a second one stops the job. A stop here is not an emergency stop. An
+    answer counts only for what it was asked about: where the job was led on meanwhile, you are asked anew. In any other
+    terminal `cncstepper hold`, `go`, `stop`, `override` and `back` act on the job; it goes on when this one is closed.
+    Without a terminal (standard input at its end) the machine waits at each pause and hold until one of them is called;
+    Ctrl-C holds it, and stops it where it stands.
 
     At a pause (M0, for example to change the tool) and between two lines with --step the machine is idle: Enter goes
     on, s stops, "x10 y-5 z0.1" jogs by these mm ("f100": at 100 mm/min), "zero z" sets the work zero of Z, "all" ends
-    --step. Who jogged is taken back first: up, over, and slowly down to where the program stood.
+    --step. While it stands "feed -10", "spindle +10", "rapid 50", "flood" and the like change its overrides; "?" lists
+    them. Who jogged is taken back first: up, over, and slowly down to where the program stood.
     """
     from CNCStepper.cli.made_with import made_with, merged
     from CNCStepper.cli.watch import watch

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from CNCStepper.cli.live import OVERRIDES_TOLD_S, overrides_in_words
 from CNCStepper.errors import CNCStepperError, MachineRefusal
 
 if TYPE_CHECKING:
@@ -95,6 +96,19 @@ class Talk:
             for event in self.look():
                 if done(event):
                     return event
+
+    def ask_status(self) -> SenderStatus:
+        """Ask how the machine stands, and return it; one that does not change tells nothing by itself."""
+        self.client.ask("status")
+        self.until(lambda event: event["event"] == "status")
+        return self.status
+
+    def override(self, values: dict[str, str]) -> None:
+        """Ask for an override, and wait until the controller tells it."""
+        before, end_s = overrides_in_words(self.status), time.monotonic() + OVERRIDES_TOLD_S
+        self.client.ask("override", **values)
+        while overrides_in_words(self.ask_status()) == before and time.monotonic() < end_s:
+            pass
 
     def type(self, text: str) -> str:
         """Send a typed line, print what the controller says, and return its answer."""

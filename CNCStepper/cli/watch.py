@@ -1,50 +1,81 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A person at a terminal watching a session: progress, pauses, and Ctrl-C."""
+"""A terminal watching a session: progress, pauses, and Ctrl-C."""
 
 from __future__ import annotations
 
 import signal
-import time
+from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
-import click
-from rich.console import Console
+from rich.console import Console, ConsoleOptions, RenderableType, RenderResult
 from rich.progress import BarColumn, Progress, TaskProgressColumn, TextColumn, TimeElapsedColumn
+from rich.text import Text
 
+from CNCStepper.cli.asker import Asker
 from CNCStepper.cli.live import live
-from CNCStepper.cli.pause_words import STOP, Answer, is_end
+from CNCStepper.cli.question import why
 from CNCStepper.control.outcome import Outcome, SenderStatus
 from CNCStepper.control.retrace import STANDS
 from CNCStepper.control.send_job import SendJob
 from CNCStepper.control.session import SessionClient
+from CNCStepper.control.stand_count import WAITING
 
 if TYPE_CHECKING:
     from CNCStepper.job.leader import Leader
 
 LOOK_EVERY_S = 0.05
-TOUCHED_S = 0.5  # until a jog or a new zero shows at the latest
-_BACK = "; `cncstepper back` goes back"  # from any stand but an open door
+UNANSWERED = -1  # the number of no stand
 
 
 def watch(job: SendJob, resume_pauses: bool) -> Outcome:
     """Start the sender's process for `job`, show its progress, answer its pauses, and return how it ended."""
-    columns = (TextColumn("{task.description:<10}"), BarColumn(), TaskProgressColumn(), TimeElapsedColumn())
-    with (
-        SessionClient.start(job) as client,
-        Progress(*columns, TextColumn("{task.fields[place]}"), console=Console(stderr=True)) as progress,
-    ):
+    with SessionClient.start(job) as client, Moving() as progress:
         has_start = any(entry["act"] == "start" for entry in job.inputs)
         return _Watch(client, progress, resume_pauses, has_start).run()
 
 
+class Moving(Progress):
+    """The progress of one job: phase, bar and time, and below them what moves, as `live` says it."""
+
+    def __init__(self, console: Console | None = None) -> None:
+        console = console or Console(stderr=True)
+        self._status = SenderStatus()
+        phase = TextColumn("{task.description:<10}")
+        super().__init__(phase, BarColumn(), TaskProgressColumn(), TimeElapsedColumn(), console=console)
+        self._job = self.add_task("connecting", total=None)
+
+    def show(self, status: SenderStatus) -> None:
+        """Show a moment of the job."""
+        self._status = status
+        done = status.done * status.total
+        self.update(self._job, description=status.phase, completed=done, total=status.total or None)
+
+    def get_renderables(self) -> Iterable[RenderableType]:
+        """Yield the bar, and what moves."""
+        yield self.make_tasks_table(self.tasks)
+        yield _Live(self._status)
+
+
+class _Live:
+    """What `live` says of a moment, in lines of the terminal's width."""
+
+    def __init__(self, status: SenderStatus):
+        self._status = status
+
+    def __rich_console__(self, console: Console, options: ConsoleOptions) -> RenderResult:
+        if words := live(self._status, options.max_width):
+            yield Text(words)
+
+
 class _Watch:
-    def __init__(self, client: SessionClient, progress: Progress, resume_pauses: bool, has_start: bool):
+    def __init__(self, client: SessionClient, progress: Moving, resume_pauses: bool, has_start: bool):
         self._client = client
         self._progress = progress
         self._resume_pauses = resume_pauses
         self._has_start = has_start  # a button at the machine, so that nobody need answer here
-        self._bar = progress.add_task("connecting", total=None, place="")
-        self._answered = ("", -1)  # the stand that has had its answer: its phase and place
+        self._asker = Asker(client, self._print, self._tell)
+        self._answered = UNANSWERED  # the stand that has had its answer
+        self._phase = ""
         self._leader: Leader | None = None  # from the first stand on
 
     def run(self) -> Outcome:
@@ -54,48 +85,48 @@ class _Watch:
             try:
                 self._look()
             except KeyboardInterrupt:
-                self._has_start, self._answered = False, ("", -1)  # whoever interrupts is here to answer
-                self._client.hold()
-        return self._client.wait(self._show)
+                self._interrupted()
+        return self._client.wait(self._progress.show)
 
     def _look(self) -> None:
         for event in self._client.poll(LOOK_EVERY_S):
             if event["event"] == "status":
                 status = SenderStatus.from_json(event["status"])
-                self._show(status)
+                self._phase = status.phase
+                self._progress.show(status)
                 self._stand(status)
             else:
                 self._print(event)
 
+    def _interrupted(self) -> None:
+        """Hold, for whoever interrupts is here to answer; stop what stands already where nobody can be asked."""
+        if self._phase in WAITING and not self._asker.is_there:
+            self._client.stop()
+            return
+        self._has_start, self._answered = False, UNANSWERED
+        self._client.hold()
+
     def _print(self, event: dict[str, Any]) -> None:
         if event["event"] in ("message", "warning", "refused"):
-            self._progress.console.print(event["text"], markup=False)
+            self._tell(event["text"])
         if event["event"] in ("warning", "refused"):  # perhaps what was answered
-            self._answered = ("", -1)
+            self._answered = UNANSWERED
 
-    def _show(self, status: SenderStatus) -> None:
-        self._progress.update(
-            self._bar,
-            description=status.phase,
-            completed=status.done * status.total,
-            total=status.total or None,
-            place=live(status),
-        )
+    def _tell(self, text: str) -> None:
+        self._progress.console.print(text, markup=False)
 
     def _stand(self, status: SenderStatus) -> None:
-        """Ask once for each stand what to do: held, paused by the program, or a door that was opened."""
+        """Ask once for each stand what to do."""
         if status.phase in STANDS:
             self._follow_buttons()
-        stand = (status.phase, status.acknowledged)
-        if status.phase not in ("held", "paused", "door") or stand == self._answered:
+        if status.phase not in WAITING or status.stand <= self._answered:
             return
-        self._answered = stand
+        self._answered = status.stand
         if status.phase == "paused" and self._resume_pauses:
-            self._progress.console.print(f"pause: {status.message or 'M0'}; going on", markup=False)
-            self._client.resume()
+            self._tell(f"pause: {status.message or 'M0'}; going on")
+            self._client.resume(status.stand)
         elif self._has_start:
-            what = f"{_why(status)}. Its start button goes on, Ctrl-C asks here"
-            self._progress.console.print(what, markup=False)
+            self._tell(f"{why(status)}. Its start button goes on, Ctrl-C asks here")
         else:
             self._ask(status)
 
@@ -107,48 +138,10 @@ class _Watch:
             self._leader = Leader(self._client.session_file, self._tell)
             self._leader.start()
 
-    def _tell(self, text: str) -> None:
-        self._progress.console.print(text, markup=False)
-
     def _ask(self, status: SenderStatus) -> None:
-        """Ask until the job goes on or is stopped; nobody to ask means stop: no tool stands in the work unwatched."""
+        """Ask, with the progress out of the way of what is typed."""
         self._progress.stop()
-        wishes = self._asked(status)
-        while not is_end(wishes) and not self._client.outcome:
-            self._wish(wishes)
-            status = self._touched(status)
-            wishes = self._asked(status)
-        self._progress.start()
-        self._wish(wishes)
-
-    def _asked(self, status: SenderStatus) -> list[tuple[str, dict[str, Any]]]:
-        can_jog = status.phase == "paused" and status.machine_state == "Idle"
-        more = f", z-0.1 jogs, zero z touches off ({_work_place(status)})" if can_jog else ""
-        question = f"{_why(status)}. Enter goes on, s stops{more}{_BACK if status.phase != 'door' else ''}"
         try:
-            return click.prompt(question, default="", show_default=False, err=True, type=Answer())
-        except (click.Abort, EOFError):
-            return STOP
-
-    def _wish(self, wishes: list[tuple[str, dict[str, Any]]]) -> None:
-        for name, values in wishes:
-            self._client.ask(name, **values)
-
-    def _touched(self, status: SenderStatus) -> SenderStatus:
-        """Wait until a jog has begun and ended, or a zero is set; return how the machine stands then."""
-        begin_s = time.monotonic()
-        while time.monotonic() - begin_s < TOUCHED_S or status.machine_state == "Jog":
-            for event in self._client.poll(LOOK_EVERY_S):
-                self._print(event)
-                status = SenderStatus.from_json(event["status"]) if event["event"] == "status" else status
-            if self._client.outcome:
-                break
-        return status
-
-
-def _why(status: SenderStatus) -> str:
-    return status.message or ("The program pauses" if status.phase == "paused" else "The machine holds")
-
-
-def _work_place(status: SenderStatus) -> str:
-    return " ".join(f"{axis}{value:.3f}" for axis, value in zip("XYZ", status.wpos_mm or (), strict=False))
+            self._answered = self._asker.ask(status)
+        finally:
+            self._progress.start()

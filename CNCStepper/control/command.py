@@ -13,6 +13,7 @@ from typing import Any
 from CNCStepper.control.transport import Link
 
 _NUMBER = (int, float)
+_STAND = (int, type(None))  # the number of the stand that is answered to; None: whichever there is
 _WAY = {"x_mm": _NUMBER, "y_mm": _NUMBER, "z_mm": _NUMBER, "feed_mm_min": _NUMBER}
 
 JOB_COMMANDS = (
@@ -26,10 +27,11 @@ JOB_COMMANDS = (
     "set_zero",
     "tell_place",
     "retrace",
+    "override",
 )
 VALUES: dict[str, dict[str, Any]] = {  # of each command: its values and their types
     "hold": {},
-    "resume": {},
+    "resume": {"stand": _STAND},
     "stop": {},
     "by_line": {"on": bool},
     "tell_place": {"file": str},

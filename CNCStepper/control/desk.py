@@ -32,6 +32,7 @@ from CNCStepper.control.readiness import check_state
 from CNCStepper.control.run import MAY_HAVE_RESTARTED, JobRun, Refuse, Stopped, Tell
 from CNCStepper.control.send_job import SendJob
 from CNCStepper.control.spooler import spooled
+from CNCStepper.control.stand_count import StandCount
 from CNCStepper.control.timing import Timing
 from CNCStepper.control.transport import Link, open_link
 from CNCStepper.errors import CNCStepperError
@@ -83,6 +84,7 @@ class Desk:
         self._run: JobRun | None = None
         self._belief: Belief | None = None  # with which the job began: its own resets at standstill do not change it
         self._last_done: SendJob | None = None  # what a start button lets run again
+        self._stands = StandCount()
         self._connected = False
         self._learned = False
         self._zero_is_old = False
@@ -101,11 +103,12 @@ class Desk:
 
     def status(self) -> SenderStatus:
         """Return this moment."""
+        stand = self._stands.number  # before the words of that stand
         run, idle, belief = self._run, self._idle, self._belief
         if idle is None or not self._connected:
             return SenderStatus()
         if run is None or belief is None or (status := run.status()).phase == "connecting":
-            return replace(idle.status(), **self._zero)
+            return replace(idle.status(), stand=stand, **self._zero)
         return replace(status, position_known=belief.position_known, homed=belief.homed, **self._zero)
 
     def run(self) -> None:
@@ -179,6 +182,8 @@ class Desk:
                 self._tell("job", self._last_done.file)
                 self._run_job(idle, self._last_done)
             elif command.name != "end":
+                self._stands.enter(idle.phase)
+                self._stands.check(command)
                 idle.do(command)
                 self._zero_is_old = self._zero_is_old or command.name in ("set_zero", "line")
         except CNCStepperError as error:
@@ -200,6 +205,7 @@ class Desk:
             raise Stopped
 
     def _tell_phase(self, phase: str) -> None:
+        self._stands.enter(phase)
         if phase != self._phase:
             self._phase = phase
             self._tell("phase", phase)
@@ -234,6 +240,7 @@ class Desk:
             tell=self._tell,
             refuse=self._refuse,
             journal=Journal(self._journals) if self._journals else None,
+            stands=self._stands,
         )
         try:
             with self._during_job():

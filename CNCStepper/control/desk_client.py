@@ -101,9 +101,12 @@ class DeskClient:
         """Ask for a feed hold; a jog ends."""
         self.ask("hold")
 
-    def resume(self) -> None:
-        """Ask to go on after a hold, a pause of the program or a closed door."""
-        self.ask("resume")
+    def resume(self, stand: int | None = None) -> None:
+        """Ask to go on after a hold, a pause of the program or a closed door.
+
+        stand: the number in `SenderStatus` of the one that is meant; None: whichever there is.
+        """
+        self.ask("resume", stand=stand)
 
     def stop(self) -> None:
         """Ask to end the job or whatever moves: hold, standstill, reset. It is no emergency stop."""

@@ -74,7 +74,7 @@ class Idle:
         self._zeroed: set[str] = set()
         self._does: dict[str, Callable[..., None]] = {
             "hold": self._hold,
-            "resume": self._resume,
+            "resume": lambda stand=None: self._resume(),  # the desk has compared its stand
             "stop": self.stop,
             "jog": lambda **way: self._jogger.step(Way(**way)),
             "jog_on": lambda press, **way: self._jogger.keep(press, Way(**way)),

@@ -29,6 +29,7 @@ class SenderStatus:
     pins: the inputs that are on, as "XYZ" for limit switches, P for the
     probe, D for the door. homing: whether the machine can home itself. position_known: whether machine positions
     can be trusted. homed: whether they count from the machine's own zero, which it has found since it was met.
+    stand: the number of the last stand: what lets the job go on from there answers to it.
     wanted_back_mm: how far a button of the machine wants the tool led back on its cut, None for nowhere; wanted_rest:
     whether the job is to go on from where that led. Both are for a client that can lead it.
     work_system, work_offsets_mm: the work system in force and what `$#` last said by name ("G54", "G92", "TLO").
@@ -58,6 +59,7 @@ class SenderStatus:
     homing: bool | None = None
     position_known: bool | None = None
     homed: bool = False
+    stand: int = 0
     wanted_back_mm: float | None = None
     wanted_rest: bool = False
     work_system: str = ""

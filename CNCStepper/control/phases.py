@@ -22,12 +22,14 @@ from CNCStepper.control.firmware import TOOL_CHANGED
 from CNCStepper.control.grbl import HOLD, RESUME, Grbl
 from CNCStepper.control.grbl_report import Alarm, Status
 from CNCStepper.control.readiness import CHECK, state_refusal
+from CNCStepper.control.stand_count import StandCount
 from CNCStepper.errors import MachineRefusal
 
 CHANGE_TOOL = "change the tool, then resume"
 STANDING = ("held", "paused", "door")
 CUTS_NOTHING = ("Sleep", CHECK)
 FEEDING = ("running", "finishing")
+DOOR_RETURNS = 3  # the substate in which a machine that goes on switches its outputs on again
 RETREATED = "retreated"  # between two ways along the cut: idle, after a reset
 
 
@@ -37,11 +39,12 @@ class Phases:
     changed_s: when the last `!` or `~` was written, by the driver's clock.
     """
 
-    def __init__(self, tell: Callable[[str, str], None]):
+    def __init__(self, tell: Callable[[str, str], None], stands: StandCount):
         self.name = "connecting"
         self.message = ""
         self.changed_s = float("-inf")
         self._tell = tell
+        self._stands = stands
         self.stands = False  # paused by the sender itself, between two lines, with an idle machine
         self._hold_asked = False
         self._resume_asked = False
@@ -56,6 +59,7 @@ class Phases:
         self.stands = False
         if name != self.name:
             self.name, self.message = name, message
+            self._stands.enter(name)
             self._tell("phase", f"{name}: {message}" if message else name)
 
     def run_anew(self) -> None:
@@ -117,6 +121,8 @@ class Phases:
             self.set("held" if still else "holding")
 
     def _at_door(self, status: Status, driver: Grbl) -> None:
+        if status.substate == DOOR_RETURNS:
+            return
         if status.substate == 0 and self._resume_asked:
             self._go_on(driver)
             return

@@ -41,6 +41,7 @@ from CNCStepper.control.restarted import UNKNOWN
 from CNCStepper.control.retrace import LAST, STANDS, Retrace, check_place, stand_reset
 from CNCStepper.control.send_job import SendJob
 from CNCStepper.control.stand import Stand
+from CNCStepper.control.stand_count import StandCount
 from CNCStepper.control.timing import Timing
 from CNCStepper.control.watch import ANSWER_MISSING, Watch
 from CNCStepper.control.wishes import Wishes
@@ -65,7 +66,7 @@ class JobRun:
 
     tell(kind, text): hears what happens and must not block; kinds are "phase", "message" (the
     program's words) and "warning". refuse(command, error): hears what cannot be obeyed now. journal: permits each
-    line before it is sent.
+    line before it is sent. stands: those of the connection, where it has had some before.
     """
 
     def __init__(
@@ -78,6 +79,7 @@ class JobRun:
         tell: Tell = lambda kind, text: None,
         refuse: Refuse = lambda command, error: None,
         journal: Journals | None = None,
+        stands: StandCount | None = None,
     ):
         self.job = job
         self.driver: Grbl | None = None  # before it is connected
@@ -90,7 +92,8 @@ class JobRun:
         self._journal: Keeping = self._new_journal
         self._feeder = Feeder(job, self._journal)
         self._remaining = Remaining(job.plan)
-        self._phases = Phases(tell)
+        self._stand_count = stands or StandCount()
+        self._phases = Phases(tell, self._stand_count)
         self._watch = Watch(self._timing)
         self._stand = Stand(self._timing, tell, refuse)
         self._retrace = Retrace(job)
@@ -105,18 +108,20 @@ class JobRun:
 
     def status(self) -> SenderStatus:
         """Return this moment."""
-        before = self._retrace.lines_before
+        stand = self._stand_count.number  # before the words of that stand
+        before, feeder = self._retrace.lines_before, self._feeder  # a leg brings another, of lines of its own
         return replace(
             moment(self.driver, self._phases.name, self._phases.message),
-            sent=max(0, before + self._feeder.sent),
-            acknowledged=max(0, before + self._feeder.acknowledged),
-            total=before + self._feeder.total,
-            file=self.job.file,
-            file_line=self.job.last_line(self._done),
-            file_line_sent=self.job.last_line(self._feeder.sent),
+            sent=max(0, before + feeder.sent),
+            acknowledged=max(0, before + feeder.acknowledged),
+            total=before + feeder.total,
+            file=feeder.job.file,
+            file_line=feeder.job.last_line(min(self._done, feeder.acknowledged)),
+            file_line_sent=feeder.job.last_line(feeder.sent),
             elapsed_s=self._clock() - self._begin_s,
             remaining_s=self._remaining.remaining_s,
             done=self._remaining.done,
+            stand=stand,
             wanted_back_mm=self._wishes.back_mm,
             wanted_rest=self._wishes.rest,
         )
@@ -292,6 +297,7 @@ class JobRun:
                 self._refuse(command, error)
 
     def _do(self, command: Command, driver: Grbl) -> None:
+        self._stand_count.check(command)
         if command.name in ("tell_place", "retrace"):
             self._go_back(driver, command)
         elif command.name == "want_back":
@@ -335,14 +341,9 @@ class JobRun:
         overrides = driver.overrides or NORMAL
         found = stand_reset(driver, self._timing)
         self._stand_back(driver)
-        self.job, before = leg.job, self.job
-        try:
-            check_found(self.job, driver, found, self._tell)
-            check_place(driver, leg)
-            restore(driver, overrides, self._timing)
-        except CNCStepperError:
-            self.job = before
-            raise
+        check_found(leg.job, driver, found, self._tell)
+        check_place(driver, leg)
+        restore(driver, overrides, self._timing)
         self._stand.end()
         self._retrace.start(leg)
         if self._gaps:
@@ -350,7 +351,7 @@ class JobRun:
         self._path = PathWatch(leg.job, driver, found, self._tell, self._gaps)
         rest = self._retrace.lines_before if leg.is_rest else None
         self._journal = Led.from_now(self._journal, self._feeder.sent, self._feeder.acknowledged, rest)
-        self._feeder, self._idle_reports, self._done = Feeder(leg.job, self._journal), 0, 0
+        self.job, self._feeder, self._idle_reports, self._done = leg.job, Feeder(leg.job, self._journal), 0, 0
         self._feeder.by_line = self._by_line and leg.is_rest
         self._phases.run_anew()
 

@@ -76,9 +76,9 @@ class SessionClient:
         """Ask for a feed hold."""
         self._send("hold")
 
-    def resume(self) -> None:
-        """Ask to go on."""
-        self._send("resume")
+    def resume(self, stand: int | None = None) -> None:
+        """Ask to go on from the stand of that number in `SenderStatus`; None: from whichever there is."""
+        self._send("resume", stand=stand)
 
     def stop(self) -> None:
         """Ask to end the job safely."""

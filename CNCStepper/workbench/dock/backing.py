@@ -35,6 +35,8 @@ class Backing:
         """Pass hold, resume or stop on; where the tool was taken back the job goes on from there."""
         if name == RESUME and self._link.moment.phase == RETREATED:
             self.go(RESUME, True)
+        elif name == RESUME:
+            self._link.command(RESUME, self._link.stand)
         else:
             self._link.command(name)
 

@@ -97,6 +97,11 @@ class Link:
         return self.client.status if self.client and self.client.phase == "connected" else None
 
     @property
+    def stand(self) -> int | None:
+        """The number of the stand that is shown, which who goes on answers to; None when there is no controller."""
+        return self.status.stand if self.status else None
+
+    @property
     def start(self) -> Start | None:
         """The start state of a program on this machine, None where its place on the table is not known."""
         return start_of(self.status)

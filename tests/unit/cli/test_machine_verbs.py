@@ -12,6 +12,7 @@ from test_send import called, command
 
 from CNCStepper.cli.console import Session, converse
 from CNCStepper.cli.jog import jog_line
+from CNCStepper.cli.talk import Talk
 from CNCStepper.control.outcome import SenderStatus
 from CNCStepper.errors import MachineRefusal
 
@@ -22,22 +23,28 @@ class FakeTalk:
     def __init__(self) -> None:
         self.asked: list[str] = []
         self.answer = "ok"
-        self.status = SenderStatus("idle", machine_state="Idle", wpos_mm=(1.0, 2.0, 3.0), position_known=False)
+        self.status = SenderStatus("idle", machine_state="Idle", wpos_mm=(1.0, 2.0, 3.0), position_known=False, stand=7)
         self.client = self
         self.is_over = False
         self.hold = lambda: self._note("hold", "held")
-        self.resume = lambda: self._note("resume", "busy")
+        self.resume = lambda stand: self._note(f"resume {stand}", "busy")
         self.stop = lambda: self._note("stop", "idle")
 
     def _note(self, what: str, phase: str) -> None:
         self.asked.append(what)
-        self.status = SenderStatus(phase, machine_state=phase)
+        self.status = SenderStatus(phase, machine_state=phase, stand=7)
 
     def heard(self) -> list[dict[str, str]]:
         return []
 
     def check(self) -> None:
         assert not self.is_over
+
+    def ask_status(self) -> SenderStatus:
+        return self.status
+
+    def override(self, values: dict[str, str]) -> None:
+        self.asked.append(" ".join(["override", *values.values()]))
 
     def type(self, text: str) -> str:
         self.asked.append(text)
@@ -58,16 +65,49 @@ class FakeTalk:
 def test_words_of_a_console_do_what_they_say(capsys):
     talk = FakeTalk()
     session = Session(talk)
-    for line in ("$$", "$H", "unlock", "zero", "zero Z", "jog X1 Y-2 F300", "!", "~", "stop", "G0 X1", ""):
+    for line in ("$$", "$H", "unlock", "zero", "zero Z", "jog X1 Y-2 F300", "!", "~",
+                 "feed +10", "flood", "stop", "G0 X1", ""):  # fmt: skip
         session.do(line)
     assert talk.asked == [
-        "$$", "home", "$X", "zero XYZ", "zero Z", "$J=G91G21X1.0000Y-2.0000F300.0", "hold", "resume", "stop", "G0 X1",
+        "$$", "home", "$X", "zero XYZ", "zero Z", "$J=G91G21X1.0000Y-2.0000F300.0", "hold", "resume 7",
+        "override feed 10", "override coolant flood", "stop", "G0 X1",
     ]  # fmt: skip
 
 
 def test_console_shows_where_the_machine_stands_and_that_it_is_unknown(capsys):
     Session(FakeTalk()).do("?")
     assert capsys.readouterr().out == "Idle  X1.000 Y2.000 Z3.000  position unknown\n"
+
+
+class QuietDesk:
+    """A desk whose machine does not change: it tells its status only where it is asked."""
+
+    def __init__(self) -> None:
+        self.status = SenderStatus("alarm", machine_state="Alarm")
+        self.phase = "connected"
+        self.asked: list[str] = []
+
+    def ask(self, command: str) -> None:
+        self.asked.append(command)
+
+    def poll(self) -> list[dict[str, str]]:
+        return [{"event": self.asked.pop()}] if self.asked else []
+
+
+def test_console_shows_a_machine_that_does_not_change_as_often_as_it_is_asked(capsys):
+    talk = Talk.__new__(Talk)
+    talk.client = QuietDesk()
+    for _ in range(3):
+        Session(talk).do("?")
+    assert capsys.readouterr().out == "Alarm\n" * 3
+
+
+@pytest.mark.parametrize("line", ["feed 5", "spindle", "rapid +10"])
+def test_override_that_there_is_not_is_refused(line):
+    talk = FakeTalk()
+    with pytest.raises(click.UsageError, match="there is no override"):
+        Session(talk).do(line)
+    assert talk.asked == []
 
 
 def test_answer_that_is_no_ok_is_a_refusal():
@@ -137,7 +177,8 @@ def test_newcomer_asks_homes_jogs_zeroes_and_types(port, monkeypatch, tmp_path):
     zeroed = called("zero", "xy", "--port", port)
     assert zeroed.returncode == 0 and "X0.000 Y0.000" in zeroed.stdout.splitlines()[-1]
     typed = called("console", "--port", port, answer="$G\nG0 X-3\nG1 X!\nG0 X0\n")
-    left = called("console", "--port", port, answer="$G\nquit\nG1 X!\n")
+    left = called("console", "--port", port, answer="$G\n?\n?\nfeed +10\n?\nquit\nG1 X!\n")
+    assert left.stdout.count("\nIdle  ") == 3 and "\n110/100/100 %\n" in left.stdout
     assert left.returncode == 0 and not left.stderr
     assert typed.returncode == 1 and "would act as a command" in typed.stderr
     assert "[GC:G0 G54" in typed.stdout and typed.stdout.splitlines()[-1] == "ok"

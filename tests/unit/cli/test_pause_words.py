@@ -4,12 +4,12 @@
 from __future__ import annotations
 
 import pytest
-from rich.progress import Progress
 
 from CNCStepper.cli.pause_words import GO_ON, STOP, is_end, read_answer
-from CNCStepper.cli.watch import _Watch
+from CNCStepper.cli.question import question
 from CNCStepper.control.command import JOB_COMMANDS, read_command
 from CNCStepper.control.outcome import SenderStatus
+from CNCStepper.control.overrides import override_byte
 
 
 @pytest.mark.parametrize(
@@ -46,17 +46,47 @@ def test_only_going_on_and_stopping_end_a_stand():
 
 
 @pytest.mark.parametrize(
-    ("phase", "state", "jogs", "goes_back"),
+    ("phase", "state", "jogs", "touches", "goes_back"),
     [
-        ("held", "Hold:0", False, True),
-        ("paused", "Hold:0", False, True),
-        ("paused", "Idle", True, True),
-        ("door", "Door:0", False, False),
+        ("held", "Hold:0", False, False, True),
+        ("paused", "Hold:0", False, False, True),
+        ("paused", "Idle", True, True, True),
+        ("retreated", "Idle", True, False, True),
+        ("door", "Door:0", False, False, False),
     ],
 )
-def test_question_names_what_can_be_done_at_a_stand(monkeypatch, phase, state, jogs, goes_back):
-    asked = []
-    monkeypatch.setattr("click.prompt", lambda text, **given: asked.append(text) or STOP)
-    _Watch(None, Progress(), False, False)._asked(SenderStatus(phase=phase, machine_state=state))
-    assert "Enter goes on, s stops" in asked[0]
-    assert ("z-0.1 jogs" in asked[0]) == jogs and ("`cncstepper back` goes back" in asked[0]) == goes_back
+def test_question_names_what_can_be_done_at_a_stand(phase, state, jogs, touches, goes_back):
+    asked = question(SenderStatus(phase=phase, machine_state=state))
+    assert "Enter goes on, s stops" in asked
+    assert ("z-0.1 jogs" in asked) == jogs and ("zero z" in asked and jogs) == touches
+    assert ("`cncstepper back` goes back" in asked) == goes_back
+
+
+@pytest.mark.parametrize(
+    ("text", "kind", "step"),
+    [
+        ("feed +10", "feed", "10"),
+        ("FEED  -1", "feed", "-1"),
+        ("feed 100", "feed", "reset"),
+        ("rapid 50", "rapid", "50"),
+        ("spindle -10", "spindle", "-10"),
+        ("spindle stop", "spindle", "stop"),
+        ("flood", "coolant", "flood"),
+        ("mist", "coolant", "mist"),
+    ],
+)
+def test_override_is_read_and_is_one_that_there_is(text, kind, step):
+    assert read_answer(text) == [("override", {"kind": kind, "step": step})]
+    read_command({"command": "override", "kind": kind, "step": step}, JOB_COMMANDS)
+    assert override_byte(kind, step)
+
+
+@pytest.mark.parametrize("text", ["feed", "feed 10", "feed 90", "rapid +10", "rapid stop", "feed stop", "spindle 0"])
+def test_override_that_there_is_not_is_refused_with_those_that_there_are(text):
+    with pytest.raises(ValueError, match=r"there is no override .* feed \+10 -10"):
+        read_answer(text)
+
+
+def test_question_mark_is_answered_with_all_words():
+    with pytest.raises(ValueError, match=r"zero z touches off.*spindle \+10.*flood"):
+        read_answer("?")

@@ -118,6 +118,19 @@ def test_client_leaves_and_another_comes_back(held):
     client._reap()
 
 
+def test_answer_to_another_stand_is_refused_with_its_error(held):
+    _, client = held
+    present = client.status().stand
+    client.resume(present - 1)
+    refused: list[dict] = []
+    end_s = time.monotonic() + LIMIT_S
+    while not refused and time.monotonic() < end_s:
+        refused += [event for event in client.poll(0.1) if event["event"] == "refused"]
+    assert refused[0]["error"].code == "stand-over" and client.status().phase == "paused"
+    client.resume(present)
+    assert client.wait(limit_s=LIMIT_S).done
+
+
 def test_session_file_and_its_outcome_are_the_users_own(held):
     _, client = held
     content = json.loads(client.session_file.read_text())

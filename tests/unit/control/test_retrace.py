@@ -252,6 +252,22 @@ def test_overrides_are_what_they_were_before_each_reset(tmp_path: Path) -> None:
     assert seen == [(63, 25, 120)] * 2
 
 
+def test_status_can_be_asked_at_every_moment_of_a_way_back(tmp_path: Path) -> None:
+    """Its leg has fewer lines than were sent before, and brings the overrides back first."""
+    cut, lines = Cut(tmp_path, SQUARE), []
+
+    def person():
+        cut.sender.ask(Command("override", {"kind": "feed", "step": "-10"}))
+        yield from held_on_side(cut)
+        held = yield from found_by(cut)
+        cut.table.on_write = lambda data: lines.append(cut.sender.status().file_line)
+        yield from cut.go(held.along(held.back_by(1.0)))
+        yield cut.arrived
+        cut.sender.stop()
+
+    assert cut.run(person).kind == "stopped" and max(lines) <= SIDE + 1
+
+
 def test_cut_does_not_go_on_at_other_overrides(tmp_path: Path) -> None:
     cut = Cut(tmp_path, SQUARE)
 
