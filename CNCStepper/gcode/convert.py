@@ -11,6 +11,7 @@ import re
 from bisect import bisect_right
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, replace
+from math import isnan
 from typing import Any
 
 import numpy as np
@@ -52,6 +53,7 @@ _STOPS = ("pause", "optional_pause", "tool_change")
 _AFTER_STOPS = (
     "after a stop the first move names all its axes, on one straight way: let the machine stand above the work"
 )
+_BEGIN = "the program begins with the tool at the work zero: bring it there before this one is sent"
 _CODE = re.compile(r"G0*([0-9]+(?:\.[0-9]+)?)", re.IGNORECASE)
 STAGES = ("read", "write", "compare")  # what `tell` hears, in this order
 
@@ -91,9 +93,10 @@ def convert(
     except ProgramError as error:
         raise error.at(Place(file, error.place.line if error.place else 0)) from error
     tell("compare")
-    require_same_work(path, interpret(made.text, start, language, progress=share), options, language, file)
-    codes = _lines_of_codes(text)
-    notes = (*_notes(path, codes, language), *_said(codes, dialect_named(source)), *made.notes)
+    again = interpret(made.text, path.start, language, progress=share)  # from where the source takes itself to begin
+    require_same_work(path, again, options, language, file)
+    codes, read = _lines_of_codes(text), dialect_named(source)
+    notes = (*_begin(read, start), *_notes(path, codes, language), *_said(codes, read), *made.notes)
     return Converted(made.text, notes, path)
 
 
@@ -106,6 +109,12 @@ def default_options(path: Toolpath, target: Dialect) -> WriteOptions:
     change = next((way for way in ("m6", "pause") if way in writing.tool_change), "split")
     kept = units if units in writing.units else next(iter(writing.units))
     return WriteOptions(units=kept, work_offset="", tool_change=change, retract=False)  # type: ignore[arg-type]
+
+
+def _begin(source: Dialect, start: Start | None) -> Iterator[Note]:
+    """Yield where the source presumes that the tool stands, though nobody has said it."""
+    if source.starts_at_work_zero and isnan((start or Start()).position_mm[0]):
+        yield Note(_BEGIN, 1, 1)
 
 
 def _notes(path: Toolpath, codes: dict[str, list[int]], target: Dialect) -> Iterator[Note]:

@@ -120,3 +120,13 @@ def test_a_folder_that_is_not_there_is_made_and_the_option_is_called_as_everywhe
     out = tmp_path / "saída nova" / "part.nc"
     made = run("convert", drilled, "--to", "grbl", "-o", out)
     assert made.exit_code == 0 and made.stderr.endswith(f"{out}: written; {len(out.read_text().splitlines())} lines\n")
+
+
+def test_program_that_presumes_where_the_tool_stands_says_so(tmp_path):
+    program = tmp_path / "peça.nc"
+    program.write_text("G90 X40 Y0 F300\nG0 X0 Y0\n", "ascii")
+    made = run("convert", program, "--dialect", "thesis-a", "--to", "grbl")
+    assert made.exit_code == 0 and "G1 X40.000 Y0.000 Z0.000 F300\nG0 X0.000\n" in made.stdout
+    assert "begins with the tool at the work zero" in made.stderr
+    placed = run("convert", program, "--dialect", "thesis-a", "--to", "grbl", "--position", "0,0,0")
+    assert placed.stdout == made.stdout and not placed.stderr
