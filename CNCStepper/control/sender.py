@@ -25,6 +25,8 @@ from CNCStepper.control.timing import Timing
 from CNCStepper.control.transport import Link, open_link
 from CNCStepper.errors import MachineRefusal
 
+NO_HOMING = "-error-5"  # homing is not enabled
+
 
 class Sender:
     """Sends one job over a link of its own; `run` blocks, all else may be called from any thread.
@@ -121,7 +123,7 @@ class Sender:
         try:
             home(driver, self._timing)
         except MachineRefusal as refusal:
-            if "-error-" in refusal.code:  # it has not begun
+            if refusal.code.endswith(NO_HOMING) or refusal.code.startswith("machine-"):  # it has not begun
                 self._belief = before
             raise
         self._belief, self._greeted = AT_HOME, False

@@ -213,8 +213,13 @@ def test_homing_that_was_stopped_leaves_it_unknown(tmp_path):
     assert shop.send(person, home_first=True).kind == STOPPED and shop.kept.belief == LOST
 
 
-def test_homing_that_is_not_set_up_costs_nothing(shop):
+def test_homing_that_is_not_set_up_or_cannot_begin_costs_nothing(shop):
     assert shop.send(home_first=True).kind == REFUSED and shop.kept.belief == NOTHING_AGAINST
+    shop.board.receive(b"G1X-5F600\n")
+    shop.board.advance(0.1)
+    shop.greet_nobody()
+    busy = shop.send(home_first=True)
+    assert busy.error.code == "machine-run" and shop.kept.belief == NOTHING_AGAINST
 
 
 def test_a_greeting_mends_nothing_that_was_lost_before(shop):
