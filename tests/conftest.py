@@ -8,6 +8,7 @@ time, so that a change is judged by what it changed.
 from __future__ import annotations
 
 import os
+import secrets
 import subprocess
 import sys
 from collections import Counter
@@ -42,6 +43,13 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
 
 def _updates(request: pytest.FixtureRequest) -> bool:
     return bool(request.config.getoption("--update-golden") or os.environ.get("UPDATE_GOLDEN") == "1")
+
+
+@pytest.fixture(autouse=True)
+def own_state(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Let no test find what another has left of a machine: ports of this computer are used again."""
+    base: Path = request.getfixturevalue("tmp_path_factory").getbasetemp()
+    monkeypatch.setenv("XDG_STATE_HOME", str(base / f"state-{secrets.token_hex(8)}"))
 
 
 @pytest.fixture

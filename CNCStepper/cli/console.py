@@ -42,9 +42,9 @@ def command(port: str, baud: int) -> None:
 
     Beside the controller's own lines it knows: ? ! ~ stop home unlock zero jog feed rapid spindle flood mist history
     help quit; help says what each does. Lines with bytes that act at once (! ? ~ and what is not ASCII) are refused.
-    While the position is unknown, after a restart or an alarm that lost it, only homing, jog, unlock, questions and
-    settings are accepted; zero makes it known too. What the controller says by itself, an alarm for example, is shown
-    as it comes.
+    While the position is unknown, after a restart or an alarm that lost it, in an earlier connection too, only homing,
+    jog, unlock, questions and settings are accepted; zero of all axes makes it known too. What the controller says by
+    itself, an alarm for example, is shown as it comes.
 
     Lines also come from a pipe or a file; then the first refusal ends it with exit status 1.
     """

@@ -53,7 +53,7 @@ def _ask(port: str, baud: int) -> bool:
         link = open_link(port, baud)
         try:
             driver = Grbl(link)
-            told = _meet(driver, Timing())
+            told = _meet(port, driver, Timing())
         finally:
             link.close()
     except CNCStepperError as error:
@@ -63,7 +63,7 @@ def _ask(port: str, baud: int) -> bool:
     return True
 
 
-def _meet(driver: Grbl, timing: Timing) -> str:
+def _meet(port: str, driver: Grbl, timing: Timing) -> str:
     """Return what answers in words; one that moves is not asked what it is."""
     from CNCStepper.control.connect import greeted, learn, wake_up
 
@@ -72,7 +72,19 @@ def _meet(driver: Grbl, timing: Timing) -> str:
     state = driver.status.name
     if driver.status.state not in ("Idle", "Alarm"):
         return f"a controller in the state {state}, which is not disturbed"
-    return f"{_told(learn(driver, timing, greeted(woken)), driver.window + 1)}, {state}"
+    found = learn(driver, timing, greeted(woken))
+    _note_position(port, driver, found.greeted)
+    return f"{_told(found, driver.window + 1)}, {state}"
+
+
+def _note_position(port: str, driver: Grbl, greeted: bool) -> None:
+    """Keep for the next connection that the position is unknown, where the controller has restarted or is locked."""
+    from CNCStepper.control.belief import met
+    from CNCStepper.control.belief_file import BeliefFile
+    from CNCStepper.control.session_file import session_folder
+
+    kept = BeliefFile.of_port(session_folder(), port)
+    kept.keep(met(kept.belief, driver, greeted))
 
 
 def _told(found: Found, receive_bytes: int) -> str:

@@ -101,6 +101,8 @@ def command(
     Many boards restart when their port is opened, and count from where they stand: the position is unknown. Where there
     are limit switches, --home lets the machine find its zero again. Without, such a board is sent nothing unless its
     zero is that very place: move the tool to the work zero, `cncstepper zero`, then send and move nothing in between.
+    After an alarm, a lost link or a sender that was killed the position is unknown too, and stays so for every later
+    connection: nothing is sent before --home, `cncstepper home`, or `cncstepper zero` for all axes.
 
     Ctrl-C holds the machine and asks what to do; a second one stops the job. A stop here is not an emergency stop. An
     answer counts only for what it was asked about: where the job was led on meanwhile, you are asked anew. In any other

@@ -19,12 +19,14 @@ from typing import Any
 
 from CNCStepper.control import connect
 from CNCStepper.control.acts import fresh_status
+from CNCStepper.control.belief import LOST, Belief, check_program
+from CNCStepper.control.belief_file import BeliefFile
 from CNCStepper.control.button import buttons_of
 from CNCStepper.control.buttons import Buttons
 from CNCStepper.control.command import VALUES, Command, Inbox
 from CNCStepper.control.grbl import Answered, Grbl, Received
 from CNCStepper.control.grbl_report import Vector
-from CNCStepper.control.idle import Belief, Idle, is_fatal
+from CNCStepper.control.idle import Idle, is_fatal
 from CNCStepper.control.journal.journal import Journal
 from CNCStepper.control.moment import tell_words
 from CNCStepper.control.outcome import REFUSED, Outcome, SenderStatus
@@ -44,7 +46,8 @@ class Desk:
 
     tell, refuse, ended: hear what happens, as of a `JobRun`, and how a job ended. alone_s: how long nobody has
     been there; a desk that is alone and has nothing to do ends. journals: the folder for those of its jobs; None
-    keeps none. during_job: entered for the time of each job. spool: the file that holds the lines of the last job.
+    keeps none. kept: what was held of the position before, and is from now on; None begins with nothing. during_job:
+    entered for the time of each job. spool: the file that holds the lines of the last job.
     """
 
     commands: tuple[str, ...] = tuple(VALUES)
@@ -63,6 +66,7 @@ class Desk:
         ended: Callable[[Outcome], None] = lambda outcome: None,
         alone_s: Callable[[], float] = lambda: 0.0,
         journals: Path | None = None,
+        kept: BeliefFile | None = None,
         during_job: Callable[[], AbstractContextManager[None]] = nullcontext,
     ):
         self.port = port
@@ -75,6 +79,7 @@ class Desk:
         self._ended = ended
         self._alone_s = alone_s
         self._journals = journals
+        self._kept = kept or BeliefFile(None)
         self._during_job = during_job
         self._clock = clock
         self._inbox = Inbox(clock)
@@ -118,9 +123,7 @@ class Desk:
             self._driver = driver = Grbl(link, self._clock, self._listen)
             self._idle = Idle(driver, self._timing, self._tell, self._refuse)
             self._connect(driver, self._idle)
-            while not self._over(self._idle):
-                self._turn(driver, self._idle)
-            self._come_to_rest(self._idle)
+            self._serve(driver, self._idle)
         except Stopped:  # while connecting: nothing was sent
             return
         finally:
@@ -134,9 +137,21 @@ class Desk:
         if greeted:
             self._tell("warning", "the controller restarted when its port was opened; it counts from where it stands")
         self._learn(driver, idle)
-        if greeted:
-            idle.meet_restarted()
+        idle.meet(self._kept.belief, greeted)
         self._connected = True
+
+    def _serve(self, driver: Grbl, idle: Idle) -> None:
+        """Be there until the end; a machine of which the link or this program loses sight has lost its position."""
+        try:
+            while not self._over(idle):
+                self._turn(driver, idle)
+                self._keep_belief(idle)
+            self._come_to_rest(idle)
+        except Exception:
+            idle.lose_position()
+            raise
+        finally:
+            self._keep_belief(idle)
 
     def _turn(self, driver: Grbl, idle: Idle) -> None:
         idle.turn()
@@ -147,6 +162,10 @@ class Desk:
         for command in self._inbox.take():
             self._obey(command, idle)
         self._tell_phase(idle.phase)
+
+    def _keep_belief(self, idle: Idle) -> None:
+        """Keep what is held of the position; homing that does not come to its end costs it."""
+        self._kept.keep_or_tell(LOST if idle.phase == "homing" else idle.belief, self._tell)
 
     def _learn(self, driver: Grbl, idle: Idle) -> None:
         """Read what the controller is as soon as it stands; one that moves is not asked."""
@@ -266,9 +285,10 @@ class Desk:
         self._run.driver = self._driver
         self._idle.check_no_jog()
         check_state(fresh_status(self._driver, self._timing))
-        self._idle.check_position()
+        check_program(self._idle.belief)
         found = connect.learn(self._driver, self._timing)
         self._take_zero(found.offsets, found.modes)
+        self._kept.keep(LOST)  # until the job has ended well
         return replace(found, greeted=self._idle.position_known is False)
 
     # --- the end -------------------------------------------------------------------------------

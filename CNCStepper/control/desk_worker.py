@@ -13,6 +13,7 @@ from functools import partial
 from pathlib import Path
 
 from CNCStepper.control.awake import awake
+from CNCStepper.control.belief_file import BeliefFile
 from CNCStepper.control.desk import Desk
 from CNCStepper.control.outcome import error_to_json
 from CNCStepper.control.own_process import stop_on_signals
@@ -37,6 +38,7 @@ def main(arguments: list[str]) -> int:
         ended=server.tell_outcome,
         alone_s=server.alone_s,
         journals=path.parent,
+        kept=BeliefFile.of_port(path.parent, port),
         during_job=partial(awake, partial(server.tell, "warning")),
     )
     stop_on_signals(desk.stop)

@@ -5,9 +5,9 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
-from typing import NamedTuple
 
 from CNCStepper.control import acts, connect, halt
+from CNCStepper.control.belief import Belief, check_program, met
 from CNCStepper.control.command import Command
 from CNCStepper.control.console import Console
 from CNCStepper.control.firmware import TOOL_CHANGED
@@ -19,7 +19,6 @@ from CNCStepper.control.moment import moment
 from CNCStepper.control.outcome import SenderStatus
 from CNCStepper.control.overrides import override_byte
 from CNCStepper.control.readiness import check_state
-from CNCStepper.control.restarted import counts_from_here
 from CNCStepper.control.run import Refuse, Tell
 from CNCStepper.control.timing import Timing
 from CNCStepper.control.typed_line import HOME as HOME_LINE
@@ -37,29 +36,15 @@ HOMED = "the machine is homed"
 CRITICAL = "Reset to continue"
 
 
-class Belief(NamedTuple):
-    """What is held of a machine's position.
-
-    counts_from_here: it restarted as it was met, and was neither homed nor zeroed since. zeroed: the axes whose zeros
-    were set since the position was lost.
-    """
-
-    position_known: bool | None
-    homed: bool
-    counts_from_here: bool
-    zeroed: frozenset[str]
-
-
 class Idle:
     """One machine between jobs; everything here happens on the desk's thread, `status` apart.
 
-    position_known: None while nothing speaks for or against it. homed: whether machine positions count from the
-    zero that the machine has found itself.
+    position_known, homed, counts_from_here: see `Belief`.
     """
 
     def __init__(self, driver: Grbl, timing: Timing, tell: Tell, refuse: Refuse):
         self.position_known: bool | None = None
-        self.counts_from_here = False  # see `Belief`
+        self.counts_from_here = False
         self.homed = False
         self._driver = driver
         self._timing = timing
@@ -169,10 +154,9 @@ class Idle:
         self.position_known = self.homed = self.counts_from_here = False
         self._zeroed.clear()
 
-    def meet_restarted(self) -> None:
-        """Take a controller as it was met: it restarted, see `restarted` for what a person's word counts then."""
-        self.lose_position()
-        self.counts_from_here = counts_from_here(self._driver)
+    def meet(self, before: Belief, greeted: bool) -> None:
+        """Take a controller as it was met. before: what was held of it until then; greeted: it has restarted."""
+        self.belief = met(before, self._driver, greeted)
 
     def stop(self) -> None:
         """Bring to rest whatever moves: a jog keeps its position, homing loses it."""
@@ -200,15 +184,6 @@ class Idle:
             advice = "wait until the jog has ended"
             raise MachineRefusal("machine-busy", "the machine is not at rest", value="jogging", advice=advice)
 
-    def check_position(self) -> None:
-        """Raise MachineRefusal when the position is lost: no program may move it, unless all it has is from here."""
-        if self.position_known is False and not self.counts_from_here:
-            raise MachineRefusal(
-                "position-unknown",
-                "the machine's position is unknown",
-                advice="home it, or set the zero of all axes again, before it is sent a program",
-            )
-
     def check_at_rest(self) -> None:
         """Raise MachineRefusal while something moves or is under way."""
         self.check_no_jog()
@@ -235,6 +210,8 @@ class Idle:
     def _resume(self) -> None:
         if self.phase not in ("held", "door"):
             raise MachineRefusal("nothing-to-resume", "the machine is not held", advice="there is nothing to resume")
+        if self.phase == "held":  # what a job has left there would go on
+            check_program(self.belief)
         status = self._driver.status
         if status and status.name == "Hold:1":  # in which grbl forgets a cycle start
             advice = "resume once it stands"

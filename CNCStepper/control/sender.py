@@ -5,8 +5,11 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable
+from dataclasses import replace
 
 from CNCStepper.control import connect
+from CNCStepper.control.belief import AT_HOME, LOST, check_program, met
+from CNCStepper.control.belief_file import BeliefFile
 from CNCStepper.control.button import buttons_of
 from CNCStepper.control.buttons import Buttons
 from CNCStepper.control.command import JOB_COMMANDS, Command, Inbox
@@ -14,12 +17,15 @@ from CNCStepper.control.grbl import Answered, Grbl, Received
 from CNCStepper.control.home_first import home
 from CNCStepper.control.journal.kept import Journals
 from CNCStepper.control.moment import tell_words
-from CNCStepper.control.outcome import Outcome, SenderStatus
+from CNCStepper.control.outcome import REFUSED, Outcome, SenderStatus
 from CNCStepper.control.restarted import check_counts_from_here
 from CNCStepper.control.run import JobRun, Refuse, Stopped, Tell
 from CNCStepper.control.send_job import SendJob
 from CNCStepper.control.timing import Timing
 from CNCStepper.control.transport import Link, open_link
+from CNCStepper.errors import MachineRefusal
+
+NO_HOMING = "-error-5"  # homing is not enabled
 
 
 class Sender:
@@ -27,7 +33,8 @@ class Sender:
 
     tell(kind, text): hears what happens, on the sender's thread, and must not block; kinds are
     "phase", "message" (the controller's or the program's words) and "warning". refuse(command, error): hears, as
-    quietly, what cannot be obeyed now. journal: None keeps none.
+    quietly, what cannot be obeyed now. journal: None keeps none. kept: what was held of the position before, and is
+    afterwards; None begins with nothing.
     """
 
     commands: tuple[str, ...] = JOB_COMMANDS
@@ -42,6 +49,7 @@ class Sender:
         tell: Tell = lambda kind, text: None,
         refuse: Refuse = lambda command, error: None,
         journal: Journals | None = None,
+        kept: BeliefFile | None = None,
     ):
         self.job = job
         self._opener = opener
@@ -49,6 +57,9 @@ class Sender:
         self._clock = clock
         self._tell = tell
         self._inbox = Inbox(clock)
+        self._kept = kept or BeliefFile(None)
+        self._belief = self._kept.belief
+        self._greeted = False  # while connecting
         self._early: list[Command] = []  # asked while connecting
         self._connecting = True
         self._buttons = Buttons(self._inbox.put, tell, clock)
@@ -79,7 +90,9 @@ class Sender:
     def run(self) -> Outcome:
         """Send the job and return how it ended; refusals and failures are in the outcome, not raised."""
         try:
-            return self._run.run(self._connected)
+            outcome = self._run.run(self._connected)
+            self._keep_belief(outcome)
+            return outcome
         finally:
             self._buttons.close()
             if self._inbox.link:
@@ -89,20 +102,41 @@ class Sender:
         self._inbox.link = self._opener(self.job.port, self.job.baud)
         self._run.driver = driver = Grbl(self._inbox.link, self._clock, self._listen)
         found = self._homed(driver) if self.job.home_first else connect.meet(driver, self._timing)
-        if found.greeted:
+        self._belief = met(self._belief, driver, self._greeted)
+        if self._greeted:
             self._tell("warning", "the controller restarted when its port was opened; it counts from where it stands")
             check_counts_from_here(driver)
+        check_program(self._belief)
+        self._kept.keep(LOST)  # until the job has ended well
         self._buttons.wire(buttons_of(self.job.inputs))
         self._connecting = False
         for command in self._early:
             self._inbox.put(command)
-        return found
+        return replace(found, greeted=self._belief.position_known is False)
 
     def _homed(self, driver: Grbl) -> connect.Found:
         connect.wake_up(driver, self._timing, locked=True)
+        before = met(self._belief, driver, self._greeted)
         self._tell("message", "the machine finds its own zero")
-        home(driver, self._timing)
+        self._belief = LOST  # until it is there
+        self._kept.keep(LOST)
+        try:
+            home(driver, self._timing)
+        except MachineRefusal as refusal:
+            if refusal.code.endswith(NO_HOMING) or refusal.code.startswith("machine-"):  # it has not begun
+                self._belief = before
+            raise
+        self._belief, self._greeted = AT_HOME, False
         return connect.meet(driver, self._timing)
+
+    def _keep_belief(self, outcome: Outcome) -> None:
+        """Keep what is held of the position now; a job that was not begun may have met an alarm or a restart."""
+        belief = self._belief
+        if self._connecting and self._run.driver:
+            belief = met(belief, self._run.driver, self._greeted)
+        elif outcome.kind != REFUSED and not outcome.position_known:
+            belief = LOST
+        self._kept.keep_or_tell(belief, self._tell)
 
     def _listen(self, received: list[Received]) -> None:
         """Count and tell what came; while connecting, obey a stop too, all else waits for the first line."""
@@ -111,6 +145,7 @@ class Sender:
             self._buttons.hear(said)
             tell_words(said, self._tell)
         if self._connecting:
+            self._greeted = self._greeted or connect.greeted(said)
             for command in self._inbox.take():
                 if command.name == "stop":
                     raise Stopped

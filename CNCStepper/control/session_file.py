@@ -15,7 +15,7 @@ import time
 from collections.abc import Iterable, Mapping
 from contextlib import suppress
 from pathlib import Path
-from typing import Any
+from typing import Any, TextIO
 
 from CNCStepper.control.long_json import pieces
 from CNCStepper.errors import MissingPackage
@@ -113,10 +113,36 @@ class DeskFile:
 
 def write_private(path: Path, content: Mapping[str, Any]) -> None:
     """Write JSON that only its owner can read, long lists as `pieces` does; a reader finds it whole or not at all."""
-    draft = path.with_name(f"{path.name}.{secrets.token_hex(4)}")
-    with open(os.open(draft, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o600), "w", encoding="utf-8") as file:
+    draft = _draft_of(path)
+    with _new_private(draft) as file:
         file.writelines(pieces(content, json.JSONEncoder()))
     os.replace(draft, path)
+
+
+def write_durably(path: Path, content: Mapping[str, Any]) -> None:
+    """Write as `write_private` does; when this returns it is on the disk, and after an OSError all is as before."""
+    draft = _draft_of(path)
+    try:
+        with _new_private(draft) as file:
+            json.dump(content, file)
+            file.flush()
+            os.fsync(file.fileno())
+        os.replace(draft, path)
+        sync_folder(path.parent)
+    except OSError:
+        draft.unlink(missing_ok=True)
+        raise
+
+
+def sync_folder(folder: Path) -> None:
+    """Put the names of new files on the disk too, where the system lets a folder be opened."""
+    if os.name != "posix":
+        return
+    descriptor = os.open(folder, os.O_RDONLY)
+    try:
+        os.fsync(descriptor)
+    finally:
+        os.close(descriptor)
 
 
 def read_private(path: Path) -> dict[str, Any] | None:
@@ -129,6 +155,14 @@ def read_private(path: Path) -> dict[str, Any] | None:
 
 def _having(machine_port: str, files: Iterable[Path]) -> Path | None:
     return next((path for path in files if (read_private(path) or {}).get("machine_port") == machine_port), None)
+
+
+def _draft_of(path: Path) -> Path:
+    return path.with_name(f"{path.name}.{secrets.token_hex(4)}")
+
+
+def _new_private(path: Path) -> TextIO:
+    return open(os.open(path, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o600), "w", encoding="utf-8")
 
 
 def _prune(folder: Path) -> None:

@@ -13,6 +13,7 @@ from functools import partial
 from pathlib import Path
 
 from CNCStepper.control.awake import awake
+from CNCStepper.control.belief_file import BeliefFile
 from CNCStepper.control.journal.journal import Journal
 from CNCStepper.control.outcome import FAILED, Outcome
 from CNCStepper.control.own_process import stop_on_signals
@@ -34,7 +35,8 @@ def main(arguments: list[str]) -> int:
     wire = session.with_suffix(WIRE)
     job = read_spool(wire, SendJob.from_json(sys.stdin.buffer.read().decode("utf-8")))
     server = SessionServer()
-    sender = Sender(job, tell=server.tell, refuse=server.refuse, journal=Journal(session.parent))
+    kept = BeliefFile.of_port(session.parent, job.port)
+    sender = Sender(job, tell=server.tell, refuse=server.refuse, journal=Journal(session.parent), kept=kept)
     stop_on_signals(sender.stop)
     server.start(sender)
     write_private(session, server.address(job.port, job.file))

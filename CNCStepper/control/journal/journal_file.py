@@ -12,6 +12,7 @@ from typing import Any
 
 from CNCStepper.control.journal.lock import take_lock
 from CNCStepper.control.journal.records import to_line
+from CNCStepper.control.session_file import sync_folder
 
 LOCK_TRIES, LOCK_PAUSE_S = 100, 0.01  # a reader may be looking whether it is locked
 
@@ -27,7 +28,7 @@ class JournalFile:
         self._end = 0  # of what is on the disk
         try:
             self._lock()
-            _sync_folder(path.parent)
+            sync_folder(path.parent)
         except OSError:
             self.close()
             path.unlink()
@@ -65,14 +66,3 @@ class JournalFile:
             else:
                 return
         take_lock(self._file)
-
-
-def _sync_folder(folder: Path) -> None:
-    """Put the name of a new file on the disk too, where the system lets a folder be opened."""
-    if os.name != "posix":
-        return
-    descriptor = os.open(folder, os.O_RDONLY)
-    try:
-        os.fsync(descriptor)
-    finally:
-        os.close(descriptor)

@@ -44,6 +44,8 @@ def begun_as(story: Story) -> Iterator[tuple[str, str]]:
 def told_of(story: Story, reached: Reached | None = None) -> Iterator[tuple[str, str]]:
     """Yield what is known of a job that has ended: a short name, and the words. reached: where on its path it was."""
     yield story.end, why_it_ended(story)
+    if story.end == KILLED:
+        yield "outputs", "spindle, torch or beam may still be on: look, and switch them off at the machine"
     for fault in story.faults:
         yield "damaged", fault
     yield from _lines(story)
@@ -117,7 +119,7 @@ def _zero(story: Story) -> str:
 
 def _position(story: Story) -> str:
     home = "home it" if story.header["homing"] else "set its zero again"
-    if story.position_known is False:
+    if not story.position_known:  # of a killed job nobody has seen the end
         return f"unknown: {home} before the restart; {UNTIL_HOMED}"
     return (
         f"kept only if the controller has had power ever since and was not reset in motion; a greeting, an alarm or a "

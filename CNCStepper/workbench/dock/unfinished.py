@@ -27,6 +27,7 @@ NAMES = {
     FAILED: later("Failed"),
     DONE: later("Done"),
     "damaged": later("Damaged"),
+    "outputs": later("Outputs"),
     "certain": later("Certain"),
     "not certain": later("Not certain"),
     "not sent": later("Not sent"),

@@ -10,6 +10,8 @@ import subprocess
 from pathlib import Path
 from typing import Any
 
+from CNCStepper.control.belief import NOTHING_AGAINST
+from CNCStepper.control.belief_file import BeliefFile
 from CNCStepper.control.python_finder import command, environment, seek_python
 from CNCStepper.control.session_file import LOG, session_folder
 from CNCStepper.errors import LinkError
@@ -38,6 +40,7 @@ class VirtualMachine:
             return ""
         found = ADDRESS.search(self._told.read_text("utf-8", "replace"))
         if found:
+            BeliefFile.of_port(session_folder(), found[1]).keep(NOTHING_AGAINST)  # an older machine may have had it
             return found[1]
         if self._process.poll() is not None:
             raise LinkError("virtual-start", "the virtual grbl ended at once", advice=f"see {self._told}")

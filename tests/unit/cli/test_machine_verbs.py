@@ -13,7 +13,10 @@ from test_send import called, command
 from CNCStepper.cli.console import Session, converse
 from CNCStepper.cli.jog import jog_line
 from CNCStepper.cli.talk import Talk
+from CNCStepper.control.belief import LOST, NOTHING_AGAINST
+from CNCStepper.control.belief_file import BeliefFile
 from CNCStepper.control.outcome import SenderStatus
+from CNCStepper.control.session_file import session_folder
 from CNCStepper.errors import MachineRefusal
 
 
@@ -168,10 +171,12 @@ def test_newcomer_asks_homes_jogs_zeroes_and_types(port, monkeypatch, tmp_path):
     asked = called("ports", "--ask", port)
     assert asked.returncode == 0 and "grbl 1.1 1.1h.20190830" in asked.stdout and "Alarm" in asked.stdout
     assert "128 bytes" in asked.stdout
+    assert BeliefFile.of_port(session_folder(), port).belief == LOST
     refused = called("jog", "X-1", "--port", port)
     assert refused.returncode == 1 and "home the machine" in refused.stderr
     homed = called("home", "--port", port)
     assert homed.returncode == 0 and "the machine is homed" in homed.stdout
+    assert BeliefFile.of_port(session_folder(), port).belief == NOTHING_AGAINST
     jogged = called("jog", "X-2", "Y-3", "--port", port, "--feed", "2000")
     assert jogged.returncode == 0 and "X-3.000 Y-4.000" in jogged.stdout.splitlines()[-1]
     zeroed = called("zero", "xy", "--port", port)

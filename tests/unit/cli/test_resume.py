@@ -60,7 +60,8 @@ def test_a_killed_job_states_its_interval_and_the_restart(tmp_path, program):
     assert "all before line 43 is cut" in text
     assert "line 43 may not have been begun, line 98 may have been sent" in text
     assert "Run at work X10.000 Y10.000 Z10.000, machine X-90.000 Y-40.000 Z-10.000 mm" in text
-    assert "kept only if the controller has had power" in text and "home it" in text
+    assert "unknown: home it before the restart" in text
+    assert "spindle, torch or beam may still be on" in text
     quote = '"' if os.name == "nt" else "'"
     sending = "--machine table-a --port COM3 --home"
     assert text.endswith(f"cncstepper restart {quote}{program}{quote} --line 43 --without-stock {sending}\n")
@@ -87,6 +88,7 @@ def test_a_zero_that_was_set_within_the_job_is_told_and_restarted_with(tmp_path,
     end = {"zero": zero, "end": "stopped", "why": "stopped as asked", "position_known": True}
     text = told(tmp_path, file=str(program), group=group, end=end, **PATH | {"homing": homing})
     assert "set again at the pause at line 2: G54 X-100.000 Y-50.000 Z-12.500 (machine, mm)" in text
+    assert "kept only if the controller has had power" in text and "may still be on" not in text
     words = ["--line", "3", "--without-stock", "--machine", "table-a", *option.split(), "--port", "COM3"]
     assert text.endswith(" ".join(words) + "\n")  # the position is kept: no --home
 

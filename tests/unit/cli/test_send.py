@@ -181,6 +181,7 @@ def test_a_certified_program_is_cut_where_it_was_proven(
     program: Path, certificate: Path, table: tuple[str, Path]
 ) -> None:
     port = table[0]
+    set_zero(port, "X0 Y0 Z0")  # whoever does this hears the greeting
     elsewhere = certified(program, port, certificate)
     assert elsewhere.returncode == 1
     assert "work zero is not where the program was proven" in elsewhere.stderr and "G54" in elsewhere.stderr

@@ -9,6 +9,7 @@ from pathlib import Path
 
 from fake_controller import FakeClock, Unqueued
 
+from CNCStepper.control.belief_file import BeliefFile
 from CNCStepper.control.command import Command
 from CNCStepper.control.desk import Desk
 from CNCStepper.control.outcome import Outcome
@@ -29,14 +30,21 @@ Person = Iterator[Callable[[], bool] | float]
 class Table(Unqueued):
     """A virtual board behind its serial line, as a link for the desk; reading lets time pass and the person act.
 
-    written: (time, bytes) that reached the port. cut: the cable is out.
+    written: (time, bytes) that reached the port. cut: the cable is out. board: one that has run already, without a
+    greeting; a new one when None.
     """
 
     name = "table"
 
-    def __init__(self, homing: bool = False, settings: dict[int, float] | None = None, firmware: Firmware = GRBL):
+    def __init__(
+        self,
+        homing: bool = False,
+        settings: dict[int, float] | None = None,
+        firmware: Firmware = GRBL,
+        board: Grbl | None = None,
+    ):
         self.clock = FakeClock()
-        self.board = Grbl(load_machine("table-a"), homing=homing, firmware=firmware)
+        self.board = board or Grbl(load_machine("table-a"), homing=homing, firmware=firmware)
         self.board.memory.settings.values.update(settings or {})
         self.written: list[tuple[float, bytes]] = []
         self.cut = False
@@ -96,7 +104,15 @@ class Table(Unqueued):
 class Visit:
     """One desk from its first to its last moment, with all that it told."""
 
-    def __init__(self, tmp_path: Path, *, timing: Timing | None = None, journals: Path | None = None, **table):
+    def __init__(
+        self,
+        tmp_path: Path,
+        *,
+        timing: Timing | None = None,
+        journals: Path | None = None,
+        kept: BeliefFile | None = None,
+        **table,
+    ):
         self.table = Table(**table)
         self.told: list[tuple[str, str]] = []
         self.refused: list[tuple[str, CNCStepperError]] = []
@@ -114,6 +130,7 @@ class Visit:
             ended=self.outcomes.append,
             alone_s=lambda: self.alone_s,
             journals=journals,
+            kept=kept,
         )
 
     def receive(self, person: Callable[[], Person]) -> None:

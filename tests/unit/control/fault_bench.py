@@ -12,6 +12,7 @@ from fault_disk import AtOnce, Disk
 from fault_judge import Claim, MachineTrace, Reference, Run
 from fault_switches import HOMED, LOCKED, NONE, board_of, homed_board
 
+from CNCStepper.control.belief_file import BeliefFile
 from CNCStepper.control.command import Command
 from CNCStepper.control.journal.journal import MENDED, Journal
 from CNCStepper.control.outcome import REFUSED, Outcome
@@ -171,7 +172,7 @@ class FaultBench:
         board: Grbl | None = None,
         job: SendJob | None = None,
     ):
-        self.lines = lines
+        self.lines, self.folder = lines, folder
         self.job = job or job_of(lines, home_first=switches == LOCKED)
         self.board = board or board_of(switches)
         self.switches, self.plan = switches, plan
@@ -186,6 +187,7 @@ class FaultBench:
         self._resume_s = inf
         self.fired_standing = 0
         self.journal = Journal(folder, executor=AtOnce(), clock=self.link.clock) if folder else None
+        self.kept = BeliefFile.of_port(folder, self.link.name) if folder else BeliefFile(None)
         self.sender = Sender(
             self.job,
             opener=lambda name, baud: self.link,
@@ -194,6 +196,7 @@ class FaultBench:
             tell=self._hear,
             refuse=self._wait,
             journal=self.journal,
+            kept=self.kept,
         )
 
     def run(self) -> Run:

@@ -21,6 +21,8 @@ from fault_restart import Interval, judge_restart
 from fault_second_go import SecondGo
 from fault_switches import HOMED, LOCKED, OVER_S, plan_for, switches_of
 
+from CNCStepper.control.belief import LOST
+from CNCStepper.control.belief_file import BeliefFile
 from CNCStepper.control.journal.journal import Journal
 from CNCStepper.control.path_watch import PathWatch
 from CNCStepper.virtual.faults import KINDS, Fault, FaultPlan
@@ -44,6 +46,8 @@ def judged(bench: FaultBench) -> tuple[Run, Verdict]:
     """Let a sender run; what it leaves unfinished is restarted, and both goes are judged together."""
     run = bench.run()
     verdict = judge(run)
+    if why := forgets(bench, run):
+        return run, Verdict(WRONG, why)
     if verdict.kind not in STOPPED:
         return run, verdict
     second = SecondGo(bench, run)
@@ -54,6 +58,14 @@ def judged(bench: FaultBench) -> tuple[Run, Verdict]:
         why = "the journal does not say how the position is found again"
     what = "restarted" if second.claim else "nothing left"
     return run, Verdict(WRONG, f"{why}; {second.said}") if why else Verdict(f"{verdict.kind}, {what}")
+
+
+def forgets(bench: FaultBench, run: Run) -> str:
+    """Return what is wrong with what the next connection finds of the position after a job, "" where nothing is."""
+    if bench.folder is None or bench.journal.path is None or run.claim.refused:
+        return ""
+    belief = BeliefFile.of_port(bench.folder, bench.link.name).belief
+    return f"kept is {belief}, told {run.claim}" if (belief == LOST) == run.claim.position_known else ""
 
 
 @pytest.mark.slow

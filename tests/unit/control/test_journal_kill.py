@@ -14,6 +14,8 @@ from click.testing import CliRunner
 from test_control_virtual import virtual_grbl
 
 from CNCStepper.cli.resume import command
+from CNCStepper.control.belief import LOST, NOTHING_AGAINST
+from CNCStepper.control.belief_file import BeliefFile
 from CNCStepper.control.certificate import digest_of_text
 from CNCStepper.control.journal.store import journals
 from CNCStepper.control.journal.story import KILLED, RUNNING, read_story
@@ -87,6 +89,9 @@ def killed(address: str, folder, moves: int, **job):
     _, then_mm = machine.seen()
     finally_mm = machine.at_rest()
     machine.leave()
+    kept = BeliefFile.of_port(folder, address)
+    assert kept.belief == LOST
+    kept.keep(NOTHING_AGAINST)  # as when a person has looked, and set the zero
     return running, machine.lines_made(then_mm), machine.lines_made(finally_mm), read_story(path)
 
 

@@ -63,7 +63,7 @@ def written(folder: Path, text: str, name: str = "peça 1.nc") -> Path:
 def test_the_line_is_the_first_that_is_not_certainly_cut(folder: Path, port: str) -> None:
     job = told_of(folder, port=port)
     assert (job["line"], job["file"], job["sha256"]) == (43, "Plate", digest_of_text(TEXT))
-    names = ["program", "machine", "killed", "certain", "not certain", "not sent", "last seen", "position"]
+    names = ["program", "machine", "killed", "outputs", "certain", "not certain", "not sent", "last seen", "position"]
     assert [name for name, _ in job["told"]] == names
 
 

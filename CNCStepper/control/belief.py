@@ -1,0 +1,54 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What is held of a machine's position, and what may be done with that.
+
+nothing against it --alarm, greeting, lost link, a job that was killed--> unknown --homed, or all its zeros set--> known
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from CNCStepper.control.grbl import Grbl
+from CNCStepper.control.restarted import UNKNOWN, counts_from_here
+from CNCStepper.errors import MachineRefusal
+
+MOTORS_IN_DOUBT = ("Alarm", "Sleep")  # what brought a machine there may have cost steps
+
+
+class Belief(NamedTuple):
+    """What is held of a machine's position.
+
+    position_known: None while nothing speaks for or against it. homed: whether machine positions count from the zero
+    that the machine has found itself. counts_from_here: it restarted as it was met, and was neither homed nor zeroed
+    since. zeroed: the axes whose zeros were set since the position was lost.
+    """
+
+    position_known: bool | None = None
+    homed: bool = False
+    counts_from_here: bool = False
+    zeroed: frozenset[str] = frozenset()
+
+
+NOTHING_AGAINST = Belief()
+LOST = Belief(position_known=False)
+AT_HOME = Belief(position_known=True, homed=True)
+
+
+def met(before: Belief, driver: Grbl, greeted: bool) -> Belief:
+    """Return what is held of a machine that was just met; neither an alarm nor a restart mends what was lost before."""
+    if driver.status is not None and driver.status.state in MOTORS_IN_DOUBT:
+        return LOST
+    if not greeted:
+        return before
+    was_lost = before.position_known is False and not before.counts_from_here
+    return LOST._replace(counts_from_here=not was_lost and counts_from_here(driver))
+
+
+def check_program(belief: Belief) -> None:
+    """Raise MachineRefusal when the position is lost: no program may move it, unless all it has is from here."""
+    if belief.position_known is False and not belief.counts_from_here:
+        raise MachineRefusal(
+            UNKNOWN,
+            "the machine's position is unknown",
+            advice="home it, or set the zero of all axes again, before it is sent a program",
+        )

@@ -1,0 +1,285 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A position that was lost stays lost for whoever connects next, until the machine is homed or all zeros are set."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+from desk_table import Person, Table, Visit
+
+from CNCStepper.control import session_file
+from CNCStepper.control.belief import LOST, NOTHING_AGAINST
+from CNCStepper.control.belief_file import BeliefFile
+from CNCStepper.control.grbl import RESET, RESUME
+from CNCStepper.control.outcome import DONE, FAILED, REFUSED, STOPPED, Outcome
+from CNCStepper.control.send_job import SendJob
+from CNCStepper.control.sender import Sender
+from CNCStepper.errors import LinkError
+from CNCStepper.machine.profile import load_machine
+from CNCStepper.virtual.grbl.machine import Grbl
+
+LINES = ("G21G90G54", "G1X-4Y-3F1000", "G1X-8", "G1X-4")
+UNKNOWN = "position-unknown"
+
+
+class Killed(BaseException):
+    """The end of a process without a word."""
+
+
+class Workshop:
+    """One machine, and the people who connect to it one after another: each is a process of its own."""
+
+    def __init__(self, folder: Path, homing: bool = False):
+        self.folder = folder
+        self.board = Grbl(load_machine("table-a"), homing=homing)
+
+    @property
+    def kept(self) -> BeliefFile:
+        """What the next one finds."""
+        return BeliefFile.of_port(self.folder, "table")
+
+    def visit(self, person: Callable[[Visit], Person]) -> Visit:
+        """Let a person come to a desk of their own."""
+        visit = Visit(self.folder, kept=self.kept, board=self.board)
+        visit.receive(lambda: person(visit))
+        return visit
+
+    def send(self, person: Callable[[Table], Person] = lambda table: iter(()), **job) -> Outcome:
+        """Send a job whose zero is confirmed."""
+        table = Table(board=self.board)
+        table.person = person(table)
+        self.sender = Sender(
+            SendJob("table", LINES, zero_confirmed=True, **job),
+            opener=lambda name, baud: table,
+            clock=table.clock,
+            kept=self.kept,
+        )
+        return self.sender.run()
+
+    def greet_nobody(self) -> None:
+        """Let the greeting of the start pass unheard."""
+        self.board.advance(0.1)
+        self.board.take_output()
+
+
+@pytest.fixture
+def shop(tmp_path: Path) -> Workshop:
+    workshop = Workshop(tmp_path)
+    workshop.greet_nobody()
+    return workshop
+
+
+def reset_in_motion(table: Table) -> Person:
+    yield lambda: table.board.state.value == "Run"
+    table.board.receive(RESET)
+
+
+def killed_in_motion(table: Table) -> Person:
+    yield lambda: table.board.state.value == "Run"
+    raise Killed
+
+
+def unlock(visit: Visit) -> Person:
+    if visit.phase == "alarm":
+        visit.ask("unlock")
+        yield visit.at("idle")
+
+
+def zero(visit: Visit, axes: str = "XYZ") -> Person:
+    before = len(visit.told)
+    visit.ask("set_zero", axes=axes)
+    yield lambda: any(text.startswith("zero of") for _, text in visit.told[before:])
+
+
+def look(visit: Visit) -> Person:
+    visit.known = visit.desk.status().position_known
+    return iter(())
+
+
+def lose(shop: Workshop) -> None:
+    """Let a job be reset in motion, and the lock be taken away."""
+    assert shop.send(reset_in_motion).kind == FAILED
+    shop.visit(unlock)
+
+
+def test_after_a_reset_in_motion_no_word_lets_the_next_job_go(shop):
+    lose(shop)
+    for _ in range(2):
+        blind = shop.send()
+        assert blind.kind == REFUSED and blind.error.code == UNKNOWN and not blind.position_known
+        assert "home it" in blind.text and "set the zero of all axes" in blind.text
+
+
+def test_the_next_desk_takes_a_jog_but_no_line_and_no_job(shop):
+    lose(shop)
+
+    def person(visit: Visit) -> Person:
+        yield from look(visit)
+        visit.ask("line", text="G0 X-6")
+        yield lambda: bool(visit.refused)
+        visit.job(*LINES, zeroed=False)
+        yield visit.ended()
+        visit.ask("jog", x_mm=-1.0)
+        yield visit.at("jogging")
+        yield visit.at("idle")
+
+    visit = shop.visit(person)
+    assert visit.known is False and visit.refusals() == [UNKNOWN]
+    assert visit.outcomes[0].error.code == UNKNOWN and visit.table.x_mm() != 0
+
+
+def test_zero_of_all_axes_makes_it_known_for_those_who_come_later(shop):
+    lose(shop)
+    shop.visit(zero)
+    assert shop.visit(look).known is None and shop.send().kind == DONE
+    assert shop.kept.belief == NOTHING_AGAINST and not list(shop.folder.glob("*.position"))
+
+
+def test_zeros_may_be_set_one_after_another(shop):
+    lose(shop)
+    shop.visit(lambda visit: zero(visit, "XY"))
+    assert shop.send().error.code == UNKNOWN
+    shop.visit(lambda visit: zero(visit, "Z"))
+    assert shop.send().kind == DONE
+
+
+def test_after_its_sender_was_killed_a_machine_takes_no_job(shop):
+    shop.visit(zero)
+    with pytest.raises(Killed):
+        shop.send(killed_in_motion)
+    shop.board.advance(5.0)
+    shop.greet_nobody()
+    assert shop.send().error.code == UNKNOWN
+    shop.visit(zero)
+    assert shop.send().kind == DONE
+
+
+def test_after_its_desk_was_killed_in_a_job_a_machine_takes_none(shop):
+    def person(visit: Visit) -> Person:
+        visit.job(*LINES)
+        yield visit.at("running")
+        raise Killed
+
+    with pytest.raises(Killed):
+        shop.visit(person)
+    assert BeliefFile.of_port(shop.folder, "table").belief == LOST
+
+
+def test_a_locked_machine_is_unknown_also_when_it_was_unlocked_by_those_before(tmp_path):
+    shop = Workshop(tmp_path, homing=True)  # its greeting is heard by the first who comes
+    shop.visit(unlock)
+
+    def person(visit: Visit) -> Person:
+        visit.ask("line", text="G0 X-6")
+        yield lambda: bool(visit.refused)
+
+    assert shop.visit(person).refusals() == [UNKNOWN]
+    assert shop.send().error.code == UNKNOWN
+
+
+@pytest.mark.parametrize("first", [lambda shop: shop.visit(unlock), lambda shop: shop.send()])
+def test_a_machine_met_in_alarm_without_a_greeting_is_unknown(tmp_path, first):
+    shop = Workshop(tmp_path, homing=True)
+    shop.greet_nobody()
+    first(shop)
+    assert shop.kept.belief == LOST
+
+
+def test_homing_makes_it_known(tmp_path):
+    shop = Workshop(tmp_path, homing=True)
+    shop.visit(unlock)
+    assert shop.send(home_first=True).kind == DONE and shop.kept.belief == NOTHING_AGAINST
+
+    def person(visit: Visit) -> Person:
+        visit.ask("home")
+        yield visit.at("homing")
+        assert shop.kept.belief == LOST  # for whoever finds it killed
+        yield visit.at("idle")
+
+    shop.visit(person)
+    assert shop.kept.belief == NOTHING_AGAINST
+
+
+def test_homing_that_was_stopped_leaves_it_unknown(tmp_path):
+    shop = Workshop(tmp_path, homing=True)
+    shop.greet_nobody()
+
+    def person(table: Table) -> Person:
+        yield lambda: table.board.state.value == "Home"
+        shop.sender.stop()
+
+    assert shop.send(person, home_first=True).kind == STOPPED and shop.kept.belief == LOST
+
+
+def test_homing_that_is_not_set_up_or_cannot_begin_costs_nothing(shop):
+    assert shop.send(home_first=True).kind == REFUSED and shop.kept.belief == NOTHING_AGAINST
+    shop.board.receive(b"G1X-5F600\n")
+    shop.board.advance(0.1)
+    shop.greet_nobody()
+    busy = shop.send(home_first=True)
+    assert busy.error.code == "machine-run" and shop.kept.belief == NOTHING_AGAINST
+
+
+def test_a_greeting_mends_nothing_that_was_lost_before(shop):
+    lose(shop)
+    shop.board.power_up()
+    shop.visit(unlock)
+    assert shop.send().error.code == UNKNOWN
+
+
+def test_after_a_greeting_a_word_counts_in_the_connections_that_follow_too(tmp_path):
+    shop = Workshop(tmp_path)  # greets
+    assert [shop.send().kind for _ in range(2)] == [DONE, DONE]
+    shop.board.memory.places[54][0] = -3.0
+    old = shop.send()
+    assert old.error.code == UNKNOWN and "G54 was set before" in old.text
+
+
+def test_a_stop_and_a_job_that_was_refused_cost_nothing(shop):
+    shop.visit(zero)
+
+    def person(table: Table) -> Person:
+        yield lambda: table.board.state.value == "Run"
+        shop.sender.stop()
+
+    assert shop.send(person).kind == STOPPED
+    assert shop.send(expected={110: 1.0}).error.code == "settings-differ"
+    assert shop.kept.belief == NOTHING_AGAINST and shop.send().kind == DONE
+
+
+def test_a_desk_that_loses_its_link_at_rest_has_lost_the_position(shop):
+    def person(visit: Visit) -> Person:
+        yield from zero(visit)
+        visit.table.cut = True
+
+    with pytest.raises(LinkError):
+        shop.visit(person)
+    assert shop.kept.belief == LOST
+
+
+def test_what_a_job_left_held_does_not_go_on_where_the_position_is_unknown(shop):
+    with pytest.raises(Killed):
+        shop.send(killed_in_motion)
+    shop.board.receive(b"!")
+    shop.board.advance(1.0)
+
+    def person(visit: Visit) -> Person:
+        visit.ask("resume")
+        yield lambda: bool(visit.refused)
+        visit.ask("stop")
+        yield visit.at("idle")
+
+    visit = shop.visit(person)
+    assert visit.refusals() == [UNKNOWN] and not visit.table.sent(RESUME)
+
+
+def test_no_job_begins_whose_end_could_not_be_told(shop, monkeypatch):
+    def full(descriptor: int) -> None:
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr(session_file.os, "fsync", full)
+    outcome = shop.send()
+    assert outcome.kind == REFUSED and outcome.error.code == "position-unwritable" and "make room" in outcome.text
+    assert shop.board.axes.position_mm[0] == 0
