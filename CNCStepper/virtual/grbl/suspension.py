@@ -118,7 +118,7 @@ class Suspension:
 
     def _go_on(self, machine: Grbl) -> None:
         machine.suspension = Suspension()
-        machine.state = State.IDLE
+        machine.state = machine.state_at_rest
         machine.override_motion()
         machine.axes.resume()
         if not machine.axes.idle:
