@@ -278,6 +278,8 @@ class JobRun:
 
     def _count_idle(self, driver: Grbl) -> None:
         if self._feeder.complete and self._phases.feeding:
+            if self._retrace.leads_to_stand:
+                self._feeder.power.stand(driver)
             self._phases.set("finishing")
         message = self._feeder.stand_message(driver) if self._phases.name == "running" else None
         awaited = self._phases.name == "finishing" or message is not None
