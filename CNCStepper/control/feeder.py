@@ -47,10 +47,16 @@ class Feeder:
     def feed(self, driver: Grbl, idle: bool) -> int:
         """Send what fits and return how many lines; `idle` says that the machine was just seen idle."""
         before = self.sent
-        permitted = min(self.total, self._journal.permitted)
-        while self.sent < permitted:
+        permitted = self._journal.permitted
+        while self.sent < self.total:
             text = self.job.lines[self.sent]
             special = not is_move(text)
+            if (special or self.by_line) and self._stands(self.sent):
+                self.power.stand(driver)
+                break
+            if self.sent >= permitted or (self._changes_tool and not idle):
+                break
+            self._set_power(text, special, driver)
             if not self._may_go(text, special, driver, idle):
                 break
             if special and only_pauses(text):
@@ -123,12 +129,6 @@ class Feeder:
         self._message = ""
 
     def _may_go(self, text: str, special: bool, driver: Grbl, idle: bool) -> bool:
-        if (special or self.by_line) and self._stands(self.sent):
-            self.power.stand(driver)
-            return False
-        if self._changes_tool and not idle:
-            return False
-        self._set_power(text, special, driver)
         alone = special and (pauses(text) or stores(text) or needs_idle(text))
         if driver.unanswered and (alone or self._alone):
             return False

@@ -6,7 +6,10 @@ from __future__ import annotations
 import pytest
 from desk_table import Visit
 
+from CNCStepper.control.feeder import Feeder
+from CNCStepper.control.journal.kept import NoJournal
 from CNCStepper.control.outcome import DONE, FAILED
+from CNCStepper.control.send_job import SendJob
 from CNCStepper.control.tool_power import ToolPower
 from CNCStepper.machine.profile import Machine, load_machine
 from CNCStepper.virtual.grbl.firmware import GRBLHAL
@@ -153,6 +156,8 @@ def test_spindle_is_stopped_for_a_new_tool_and_waited_for_behind_it(tmp_path):
 class Room:
     """A controller with room for so many lines."""
 
+    unanswered = ()
+
     def __init__(self, lines: int = 9):
         self.lines = lines
         self.sent: list[str] = []
@@ -160,8 +165,11 @@ class Room:
     def fits(self, text: str) -> bool:
         return len(self.sent) < self.lines
 
-    def send(self, text: str) -> None:
+    def send(self, text: str, index: int = -1) -> None:
         self.sent.append(text)
+
+    def flush(self) -> None:
+        """Nothing waits."""
 
 
 @pytest.mark.parametrize(
@@ -193,3 +201,11 @@ def test_power_is_taken_once_there_is_room():
     room.lines = 1
     power.stand(room)
     assert power.is_taken and room.sent == ["M5"]
+
+
+def test_power_is_taken_where_the_next_line_is_not_permitted_yet():
+    journal = NoJournal()
+    feeder, room = Feeder(SendJob("fake", ("G1X1", "M0", "G1X2")), journal), Room()
+    feeder.power, journal.permitted = ToolPower(True, 0.0, "M3"), 1
+    assert feeder.feed(room, idle=True) == 1
+    assert room.sent == ["G1X1", "M5"]
