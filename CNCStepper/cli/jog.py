@@ -27,7 +27,8 @@ def command(way: tuple[str, ...], feed: float, port: str, baud: int) -> None:
 
     Also while `cncstepper send` holds its job at that port: the controller is reset at standstill, which switches the
     spindle off, and can be jogged then. The job goes on with `cncstepper back --resume`: up, over and slowly down to
-    its cut, and from there.
+    its cut, and from there. At a pause, or while the tool is changed (M6 of grblHAL), nothing is reset, and whoever
+    resumes is taken back first.
     """
     from CNCStepper.control.session_file import session_at
 

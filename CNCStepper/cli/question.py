@@ -14,8 +14,8 @@ def why(status: SenderStatus) -> str:
 def question(status: SenderStatus) -> str:
     """Return what is asked about a stand: why it is, and what may be answered."""
     touches = ", zero z touches off" if status.phase == "paused" else ""
-    jogs = f", z-0.1 jogs{touches} ({_work_place(status)})" if status.machine_state == "Idle" else ""
-    back = "; `cncstepper back` goes back" if status.phase != "door" else ""
+    jogs = f", z-0.1 jogs{touches} ({_work_place(status)})" if status.machine_state in ("Idle", "Tool") else ""
+    back = "; `cncstepper back` goes back" if status.phase != "door" and status.machine_state != "Tool" else ""
     return f"{why(status)}. Enter goes on, s stops{jogs}, ? says more{back}"
 
 

@@ -110,10 +110,10 @@ def command(
     Without a terminal (standard input at its end) the machine waits at each pause and hold until one of them is called;
     Ctrl-C holds it, and stops it where it stands.
 
-    At a pause (M0, for example to change the tool) and between two lines with --step the machine is idle: Enter goes
-    on, s stops, "x10 y-5 z0.1" jogs by these mm ("f100": at 100 mm/min), "zero z" sets the work zero of Z, "all" ends
-    --step. While it stands "feed -10", "spindle +10", "rapid 50", "flood" and the like change its overrides; "?" lists
-    them. Who jogged is taken back first: up, over, and slowly down to where the program stood.
+    At a pause (M0, for example to change the tool, or M6 of grblHAL) and between two lines with --step a beam is off,
+    and Enter goes on, s stops, "x10 y-5 z0.1" jogs by these mm ("f100": at 100 mm/min), "zero z" sets the work zero of
+    Z, "all" ends --step. While it stands "feed -10", "spindle +10", "rapid 50", "flood" and the like change its
+    overrides; "?" lists them. Who jogged is taken back first: up, over, and slowly down to where the program stood.
     """
     from CNCStepper.cli.made_with import made_with, merged
     from CNCStepper.cli.watch import watch

@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import click
 
 from CNCStepper.cli.talk import Talk, place, port_options
@@ -17,7 +19,23 @@ def command(axes: str, port: str, baud: int) -> None:
     It is stored in the work system in force (G54 as a rule) of the controller at --port, and read back. The machine
     must be idle; nothing moves. Where the board restarts when its port is opened, this is the last thing to do before
     `cncstepper send`: nothing may move the tool in between.
+
+    Also while `cncstepper send` pauses at that port, at an M0 or a change of tools: what follows moves with the zero.
     """
+    from CNCStepper.control.session_file import session_at
+
+    if session := session_at(port):
+        _zero_job(session, axes)
+        return
     with Talk(port, baud) as talk:
         talk.set_zero(axes)
         click.echo(place(talk.status))
+
+
+def _zero_job(session: Path, axes: str) -> None:
+    """Set the zero of a job that stands between two lines."""
+    from CNCStepper.control.session import SessionClient
+    from CNCStepper.job.step_aside import set_zero
+
+    with SessionClient.attach(session) as client:
+        click.echo(place(set_zero(client, axes)))

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from CNCStepper.control.connect import ask, greeted, read_modes, read_offsets
+from CNCStepper.control.firmware import TOOL
 from CNCStepper.control.grbl import Grbl
 from CNCStepper.control.grbl_report import Status, Vector
 from CNCStepper.control.readiness import check_state
@@ -18,10 +19,12 @@ ZERO_TOLERANCE_MM = 0.005  # what is reported is rounded, in inches to 0.0025 mm
 def set_zero(driver: Grbl, axes: str, timing: Timing) -> str:
     """Make this place the zero of `axes` ("XYZ") in the work system in force; return that system's name.
 
-    Raises MachineRefusal when the machine is not idle, or reads back another zero than the one set.
+    Raises MachineRefusal when the machine is neither idle nor waits for a new tool, or reads back another zero than the
+    one set.
     """
     wanted = _axes(axes)
-    check_state(fresh_status(driver, timing))
+    if (status := fresh_status(driver, timing)).state != TOOL:
+        check_state(status)
     system = _system_in_force(driver, timing)
     words = "".join(f"{axis}0" for axis in wanted)
     ask(driver, f"G10L20P{SYSTEMS.index(system) + 1}{words}", timing)

@@ -6,8 +6,9 @@ from __future__ import annotations
 from CNCStepper.control.firmware import Firmware
 from CNCStepper.control.grbl import Answered, Grbl
 from CNCStepper.control.journal.kept import Keeping, NoJournal
-from CNCStepper.control.lines import dwell_s, is_move, needs_idle, only_pauses, pauses, stores
+from CNCStepper.control.lines import changes_tool, dwell_s, is_move, needs_idle, only_pauses, pauses, stores
 from CNCStepper.control.send_job import SendJob
+from CNCStepper.control.tool_power import ToolPower
 from CNCStepper.errors import MachineRefusal, Place, ProgramError
 
 
@@ -18,13 +19,16 @@ class Feeder:
     before them, and the lines after them wait for theirs. So nothing follows an M0 until it is over.
 
     An M0 that stands alone is never sent: the sender stands there itself, at an idle machine that may be jogged.
-    by_line: so it does before every line.
+    by_line: so it does before every line. power: of the tool; one that cuts without turning has none at a stand.
+
+    grblHAL answers an M6 and waits in its state Tool then: what follows waits until it was seen idle behind that.
     """
 
     def __init__(self, job: SendJob, journal: Keeping | None = None):
         self.job = job
         self._journal = journal or NoJournal()
         self.by_line = job.by_line
+        self.power = ToolPower()
         self.sent = 0
         self.acknowledged = 0
         self.total = len(job.lines)
@@ -32,6 +36,8 @@ class Feeder:
         self._released = -1  # the line that may go out by itself
         self._refused = False  # a line, with an error
         self._alone = False  # the last line sent must be answered before the next goes out
+        self._changes_tool = False  # the last line sent was an M6
+        self._tool_words = ""  # the program's, for that
 
     @property
     def complete(self) -> bool:
@@ -41,17 +47,22 @@ class Feeder:
     def feed(self, driver: Grbl, idle: bool) -> int:
         """Send what fits and return how many lines; `idle` says that the machine was just seen idle."""
         before = self.sent
-        permitted = min(self.total, self._journal.permitted)
-        while self.sent < permitted:
+        permitted = self._journal.permitted
+        while self.sent < self.total:
             text = self.job.lines[self.sent]
             special = not is_move(text)
+            if (special or self.by_line) and self._stands(self.sent):
+                self.power.stand(driver)
+                break
+            if self.sent >= permitted or (self._changes_tool and not idle):
+                break
+            self._set_power(text, special, driver)
             if not self._may_go(text, special, driver, idle):
                 break
             if special and only_pauses(text):
                 self._pass_pause()
             else:
-                driver.send(text, self.sent)
-                self.sent += 1
+                self._send(text, special, driver)
         driver.flush()
         return self.sent - before
 
@@ -65,7 +76,7 @@ class Feeder:
             self.acknowledged += 1
             self._message = self.job.messages.get(answered.sent.index, self._message)
             if self._message and pauses(answered.sent.text):
-                self._message = ""
+                self._tool_words, self._message = self._message, ""
 
     def refusal(self, answered: Answered, firmware: Firmware) -> MachineRefusal:
         """Return what `error:n` says about its line, in words and with its place in the file."""
@@ -82,6 +93,10 @@ class Feeder:
         if driver.unanswered and pauses(driver.unanswered[0].text):
             return self.job.messages.get(driver.unanswered[0].index, self._message)
         return None
+
+    def tool_message(self, driver: Grbl) -> str | None:
+        """Return the program's words for the M6 that was answered; None where the last line is none, or is not."""
+        return None if driver.unanswered or not self._changes_tool else self._tool_words
 
     def stand_message(self, driver: Grbl) -> str | None:
         """Return what to say where the sender stands, all lines before being answered; None where it does not."""
@@ -114,8 +129,6 @@ class Feeder:
         self._message = ""
 
     def _may_go(self, text: str, special: bool, driver: Grbl, idle: bool) -> bool:
-        if (special or self.by_line) and self._stands(self.sent):
-            return False
         alone = special and (pauses(text) or stores(text) or needs_idle(text))
         if driver.unanswered and (alone or self._alone):
             return False
@@ -126,6 +139,21 @@ class Feeder:
             return False
         self._alone = alone
         return True
+
+    def _set_power(self, text: str, special: bool, driver: Grbl) -> None:
+        """Stop the tool before it is changed, and give it the power back that it had before a stand."""
+        if special and changes_tool(text):
+            self.power.take(driver)
+        elif self.power.is_taken and not only_pauses(text):
+            self.power.give_back(driver, text)
+
+    def _send(self, text: str, special: bool, driver: Grbl) -> None:
+        driver.send(text, self.sent)
+        self.sent += 1
+        self._changes_tool = False
+        if special:
+            self.power.follow(text)
+            self._changes_tool, self._tool_words = changes_tool(text), ""
 
     def _check_window(self, text: str, driver: Grbl) -> None:
         if not driver.unanswered:

@@ -18,7 +18,8 @@ from CNCStepper.control.codes_fluidnc import FLUIDNC_ALARMS, FLUIDNC_ERROR_NAMES
 from CNCStepper.control.codes_grbl import GRBL_ALARMS, GRBL_ERRORS
 from CNCStepper.control.codes_grblhal import GRBLHAL_ALARMS, GRBLHAL_ERRORS
 
-TOOL_CHANGED = b"\xa3"  # to grblHAL in its state Tool: a person has changed the tool
+TOOL = "Tool"  # the state in which grblHAL waits for a person at its M6
+TOOL_CHANGED = b"\xa3"  # to grblHAL in that state: nothing else comes, so that it takes jogs and a new zero
 LOOK_UP = "look the number up in the documentation of the controller's version"
 GRBLHAL_TAGS = ("NEWOPT", "AXS")  # of `$I`, which grbl does not have
 

@@ -12,7 +12,7 @@ One piece at most has no answer yet: after 0x85 grbl still runs the lines in its
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from math import hypot, inf
 from typing import Protocol
@@ -91,11 +91,18 @@ def check_in_time(command: Command, now_s: float) -> None:
 class Jogger:
     """Jogs one machine; `turn` is called at least every `wait_s`.
 
-    refuse: hears why a jog was given up. tell: hears "warning".
+    refuse: hears why a jog was given up. tell: hears "warning". states: in which the controller takes a jog.
     """
 
-    def __init__(self, driver: Grbl, refuse: Callable[[MachineRefusal], None], tell: Callable[[str, str], None]):
+    def __init__(
+        self,
+        driver: Grbl,
+        refuse: Callable[[MachineRefusal], None],
+        tell: Callable[[str, str], None],
+        states: Sequence[str] = MAY_JOG,
+    ):
         self._driver = driver
+        self._states = states
         self._refuse = refuse
         self._tell = tell
         self._steps: deque[Line] = deque()
@@ -183,7 +190,7 @@ class Jogger:
 
     def _check(self, way: Way) -> None:
         status = self._driver.status
-        if status is None or status.state not in MAY_JOG:
+        if status is None or status.state not in self._states:
             raise MachineRefusal(
                 "jog-state",
                 "the machine jogs only while it is idle",

@@ -14,6 +14,7 @@ _ACTING = re.compile(r"[^ \"->@-}]")
 _MOVE = re.compile(r"(?:N\d+)?(?:G0?[0-3](?![\d.]))?[XYZIJKRF\d.+-]*")
 _STORING = re.compile(r"G0*(?:10(?:\.0*)?|28\.10*|30\.10*)(?![\d.])")
 _PAUSE = re.compile(r"M0*[06](?![\d.])")
+_TOOL_CHANGE = re.compile(r"M0*6(?![\d.])")
 _ONLY_PAUSE = re.compile(r"(?:N\d+)?M0+")
 _DWELL = re.compile(r"G0*4(?![\d.])")
 _SECONDS = re.compile(r"P(\d*\.?\d*)")
@@ -77,6 +78,11 @@ def needs_idle(text: str) -> bool:
 def pauses(text: str) -> bool:
     """Return whether a line holds M0, or M6, at which grblHAL waits for a new tool."""
     return bool(_PAUSE.search(_plain(text)))
+
+
+def changes_tool(text: str) -> bool:
+    """Return whether a line holds M6."""
+    return "6" in text and bool(_TOOL_CHANGE.search(_plain(text)))
 
 
 def only_pauses(text: str) -> bool:

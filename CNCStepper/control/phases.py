@@ -3,7 +3,7 @@
 
     running --hold--> holding --Hold:0--> held --resume--> running
     running --Hold at an M0--> paused --resume--> running
-    running --Tool--> paused (M6 of grblHAL) --0xA3, resume--> running
+    running --Tool--> paused (M6 of grblHAL), 0xA3 --resume, after any jogs back there--> running
     running --Idle before a line that is waited for--> paused --resume, after any jogs back there--> running
     running --Door--> door --closed (Door:0), resume--> running
     held --reset, a way along the cut--> running --> retreated --another--> running
@@ -18,7 +18,7 @@ from collections.abc import Callable
 
 from CNCStepper.control.connect import alarm_refusal
 from CNCStepper.control.feeder import Feeder
-from CNCStepper.control.firmware import TOOL_CHANGED
+from CNCStepper.control.firmware import TOOL, TOOL_CHANGED
 from CNCStepper.control.grbl import HOLD, RESUME, Grbl
 from CNCStepper.control.grbl_report import Alarm, Status
 from CNCStepper.control.readiness import CHECK, state_refusal
@@ -45,7 +45,7 @@ class Phases:
         self.changed_s = float("-inf")
         self._tell = tell
         self._stands = stands
-        self.stands = False  # paused by the sender itself, between two lines, with an idle machine
+        self.stands = False  # paused between two lines, at a machine that can be jogged
         self._hold_asked = False
         self._resume_asked = False
 
@@ -85,9 +85,10 @@ class Phases:
         else:
             self._resume_asked = True
 
-    def check_no_jog(self, command: str) -> None:
+    def check_no_jog(self, command: str, driver: Grbl) -> None:
         """Raise MachineRefusal for a jog in a hold, in which no controller takes one."""
         if command in ("jog", "jog_on") and self.name in ("held", "paused"):
+            check_no_tool_change(driver)
             advice = "jog with `cncstepper jog`: it lets the controller give up its lines first"
             raise MachineRefusal("held-jog", "the controller takes no jog while it is held", advice=advice)
 
@@ -105,7 +106,7 @@ class Phases:
             self._in_hold(status, driver, feeder)
         elif status.state == "Door":
             self._at_door(status, driver)
-        elif status.state == "Tool":
+        elif status.state == TOOL:
             self._at_tool_change(driver, feeder)
         elif not self.stands:
             self._moving(driver)
@@ -132,12 +133,19 @@ class Phases:
         self.set("door", "close the safety door, then resume")
 
     def _at_tool_change(self, driver: Grbl, feeder: Feeder) -> None:
-        """Wait until somebody has changed the tool: grblHAL wants to hear of it before the cycle start."""
+        """Stand until somebody has changed the tool: told of that, grblHAL takes jogs and a zero, once M6 is answered.
+
+        Else it can only be resumed.
+        """
+        message = feeder.tool_message(driver)
         if self._resume_asked:
             driver.realtime(TOOL_CHANGED)
             self._go_on(driver)
-        else:
+        elif message is None:
             self.set("paused", feeder.pause_message(driver) or CHANGE_TOOL)
+        elif not self.stands:
+            driver.realtime(TOOL_CHANGED)
+            self.stand(message or CHANGE_TOOL)
 
     def _moving(self, driver: Grbl) -> None:
         """The machine runs or is idle: somebody resumed it there, or it has not seen the hold yet."""
@@ -155,3 +163,10 @@ class Phases:
     def _write(self, byte: bytes, driver: Grbl) -> None:
         driver.realtime(byte)
         self.changed_s = driver.clock()
+
+
+def check_no_tool_change(driver: Grbl) -> None:
+    """Raise MachineRefusal while the controller waits for a new tool: with a reset it would forget that it does."""
+    if driver.status and driver.status.state == TOOL:
+        what = "the controller waits for its new tool"
+        raise MachineRefusal("tool-change", what, advice="resume, so that the change is over, and hold it again then")

@@ -150,9 +150,14 @@ class Retrace:
         self.leg, self._is_over = leg, False
         self._reports.clear()
 
+    @property
+    def leads_to_stand(self) -> bool:
+        """Whether the lines are those of a leg after which the machine waits."""
+        return self.leg is not None and not self.leg.is_rest
+
     def ends_leg(self) -> bool:
         """Note that all lines are cut; return whether they were a leg after which the machine waits."""
-        self._is_over = self.leg is not None and not self.leg.is_rest
+        self._is_over = self.leads_to_stand
         return self._is_over
 
     # --- inside --------------------------------------------------------------------------------

@@ -34,7 +34,7 @@ from CNCStepper.control.moment import moment
 from CNCStepper.control.outcome import DONE, FAILED, REFUSED, STOPPED, Outcome, SenderStatus
 from CNCStepper.control.overrides import NORMAL, override_byte, restore
 from CNCStepper.control.path_watch import PathWatch
-from CNCStepper.control.phases import RETREATED, Phases
+from CNCStepper.control.phases import RETREATED, Phases, check_no_tool_change
 from CNCStepper.control.readiness import CHECK, check_zero
 from CNCStepper.control.remaining import Remaining
 from CNCStepper.control.restarted import UNKNOWN
@@ -43,6 +43,7 @@ from CNCStepper.control.send_job import SendJob
 from CNCStepper.control.stand import Stand
 from CNCStepper.control.stand_count import StandCount
 from CNCStepper.control.timing import Timing
+from CNCStepper.control.tool_power import power_of
 from CNCStepper.control.watch import ANSWER_MISSING, Watch
 from CNCStepper.control.wishes import Wishes
 from CNCStepper.errors import CNCStepperError, LinkError, MachineRefusal
@@ -165,6 +166,7 @@ class JobRun:
             check_found(self.job, self.driver, found, self._tell)
             self._new_journal.begin(self.job, self.driver, found)
             self._retrace.begin(self.driver, found)
+            self._feeder.power = power_of(self.job, self.driver, found.modes)
             self._path = PathWatch(self.job, self.driver, found, self._tell, self._gaps)
         except Stopped:
             known = not self.job.home_first or found is not None
@@ -255,7 +257,7 @@ class JobRun:
         elif isinstance(report, Status):
             if not self._stand.is_off_path:
                 self._retrace.note(driver, self._feeder, self._phases.name)
-            self._phases.take(driver, self._feeder)
+            self._follow_state(driver)
             self._count_idle(driver)
             self._note_progress()
 
@@ -268,8 +270,16 @@ class JobRun:
         line, total = self.job.last_line(self._done), self._feeder.total
         self._remaining.take(self._phases.name, elapsed_s, line, self._done, total)
 
+    def _follow_state(self, driver: Grbl) -> None:
+        stood = self._phases.stands
+        self._phases.take(driver, self._feeder)
+        if self._phases.stands and not stood:  # at a change of tools
+            self._stand.begin(driver, self._feeder.sent, self._gaps)
+
     def _count_idle(self, driver: Grbl) -> None:
         if self._feeder.complete and self._phases.feeding:
+            if self._retrace.leads_to_stand:
+                self._feeder.power.stand(driver)
             self._phases.set("finishing")
         message = self._feeder.stand_message(driver) if self._phases.name == "running" else None
         awaited = self._phases.name == "finishing" or message is not None
@@ -319,12 +329,13 @@ class JobRun:
         elif command.name == "override":
             driver.realtime(override_byte(**command.values))
         elif command.name != "jog_cancel":  # a button let go has nothing to say here
-            self._phases.check_no_jog(command.name)
+            self._phases.check_no_jog(command.name, driver)
             raise MachineRefusal("job-runs", "a job runs", advice="wait until it has ended, or stop it")
 
     def _go_back(self, driver: Grbl, command: Command) -> None:
         """Tell a client where the machine stands on its path, or go along the leg that it has made of that."""
         self._wishes.take()
+        check_no_tool_change(driver)
         self._stand.check_way_back()
         file = Path(command.values["file"])
         if command.name == "retrace":
@@ -353,6 +364,7 @@ class JobRun:
         self._journal = Led.from_now(self._journal, self._feeder.sent, self._feeder.acknowledged, rest)
         self.job, self._feeder, self._idle_reports, self._done = leg.job, Feeder(leg.job, self._journal), 0, 0
         self._feeder.by_line = self._by_line and leg.is_rest
+        self._feeder.power = power_of(self._retrace.program, driver, found.modes)
         self._phases.run_anew()
 
     def _stand_back(self, driver: Grbl) -> None:

@@ -6,6 +6,9 @@ all before it is cut, and goes on when it is told. The lines that follow were pr
 whoever jogged away is first taken back there (`gcode/retreat/over.py`), in work coordinates, for a new zero moves the
 program with it. Where axes have play, each that was moved comes to the side of its gap on which it stood (`gaps.py`).
 
+At its M6 grblHAL waits in the state Tool, in which it takes jogs and a new zero once it was told 0xA3; a cycle start
+ends that. So a sender stands there, too.
+
 So does a sender that was led along its cut: its lines are gone with a reset, so the machine is idle. The way from there
 goes on with is its client's, who takes whoever jogged back to the cut.
 """
@@ -17,13 +20,17 @@ from dataclasses import dataclass
 
 from CNCStepper.control import acts
 from CNCStepper.control.command import Command
+from CNCStepper.control.firmware import TOOL
 from CNCStepper.control.gaps import UP, Gaps
-from CNCStepper.control.grbl import Answered, Grbl
+from CNCStepper.control.grbl import RESUME, Answered, Grbl
 from CNCStepper.control.grbl_report import Vector
-from CNCStepper.control.jogger import Jogger, Way, check_in_time
+from CNCStepper.control.jogger import MAY_JOG, Jogger, Way, check_in_time
 from CNCStepper.control.timing import Timing
 from CNCStepper.errors import CNCStepperError, MachineRefusal
 from CNCStepper.gcode.retreat.over import THERE_MM, Axes, over
+
+TOOL_ENDS_S = 0.5  # from a cycle start until the state tells of it
+AT_REST = ("Idle", TOOL)
 
 
 @dataclass(frozen=True)
@@ -69,6 +76,8 @@ class Stand:
         self._loose: set[int] = set()  # the axes that were moved here
         self._resume_asked = False
         self._going_back = False
+        self._at_tool = False  # which the controller waits for
+        self._started = False  # that wait was to end
         self._leads_on = True
         self._changed_s = 0.0  # what the machine said before shows another moment
 
@@ -82,7 +91,8 @@ class Stand:
         if index != self._index:
             self._index, self._place_mm, self._loose = index, driver.wpos_mm, set()
         self._driver, self._resume_asked, self._going_back = driver, False, False
-        self._jogger = Jogger(driver, self._give_up, self._tell)
+        self._at_tool, self._started = driver.status is not None and driver.status.state == TOOL, False
+        self._jogger = Jogger(driver, self._give_up, self._tell, (*MAY_JOG, TOOL))
 
     def end(self) -> None:
         """Leave the stand: the machine is on the path."""
@@ -104,10 +114,12 @@ class Stand:
         return self._jogger.wait_s
 
     def answered(self, answer: Answered) -> None:
-        """Take the answer to a line that is none of the job's."""
+        """Take the answer to a line that is none of the job's; raises MachineRefusal for one that was no jog."""
         if self._driver and self._jogger:
             self._changed_s = self._driver.clock()
             self._jogger.answered(answer)
+        elif answer.error:
+            raise _power_refused(answer)
 
     def do(self, command: Command) -> None:
         """Carry out one of `commands`; raises MachineRefusal when it cannot be done now."""
@@ -134,11 +146,15 @@ class Stand:
     def is_left(self, driver: Grbl) -> bool:
         """Take whoever resumed back to the place; return whether the machine stands there, so that the job goes on."""
         seen = driver.status
-        if not self._resume_asked or seen is None or driver.status_asked_s <= self._changed_s:
+        if seen is None or driver.status_asked_s <= self._changed_s:
             return False
-        if seen.state != "Idle" or (self._jogger and self._jogger.active):
+        self._resume_asked |= self._at_tool and seen.state == "Idle"  # started at the machine
+        if not self._resume_asked or seen.state not in AT_REST or (self._jogger and self._jogger.active):
             return False
         ways = self._ways(driver)
+        if not ways and seen.state == TOOL:
+            self._end_tool_change(driver)
+            return False
         if not ways:
             self._resume_asked = False
         elif self._going_back:
@@ -181,6 +197,15 @@ class Stand:
         self._going_back, self._changed_s = True, driver.clock()
         self._jogger.follow(ways)
 
+    def _end_tool_change(self, driver: Grbl) -> None:
+        """Start the cycle, and give up where that was in vain."""
+        if self._started:
+            self._give_up(_tool_awaited())
+        else:
+            driver.realtime(RESUME)
+            self._changed_s = driver.clock() + TOOL_ENDS_S
+        self._started = not self._started
+
     def _set_zero(self, driver: Grbl, axes: str) -> None:
         self.is_off_path = self._zero_set = True
         system = acts.set_zero(driver, axes, self._timing)
@@ -189,6 +214,7 @@ class Stand:
 
     def _cancel(self, driver: Grbl, jogger: Jogger) -> None:
         self._resume_asked = self._going_back = False
+        self._at_tool &= not self._started
         self._changed_s = driver.clock()
         if jogger.active or (driver.status and driver.status.state == "Jog"):
             jogger.cancel()
@@ -211,3 +237,13 @@ def _zero_kept() -> MachineRefusal:
 def _not_there() -> MachineRefusal:
     advice = "resume again, or set the zero so that the way there lies within the travel"
     return MachineRefusal("not-there", "the machine is not where the program paused", advice=advice)
+
+
+def _tool_awaited() -> MachineRefusal:
+    advice = "resume again; where $341 is not 0, do first what the controller itself wants at a change of tools"
+    return MachineRefusal("tool-change", "the controller still waits for its new tool", advice=advice)
+
+
+def _power_refused(answer: Answered) -> MachineRefusal:
+    what = f"the controller refused '{answer.sent.text}' (error:{answer.error})"
+    return MachineRefusal("power-refused", what, advice="look that the tool is off, and start the job again")

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A client that jogs a held job: the controller gives its lines up first, and the job's next way leads back to the cut.
 
+At a pause, or while the tool is changed, nothing is given up, and the zero can be set.
+
 held ---a leg that goes nowhere---> retreated, idle ---jogs---> beside the cut ---back, forward, rest---> ...
 """
 
@@ -8,6 +10,7 @@ from __future__ import annotations
 
 import time
 
+from CNCStepper.control.firmware import TOOL
 from CNCStepper.control.outcome import SenderStatus
 from CNCStepper.control.retrace import STANDS
 from CNCStepper.control.session import SessionClient
@@ -15,6 +18,7 @@ from CNCStepper.errors import MachineRefusal
 from CNCStepper.job.way_back import WayBack
 
 LOOK_EVERY_S = 0.05
+AT_REST = ("Idle", TOOL)
 BEGUN_S = 0.5  # within which a jog shows in the status
 
 
@@ -31,16 +35,30 @@ def step_aside(client: SessionClient) -> None:
 
 
 def jog(client: SessionClient, way: dict[str, float]) -> SenderStatus:
-    """Jog a machine that stands and is idle, and return its status then; raises what is refused.
+    """Jog a machine that is idle, or waits for a new tool, and return its status then; raises what is refused.
 
     way: x_mm, y_mm, z_mm and feed_mm_min.
     """
     client.ask("jog", **way)
     begin_s, state = time.monotonic(), ""
-    while (time.monotonic() - begin_s < BEGUN_S or state != "Idle") and client.outcome is None:
+    while (time.monotonic() - begin_s < BEGUN_S or state not in AT_REST) and client.outcome is None:
         for event in client.poll(LOOK_EVERY_S):
             if event["event"] == "refused" and event.get("command") == "jog":
                 raise event["error"]
             if event["event"] == "status":
                 state = event["status"]["machine_state"]
     return client.status()
+
+
+def set_zero(client: SessionClient, axes: str) -> SenderStatus:
+    """Make the place of a machine that stands between two lines the zero of axes; raises what is refused."""
+    client.status()  # past the events of before
+    client.ask("set_zero", axes=axes)
+    while client.outcome is None:
+        for event in client.poll(LOOK_EVERY_S):
+            if event["event"] == "refused" and event.get("command") == "set_zero":
+                raise event["error"]
+            if event["event"] == "message" and event["text"].startswith("zero of"):
+                return client.status()
+    what = f"the job has ended: {client.outcome.text}"
+    raise MachineRefusal("session-ended", what, advice="set the zero again")

@@ -44,6 +44,8 @@ def run(machine: Grbl, line: str) -> Waiting:
     """Read, check and carry out one line of g-code; raises MachineRefusal, then nothing has changed."""
     block = parser.read_block(line, machine.parser.modal, machine.firmware)
     checks.complete(block, machine.parser, machine.memory.places)
+    if machine.state is State.TOOL and block.axis_command is AxisCommand.MOTION:
+        raise refused(40)
     if block.changes_tool and machine.state is not State.CHECK:
         yield from _change_tool(machine)
     yield from _set_spindle(machine, block)
@@ -74,22 +76,17 @@ def jog(machine: Grbl, line: str) -> Waiting:
     if settings.on(SOFT_LIMITS) and settings.outside_travel(block.target):
         raise refused(15)
     yield from machine.queue(block.target, block.feed)
-    if machine.state is State.IDLE and not machine.axes.idle:
+    if machine.state in (State.IDLE, State.TOOL) and not machine.axes.idle:
         machine.state = State.JOG
         machine.override_motion()
     machine.parser.position = block.target
 
 
 def _change_tool(machine: Grbl) -> Waiting:
-    """Wait in the state Tool, outputs off, until the sender has acknowledged and started again."""
+    """Enter the state Tool; the line itself is done then."""
     yield from machine.wait_for_stop()
-    machine.tool_acknowledged = False
-    machine.suspension.switch_off(machine)
+    machine.tool_change.begin()
     machine.state = State.TOOL
-    while machine.state is State.TOOL:
-        yield
-    machine.spindle.switch(machine.parser.modal.spindle, machine.parser.rpm)
-    machine.flood = machine.parser.modal.flood
 
 
 def _set_spindle(machine: Grbl, block: Block) -> Waiting:

@@ -23,7 +23,7 @@ class Firmware:
     the spindle's, {0} the modal words. shown_settings: numbers that `$$` lists, all where it is empty. read_only:
     settings stand in a file and cannot be written. named: settings by name, as the line reader leaves it: capitals, no
     `/`. message: what stands before its messages. systems: how many work systems, from G54 on. cycles: it has G73, G81
-    to G83, G98 and G99. tool_state: M6 waits in the state Tool until 0xA3 and a cycle start have come.
+    to G83, G98 and G99. tool_state: M6 leads to the state Tool, see `tool_change`.
     """
 
     name: str

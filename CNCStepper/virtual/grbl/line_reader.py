@@ -48,6 +48,11 @@ class RxRing:
         self._bytes = self._bytes[line.end() :]
         return line[0]
 
+    def swap(self, data: bytes) -> bytes:
+        """Let other bytes wait in it, and return those that did."""
+        self._bytes, before = data, self._bytes
+        return before
+
     def clear(self) -> None:
         """Forget all that waits."""
         self._bytes = b""

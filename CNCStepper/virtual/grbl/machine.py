@@ -39,6 +39,7 @@ from CNCStepper.virtual.grbl.settings import HARD_LIMITS, HOMING, SOFT_LIMITS, S
 from CNCStepper.virtual.grbl.spindle import Spindle
 from CNCStepper.virtual.grbl.states import AT_REST, MOVING, State
 from CNCStepper.virtual.grbl.suspension import Suspension
+from CNCStepper.virtual.grbl.tool_change import ToolChange
 
 Waiting = Generator[None, None, None]
 LOCKED = "[MSG:'$H'|'$X' to unlock]"
@@ -75,7 +76,6 @@ class Grbl:
         self.program_s = 0.0  # stands still while the machine is held
         self.state = State.ALARM if homing else State.IDLE
         self.flood = False
-        self.tool_acknowledged = False  # by 0xA3, in the state Tool
         self.starts_up = False
         self.on_step: Callable[[Grbl], None] | None = None  # told after each stretch of one pace
         self._output = bytearray()
@@ -200,10 +200,20 @@ class Grbl:
         self.state = State.SLEEP
         self.send("[MSG:Sleeping]")
 
+    @property
+    def state_at_rest(self) -> State:
+        """The state after moves, and after a jog while the tool is changed."""
+        return State.TOOL if self.tool_change.pending else State.IDLE
+
     def finish_cycle(self) -> None:
         """Be idle again after moves."""
-        self.state = State.IDLE
+        self.state = self.state_at_rest
         self.override_motion()
+
+    def end_tool_change(self) -> None:
+        """Be idle after a change of tools, and read the lines that waited for its end."""
+        self.tool_change.end(self.ring)
+        self.state = State.IDLE
 
     def reset(self) -> None:
         """Do a soft reset: position and memory stay, but in motion the position is declared lost."""
@@ -273,6 +283,7 @@ class Grbl:
         self.overrides = Overrides()
         self.spindle = Spindle(self.memory.settings, self.overrides)
         self.suspension = Suspension()
+        self.tool_change = ToolChange()
         self.status = report.StatusReport()
         self.probe.begin()
         self.critical = False
@@ -297,7 +308,7 @@ class Grbl:
             self.state = State.IDLE
             yield from self.run_startup_lines()
         while True:
-            line = self.reader.next_line(self.ring)
+            line = None if self.tool_change.stops_reading else self.reader.next_line(self.ring)
             if line is None:
                 self.start_cycle()
                 yield

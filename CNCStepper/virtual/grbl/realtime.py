@@ -35,7 +35,7 @@ def _status(machine: Grbl, byte: int) -> None:
 
 def _start(machine: Grbl, byte: int) -> None:
     if machine.state is State.TOOL:
-        machine.state = State.IDLE if machine.tool_acknowledged else State.TOOL
+        machine.end_tool_change()
     elif machine.suspension.active:
         machine.suspension.resume(machine)
     else:
@@ -88,7 +88,7 @@ def _flood(machine: Grbl, byte: int) -> None:
 
 
 def _tool_changed(machine: Grbl, byte: int) -> None:
-    machine.tool_acknowledged = machine.state is State.TOOL
+    machine.tool_change.acknowledge(machine.ring)
 
 
 Command = Callable[["Grbl", int], None]

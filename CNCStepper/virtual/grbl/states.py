@@ -23,4 +23,4 @@ class State(Enum):
 
 MOVING = (State.RUN, State.JOG, State.HOME)
 BUSY = (*MOVING, State.HOLD, State.DOOR)
-AT_REST = (State.IDLE, State.ALARM)
+AT_REST = (State.IDLE, State.ALARM, State.TOOL)

@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from CNCStepper.virtual.grbl.input_pins import DOOR
+from CNCStepper.virtual.grbl.settings import LASER
 from CNCStepper.virtual.grbl.spindle import OFF
 from CNCStepper.virtual.grbl.states import State
 
@@ -48,6 +49,7 @@ class Suspension:
             self.cancels_jog = machine.state is State.JOG
         elif not self.active:
             self.stopped = True
+            self._stop_laser(machine)
         self.active = True
 
     def advance(self, machine: Grbl, dt_s: float) -> None:
@@ -102,8 +104,15 @@ class Suspension:
                 return
         if self.door or machine.state is State.SLEEP:
             self.switch_off(machine)
+        else:
+            self._stop_laser(machine)
         if self.door:
             machine.state = State.DOOR
+
+    def _stop_laser(self, machine: Grbl) -> None:
+        """Switch a laser off while it is held, as grbl is built to where nobody changes that."""
+        if machine.memory.settings.on(LASER) and not self.spindle_stopped:
+            self.toggle_spindle(machine)
 
     def _switch_on(self, machine: Grbl) -> float:
         modal, wait_s = machine.parser.modal, 0.0
@@ -118,7 +127,7 @@ class Suspension:
 
     def _go_on(self, machine: Grbl) -> None:
         machine.suspension = Suspension()
-        machine.state = State.IDLE
+        machine.state = machine.state_at_rest
         machine.override_motion()
         machine.axes.resume()
         if not machine.axes.idle:

@@ -24,7 +24,7 @@ def run(machine: Grbl, line: str) -> Waiting:
     """Carry out a `$` line; raises MachineRefusal."""
     state = machine.state
     if line.startswith("$J"):
-        if state not in (State.IDLE, State.JOG):
+        if state not in (State.IDLE, State.JOG, State.TOOL):
             raise refused(8)
         if not line.startswith("$J="):
             raise refused(3)
@@ -37,7 +37,7 @@ def run(machine: Grbl, line: str) -> Waiting:
         machine.send(machine.firmware.named[line])
     elif line == "$":
         machine.send(HELP)
-    elif state not in (State.IDLE, State.ALARM):
+    elif state not in (State.IDLE, State.ALARM) and (state, line) != (State.TOOL, "$#"):
         raise refused(8)
     elif line.startswith("$H"):
         yield from _home(machine, line)

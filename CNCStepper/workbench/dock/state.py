@@ -175,7 +175,7 @@ RULES = {
     ),
 }
 AT_A_STAND = {  # the machine states in which these work between two lines, or two ways along the cut
-    "paused": {"jog": ("Idle", "Jog"), "zero": ("Idle",), "hold": ("Jog",)},
+    "paused": {"jog": ("Idle", "Jog", "Tool"), "zero": ("Idle", "Tool"), "hold": ("Jog",)},
     RETREATED: {"jog": ("Idle", "Jog"), "hold": ("Jog",)},  # what lies behind was cut from the zero that it has
 }
 NO_HOMING = later("This machine has no homing switches set up ($22=0).")

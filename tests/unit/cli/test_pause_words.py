@@ -51,6 +51,7 @@ def test_only_going_on_and_stopping_end_a_stand():
         ("held", "Hold:0", False, False, True),
         ("paused", "Hold:0", False, False, True),
         ("paused", "Idle", True, True, True),
+        ("paused", "Tool", True, True, False),
         ("retreated", "Idle", True, False, True),
         ("door", "Door:0", False, False, False),
     ],

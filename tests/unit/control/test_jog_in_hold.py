@@ -12,6 +12,7 @@ from cut_table import ROUNDING_MM, STEP_MM, Cut, path_of, polyline, worst_distan
 
 from CNCStepper.control.command import Command
 from CNCStepper.machine.profile import load_machine
+from CNCStepper.virtual.grbl.states import State
 
 pytestmark = pytest.mark.slow
 NEAR_MM = STEP_MM + ROUNDING_MM
@@ -95,6 +96,34 @@ def test_jogs_on_the_way_back_and_again_leave_the_path_whole(tmp_path: Path) -> 
     for away in ways:
         assert np.linalg.norm(away[0] - away[-1]) < SAMPLE_MM
     assert cut.trace[-1] == pytest.approx(polyline(path_of(program))[-1], abs=NEAR_MM)
+
+
+def test_beam_that_is_kept_on_the_way_back_is_off_at_its_end(tmp_path: Path) -> None:
+    machine = load_machine("table-a")
+    changes = {
+        "spindle": machine.spindle.model_copy(update={"laser": True, "spin_up_s": 0.0}),
+        "retreat": machine.retreat.model_copy(update={"outputs": "keep"}),
+    }
+    cut, powers, with_beam = Cut(tmp_path, SQUARE, machine.model_copy(update=changes), settings={32: 1.0}), [], []
+
+    def person():
+        yield lambda: cut.trace[-1][1] < -12.0
+        yield from cut.hold()
+        look, board = cut.table.board.on_step, cut.table.board
+
+        def watch(board) -> None:
+            look(board)
+            powers.append(board.spindle.rpm)
+            if board.state is State.JOG and board.spindle.rpm:
+                with_beam.append(board.axes.position_mm)
+
+        board.on_step = watch
+        yield from led(cut, "back", 2.0)
+        yield from jogged(cut, x_mm=-3.0)
+        yield from led(cut, "rest")
+
+    assert cut.run(person).done
+    assert 8000.0 in powers and not with_beam
 
 
 def test_beam_is_off_until_it_is_back_on_its_cut(tmp_path: Path) -> None:

@@ -77,12 +77,37 @@ def test_modes_and_tool_length_of_grblhal_are_written_its_way(talk):
     assert "[TLO:0.000,0.000,0.000]" in board.say(b"$#\n")
 
 
-def test_tool_change_waits_for_acknowledgement_and_cycle_start(talk):
+def test_tool_change_is_answered_at_once_and_ended_by_a_cycle_start(talk):
     board = talk(firmware=GRBLHAL)
-    assert board.say(b"T2M6\n", 0.1) == []
-    assert board.status()[""] == "Tool"
-    assert board.say(b"~", 0.1) == [] and board.status()[""] == "Tool"
-    assert board.say(b"\xa3~", 0.1) == ["ok"] and board.status()[""] == "Idle"
+    assert board.say(b"T2M6\n", 0.1) == ["ok"] and board.status()[""] == "Tool"
+    assert board.say(b"G1X1F600\n", 0.1) == [] and board.status()[""] == "Tool"
+    assert board.say(b"~", 0.1) == ["ok"]
+    board.until_idle()
+    assert board.board.axes.position_mm[0] == pytest.approx(1.0, abs=0.02)
+
+
+def test_acknowledged_tool_change_takes_jogs_and_zeros_and_then_what_waited(talk):
+    board = talk(firmware=GRBLHAL)
+    board.say(b"M3S9000\nM6\nG0X-1\n", 0.1)
+    assert board.say(b"\xa3$J=G91G21Z-2F900\n", 0.1) == ["ok"] and board.status()[""] == "Jog"
+    assert board.line("G10L20P1Z0") == "error:9"
+    assert board.say(b"", 1.0) == [] and board.status()[""] == "Tool"
+    assert board.say(b"G10L20P1Z0\n$G\n$#\n", 0.1)[-1] == "ok"
+    assert board.line("G0X-5") == "error:40"
+    assert board.board.memory.places[54] == pytest.approx([0, 0, -2], abs=0.01)
+    assert board.board.spindle.rpm == 9000 and board.board.axes.position_mm[0] == 0
+    assert board.say(b"~", 0.1) == ["ok"]
+    board.until_idle()
+    assert board.board.axes.position_mm == pytest.approx([-1, 0, -2], abs=0.02)
+
+
+def test_jog_that_is_cancelled_leads_back_to_the_tool_change(talk):
+    board = talk(firmware=GRBLHAL)
+    board.say(b"M6\n", 0.1)
+    board.say(b"\xa3$J=G91G21X-50F900\n", 0.3)
+    assert board.status()[""] == "Jog"
+    board.say(b"\x85", 0.5)
+    assert board.status()[""] == "Tool" and board.board.axes.idle
 
 
 def test_tool_change_can_be_reset_and_is_no_command_of_grbl(talk):

@@ -377,6 +377,16 @@ def test_feed_override_changes_the_speed(grbl) -> None:
     assert grbl.status()["FS"] == "720,0"
 
 
+@pytest.mark.parametrize(("laser", "held_rpm"), [(0, 8000), (1, 0)])
+def test_laser_is_off_while_it_is_held_and_a_spindle_is_not(grbl, laser: int, held_rpm: int) -> None:
+    grbl.line(f"$32={laser}")
+    grbl.line("M3 S8000")
+    grbl.say(b"M0\n", 0.1)
+    assert grbl.status()[""] == "Hold:0" and grbl.board.spindle.rpm == held_rpm
+    grbl.say(b"~", 0.1)
+    assert grbl.status()[""] == "Idle" and grbl.board.spindle.rpm == 8000
+
+
 def test_spindle_stop_only_in_hold(grbl) -> None:
     grbl.say("M4S8000\n")
     grbl.say(b"\x9e")
