@@ -41,7 +41,7 @@ class Asker:
         while status.phase in WAITING and self._client.outcome is None:
             asked, wishes = status, self._answer(status)
             if not self.is_there:
-                self._tell(unasked(asked))
+                self._tell(f"\n{unasked(asked)}")
                 break
             status = self._look(asked)
             if wishes != STOP and (status.stand != asked.stand or status.phase not in WAITING):
@@ -72,12 +72,14 @@ class Asker:
     def _look(self, status: SenderStatus) -> SenderStatus:
         """Return how the machine stands now."""
         self._client.ask("status")
-        while self._client.outcome is None:
+        seen: list[SenderStatus] = []
+        while not seen and self._client.outcome is None:
             for event in self._client.poll(LOOK_EVERY_S):
                 if event["event"] == "status":
-                    return SenderStatus.from_json(event["status"])
-                self._hear(event)
-        return status
+                    seen.append(SenderStatus.from_json(event["status"]))
+                else:
+                    self._hear(event)
+        return seen[-1] if seen else status
 
     def _touched(self, status: SenderStatus) -> SenderStatus:
         """Wait until a jog has begun and ended, or a zero or an override is set; return how the machine stands then."""

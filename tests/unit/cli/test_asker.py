@@ -126,6 +126,19 @@ def _becoming(session: Session, status: SenderStatus):
     return asking
 
 
+def test_what_is_told_behind_a_status_is_told(monkeypatch):
+    session, told = Session(HELD), []
+    ask = session.ask
+    monkeypatch.setattr(session, "ask", lambda *words, **values: (ask(*words, **values), told_of(session)))
+    Person(monkeypatch, "s")
+    asked(session, told).ask(HELD)
+    assert "zero of Z set" in told
+
+
+def told_of(session: Session) -> None:
+    session.say(event="message", text="zero of Z set")
+
+
 def test_new_stand_is_told_while_the_old_question_is_open():
     session, told = Session(HELD), []
     end_s = time.monotonic() + LIMIT_S
