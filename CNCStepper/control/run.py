@@ -283,7 +283,7 @@ class JobRun:
             self._phases.set("finishing")
         message = self._feeder.stand_message(driver) if self._phases.name == "running" else None
         awaited = self._phases.name == "finishing" or message is not None
-        finished = awaited and self._watch.idle(driver, self._phases.changed_s)
+        finished = awaited and not driver.unanswered and self._watch.idle(driver, self._phases.changed_s)
         self._idle_reports = self._idle_reports + 1 if finished else 0
         if self._idle_reports < IDLE_REPORTS:
             return
