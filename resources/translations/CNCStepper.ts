@@ -3267,6 +3267,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Outputs</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Overcut</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5694,6 +5698,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>NOT cut on any stock: the machine's limits are checked, but nobody sees whether a rapid meets material; give --job, or --stock and --tool</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>O-words are nested too deeply</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7026,6 +7034,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>cut on the stock that the moves before it have left, and judged against the shapes of the job</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>cut on the stock that the moves before it have left; the wanted shape is not known, so it is not judged</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>cuts {0} mm before the place again</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7039,6 +7055,10 @@
         </message>
         <message>
             <source>diameters must rise, and each range lead from its least value above 0 to its most</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>disconnect there first, or send the job from there</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7466,6 +7486,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>go on with it or stop it where it was started, or with: cncstepper back --session {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>go on, or stop the job</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7478,7 +7502,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>goes up to Z {0} first, then over the place</source>
+            <source>goes to Z {0} first, straight up (it is not sent while the tool stands higher), then over the place</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7719,6 +7743,10 @@
         </message>
         <message>
             <source>jog again if it is still wanted</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>jog it down to that height where you see what is below it, or restart with the height {0} (--height), from which it goes over the place at once</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7966,6 +7994,18 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>look how the machine stands now, then answer to that</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>look that the axes stand, check cable and grounding, and home again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>look that the tool is off, and start the job again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>look the number up in the documentation of the controller's version</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8043,6 +8083,10 @@
         </message>
         <message>
             <source>make room on its disk, and resume when it is said to be written again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>make room on the disk of {0}, and see that you may write there</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8347,10 +8391,6 @@
         </message>
         <message>
             <source>not a job to send: {0}</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>not a job: the file holds no object</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8802,6 +8842,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>resume again; where $341 is not 0, do first what the controller itself wants at a change of tools</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>resume once it stands</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8815,6 +8859,10 @@
         </message>
         <message>
             <source>resume, and hold once the machine moves</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>resume, so that the change is over, and hold it again then</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8942,6 +8990,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>set the zero again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>set the zero on the stock, then confirm it (--zero-confirmed)</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9011,6 +9063,10 @@
         </message>
         <message>
             <source>spindle, coolant or tool would be another</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>spindle, torch or beam may still be on: look, and switch them off at the machine</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9358,6 +9414,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the controller does not have this work system</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the controller does not know this command</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9414,6 +9474,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the controller refused '{0}' (error:{1})</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the controller refused '{0}': {1} (error:{2})</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9442,11 +9506,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the controller says that it is homed, but too soon: another line than $H reached it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the controller sleeps and its motors are off: unlock it, then home it or set its zero again</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the controller still waits for its new tool</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the controller takes no jog while it is held</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the controller waits for its new tool</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10314,6 +10390,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the program begins with the tool at the work zero: bring it there before this one is sent</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the program cannot be written: {0}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10410,6 +10490,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the program was read as {0}, which no controller understands that lines are sent to</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the program was read as {0}: to {1} its lines may mean other moves, or nothing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the proof failed by a fault of its own: {0}: {1}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10459,6 +10547,10 @@
         </message>
         <message>
             <source>the resolution is too fine for the ellipse</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the restart goes straight down first, from Z {0}, where the machine has homed, to Z {1}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10618,6 +10710,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the stand that this answers to is over</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the stand-alone interpreter moves X Y Z A B C only</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10767,6 +10863,10 @@
         </message>
         <message>
             <source>the tool offset may not be changed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the tool stands at Z {0}, and the restart goes straight down to Z {1} first, as a rapid</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11366,6 +11466,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>use one of those that `$#` lists</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>use one of: {0}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11463,6 +11567,10 @@
         </message>
         <message>
             <source>what happens between the moves would not be the same</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>what is known of the machine's position cannot be kept: {0}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11714,6 +11822,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>write it in the controller's own: cncstepper convert PROGRAM --dialect {0} --to {1} -o NEW</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>write it in two lines, or make the comment shorter</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11790,7 +11902,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>write the program for the dialect fluidnc or grbl</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>write the program for the dialect grbl</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write the program for the dialect grblhal or grbl</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11843,6 +11963,10 @@
         </message>
         <message>
             <source>write {0} before</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>zero of</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12039,6 +12163,14 @@
         </message>
         <message>
             <source>{0} is absent: the axis stays here, but the published control would drive it to 0</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} is held by a job of yours, {1}, which is {2}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} is held by a window or a console of yours</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

@@ -3267,6 +3267,10 @@
             <translation>Contornos dos grampos</translation>
         </message>
         <message>
+            <source>Outputs</source>
+            <translation>Saídas</translation>
+        </message>
+        <message>
             <source>Overcut</source>
             <translation>Sobrecorte</translation>
         </message>
@@ -5694,6 +5698,10 @@
             <translation>o Marlin leria G91 ou G90: omita-a</translation>
         </message>
         <message>
+            <source>NOT cut on any stock: the machine's limits are checked, but nobody sees whether a rapid meets material; give --job, or --stock and --tool</source>
+            <translation>NÃO cortado em nenhum material: os limites da máquina são verificados, mas ninguém vê se um avanço rápido encontra material; dê --job, ou --stock e --tool</translation>
+        </message>
+        <message>
             <source>O-words are nested too deeply</source>
             <translation>há palavras O aninhadas demais</translation>
         </message>
@@ -7026,6 +7034,14 @@
             <translation>corte antes, ou segure a peça com pontes</translation>
         </message>
         <message>
+            <source>cut on the stock that the moves before it have left, and judged against the shapes of the job</source>
+            <translation>cortado no material que os movimentos anteriores deixaram, e julgado pelas formas do trabalho</translation>
+        </message>
+        <message>
+            <source>cut on the stock that the moves before it have left; the wanted shape is not known, so it is not judged</source>
+            <translation>cortado no material que os movimentos anteriores deixaram; a forma desejada não é conhecida, por isso não é julgado</translation>
+        </message>
+        <message>
             <source>cuts {0} mm before the place again</source>
             <translation>corta de novo {0} mm antes do ponto</translation>
         </message>
@@ -7040,6 +7056,10 @@
         <message>
             <source>diameters must rise, and each range lead from its least value above 0 to its most</source>
             <translation>os diâmetros têm de crescer, e cada faixa ir do seu menor valor acima de 0 ao maior</translation>
+        </message>
+        <message>
+            <source>disconnect there first, or send the job from there</source>
+            <translation>desconecte primeiro ali, ou envie o trabalho dali</translation>
         </message>
         <message>
             <source>does not lie flat</source>
@@ -7466,6 +7486,10 @@
             <translation>avance linha por linha enquanto um trabalho está em execução</translation>
         </message>
         <message>
+            <source>go on with it or stop it where it was started, or with: cncstepper back --session {0}</source>
+            <translation>continue-o ou pare-o onde foi iniciado, ou com: cncstepper back --session {0}</translation>
+        </message>
+        <message>
             <source>go on, or stop the job</source>
             <translation>continue, ou pare o trabalho</translation>
         </message>
@@ -7478,8 +7502,8 @@
             <translation>continua com</translation>
         </message>
         <message>
-            <source>goes up to Z {0} first, then over the place</source>
-            <translation>sobe primeiro até Z {0}, depois vai para cima do ponto</translation>
+            <source>goes to Z {0} first, straight up (it is not sent while the tool stands higher), then over the place</source>
+            <translation>vai primeiro a Z {0}, reto para cima (não é enviado enquanto a ferramenta estiver mais alta), depois para cima do lugar</translation>
         </message>
         <message>
             <source>grbl follows the exact path always: leave the word out or write G61</source>
@@ -7720,6 +7744,10 @@
         <message>
             <source>jog again if it is still wanted</source>
             <translation>mova de novo se ainda for preciso</translation>
+        </message>
+        <message>
+            <source>jog it down to that height where you see what is below it, or restart with the height {0} (--height), from which it goes over the place at once</source>
+            <translation>desça-a à mão até essa altura onde você vê o que há embaixo, ou reinicie com a altura {0} (--height), da qual ela vai logo para cima do lugar</translation>
         </message>
         <message>
             <source>jog less far</source>
@@ -7966,6 +7994,18 @@
             <translation>veja o que ele diz e corrija essa linha</translation>
         </message>
         <message>
+            <source>look how the machine stands now, then answer to that</source>
+            <translation>veja como a máquina está agora e responda a isso</translation>
+        </message>
+        <message>
+            <source>look that the axes stand, check cable and grounding, and home again</source>
+            <translation>veja se os eixos estão parados, verifique o cabo e o aterramento e referencie a máquina de novo</translation>
+        </message>
+        <message>
+            <source>look that the tool is off, and start the job again</source>
+            <translation>veja se a ferramenta está desligada e inicie o trabalho de novo</translation>
+        </message>
+        <message>
             <source>look the number up in the documentation of the controller's version</source>
             <translation>procure o número na documentação da versão do controlador</translation>
         </message>
@@ -8044,6 +8084,10 @@
         <message>
             <source>make room on its disk, and resume when it is said to be written again</source>
             <translation>libere espaço no disco dele, e continue quando for dito que ele é gravado de novo</translation>
+        </message>
+        <message>
+            <source>make room on the disk of {0}, and see that you may write there</source>
+            <translation>libere espaço no disco de {0}, e veja se você pode gravar ali</translation>
         </message>
         <message>
             <source>make room on the disk of {0}, and see that you may write there; then send again</source>
@@ -8348,10 +8392,6 @@
         <message>
             <source>not a job to send: {0}</source>
             <translation>não é um trabalho para enviar: {0}</translation>
-        </message>
-        <message>
-            <source>not a job: the file holds no object</source>
-            <translation>não é um trabalho: o arquivo não contém um objeto</translation>
         </message>
         <message>
             <source>not a point: '{0}'</source>
@@ -8802,6 +8842,10 @@
             <translation>retome de novo, ou defina o zero de modo que o caminho fique dentro do curso</translation>
         </message>
         <message>
+            <source>resume again; where $341 is not 0, do first what the controller itself wants at a change of tools</source>
+            <translation>continue de novo; onde $341 não é 0, faça antes o que o próprio controlador pede na troca de ferramenta</translation>
+        </message>
+        <message>
             <source>resume once it stands</source>
             <translation>continue quando ela estiver parada</translation>
         </message>
@@ -8816,6 +8860,10 @@
         <message>
             <source>resume, and hold once the machine moves</source>
             <translation>retome, e retenha quando a máquina se mover</translation>
+        </message>
+        <message>
+            <source>resume, so that the change is over, and hold it again then</source>
+            <translation>continue, para que a troca termine, e então segure de novo</translation>
         </message>
         <message>
             <source>retract mode set to old_z</source>
@@ -8942,6 +8990,10 @@
             <translation>configure a máquina de novo e referencie-a</translation>
         </message>
         <message>
+            <source>set the zero again</source>
+            <translation>defina o zero de novo</translation>
+        </message>
+        <message>
             <source>set the zero on the stock, then confirm it (--zero-confirmed)</source>
             <translation>defina o zero no bloco e confirme-o (--zero-confirmed)</translation>
         </message>
@@ -9012,6 +9064,10 @@
         <message>
             <source>spindle, coolant or tool would be another</source>
             <translation>spindle, refrigeração ou ferramenta seriam outros</translation>
+        </message>
+        <message>
+            <source>spindle, torch or beam may still be on: look, and switch them off at the machine</source>
+            <translation>spindle, tocha ou feixe podem ainda estar ligados: verifique e desligue-os na máquina</translation>
         </message>
         <message>
             <source>splines lie in the plane XY</source>
@@ -9358,6 +9414,10 @@
             <translation>o controlador não volta do reset</translation>
         </message>
         <message>
+            <source>the controller does not have this work system</source>
+            <translation>o controlador não tem este sistema de coordenadas de trabalho</translation>
+        </message>
+        <message>
             <source>the controller does not know this command</source>
             <translation>o controlador não conhece este comando</translation>
         </message>
@@ -9414,6 +9474,10 @@
             <translation>o controlador lê as linhas sem se mover</translation>
         </message>
         <message>
+            <source>the controller refused '{0}' (error:{1})</source>
+            <translation>o controlador recusou '{0}' (error:{1})</translation>
+        </message>
+        <message>
             <source>the controller refused '{0}': {1} (error:{2})</source>
             <translation>o controlador recusou '{0}': {1} (error:{2})</translation>
         </message>
@@ -9442,12 +9506,24 @@
             <translation>o controlador disse: {0}</translation>
         </message>
         <message>
+            <source>the controller says that it is homed, but too soon: another line than $H reached it</source>
+            <translation>o controlador diz que a máquina está referenciada, mas cedo demais: chegou a ele outra linha em vez de $H</translation>
+        </message>
+        <message>
             <source>the controller sleeps and its motors are off: unlock it, then home it or set its zero again</source>
             <translation>o controlador dorme e os motores estão desligados: destrave-o, depois referencie ou defina o zero de novo</translation>
         </message>
         <message>
+            <source>the controller still waits for its new tool</source>
+            <translation>o controlador ainda espera pela nova ferramenta</translation>
+        </message>
+        <message>
             <source>the controller takes no jog while it is held</source>
             <translation>o controlador não aceita movimento manual enquanto está em pausa</translation>
+        </message>
+        <message>
+            <source>the controller waits for its new tool</source>
+            <translation>o controlador espera pela nova ferramenta</translation>
         </message>
         <message>
             <source>the controller wants to know who you are</source>
@@ -10314,6 +10390,10 @@
             <translation>o perfil volta para trás em Z</translation>
         </message>
         <message>
+            <source>the program begins with the tool at the work zero: bring it there before this one is sent</source>
+            <translation>o programa começa com a ferramenta no zero da peça: leve-a até lá antes de enviar este</translation>
+        </message>
+        <message>
             <source>the program cannot be written: {0}</source>
             <translation>o programa não pode ser gravado: {0}</translation>
         </message>
@@ -10410,6 +10490,14 @@
             <translation>o programa foi verificado com outras ferramentas</translation>
         </message>
         <message>
+            <source>the program was read as {0}, which no controller understands that lines are sent to</source>
+            <translation>o programa foi lido como {0}, que nenhum controlador ao qual se enviam linhas entende</translation>
+        </message>
+        <message>
+            <source>the program was read as {0}: to {1} its lines may mean other moves, or nothing</source>
+            <translation>o programa foi lido como {0}: para {1} suas linhas podem significar outros movimentos, ou nada</translation>
+        </message>
+        <message>
             <source>the proof failed by a fault of its own: {0}: {1}</source>
             <translation>a verificação falhou por um defeito próprio: {0}: {1}</translation>
         </message>
@@ -10460,6 +10548,10 @@
         <message>
             <source>the resolution is too fine for the ellipse</source>
             <translation>a resolução é fina demais para a elipse</translation>
+        </message>
+        <message>
+            <source>the restart goes straight down first, from Z {0}, where the machine has homed, to Z {1}</source>
+            <translation>o reinício primeiro desce reto, de Z {0}, onde a máquina se referenciou, até Z {1}</translation>
         </message>
         <message>
             <source>the retract mode may not be changed</source>
@@ -10618,6 +10710,10 @@
             <translation>a rotação do spindle é ajustada à mão</translation>
         </message>
         <message>
+            <source>the stand that this answers to is over</source>
+            <translation>a parada à qual isto responde já terminou</translation>
+        </message>
+        <message>
             <source>the stand-alone interpreter moves X Y Z A B C only</source>
             <translation>o interpretador autônomo só move X Y Z A B C</translation>
         </message>
@@ -10768,6 +10864,10 @@
         <message>
             <source>the tool offset may not be changed</source>
             <translation>a correção da ferramenta não pode ser mudada</translation>
+        </message>
+        <message>
+            <source>the tool stands at Z {0}, and the restart goes straight down to Z {1} first, as a rapid</source>
+            <translation>a ferramenta está em Z {0}, e o reinício primeiro desce reto até Z {1}, em avanço rápido</translation>
         </message>
         <message>
             <source>the tool table cannot be read again</source>
@@ -11366,6 +11466,10 @@
             <translation>use uma de metal duro</translation>
         </message>
         <message>
+            <source>use one of those that `$#` lists</source>
+            <translation>use um dos que `$#` lista</translation>
+        </message>
+        <message>
             <source>use one of: {0}</source>
             <translation>use um destes: {0}</translation>
         </message>
@@ -11464,6 +11568,10 @@
         <message>
             <source>what happens between the moves would not be the same</source>
             <translation>o que acontece entre os movimentos não seria o mesmo</translation>
+        </message>
+        <message>
+            <source>what is known of the machine's position cannot be kept: {0}</source>
+            <translation>o que se sabe da posição da máquina não pode ser guardado: {0}</translation>
         </message>
         <message>
             <source>what it does is the machine's own: leave it out</source>
@@ -11714,6 +11822,10 @@
             <translation>escreva-a em duas</translation>
         </message>
         <message>
+            <source>write it in the controller's own: cncstepper convert PROGRAM --dialect {0} --to {1} -o NEW</source>
+            <translation>escreva-o na linguagem do controlador: cncstepper convert PROGRAMA --dialect {0} --to {1} -o NOVO</translation>
+        </message>
+        <message>
             <source>write it in two lines, or make the comment shorter</source>
             <translation>escreva-a em duas linhas ou encurte o comentário</translation>
         </message>
@@ -11790,8 +11902,16 @@
             <translation>escreva de novo a palavra de movimento</translation>
         </message>
         <message>
+            <source>write the program for the dialect fluidnc or grbl</source>
+            <translation>escreva o programa para o dialeto fluidnc ou grbl</translation>
+        </message>
+        <message>
             <source>write the program for the dialect grbl</source>
             <translation>gere o programa para o dialeto grbl</translation>
+        </message>
+        <message>
+            <source>write the program for the dialect grblhal or grbl</source>
+            <translation>escreva o programa para o dialeto grblhal ou grbl</translation>
         </message>
         <message>
             <source>write the program in mm, or choose a higher feed</source>
@@ -11844,6 +11964,10 @@
         <message>
             <source>write {0} before</source>
             <translation>escreva {0} antes</translation>
+        </message>
+        <message>
+            <source>zero of</source>
+            <translation>zero de</translation>
         </message>
         <message>
             <source>zero of {0} set in {1}</source>
@@ -12040,6 +12164,14 @@
         <message>
             <source>{0} is absent: the axis stays here, but the published control would drive it to 0</source>
             <translation>falta {0}: aqui o eixo fica parado, mas o comando publicado o levaria para 0</translation>
+        </message>
+        <message>
+            <source>{0} is held by a job of yours, {1}, which is {2}</source>
+            <translation>{0} está ocupada por um trabalho seu, {1}, no estado {2}</translation>
+        </message>
+        <message>
+            <source>{0} is held by a window or a console of yours</source>
+            <translation>{0} está ocupada por uma janela ou um console seu</translation>
         </message>
         <message>
             <source>{0} is in force, wanted {1}</source>
