@@ -80,7 +80,7 @@ def test_all_that_send_was_given_is_offered_again_and_proven_as_pasted(
     folder: Path, profile: Path, sent: list[SendJob], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.chdir(folder)
-    against = ("--stock", "100,100.5,10", "--origin", "top-left-front", "--tool", "flat:2", "--dialect", "linuxcnc")
+    against = ("--stock", "100,100.5,10", "--origin", "top-left-front", "--tool", "flat:2", "--dialect", "grbl")
     more = ("--search", ".", "--work-zero", "-100,-50,-20", "--baud", "9600")
     called("send", "peça 1.nc", "--port", "COM3", "--machine", profile.name, *against, *more)
     monkeypatch.chdir(folder.parent)
@@ -88,7 +88,7 @@ def test_all_that_send_was_given_is_offered_again_and_proven_as_pasted(
     assert offered.told == []
     assert offered.words == [
         *("cncstepper", "restart", str(folder / "peça 1.nc"), "--line", "7", "--machine", str(profile), *against[:4]),
-        *("--tool", "flat:2", "--work-zero", "-100,-50,-20", "--search", str(folder), "--dialect", "linuxcnc"),
+        *("--tool", "flat:2", "--work-zero", "-100,-50,-20", "--search", str(folder), "--dialect", "grbl"),
         *("--port", "COM3", "--baud", "9600", "--home"),
     ]
     dry = [word for word in offered.words[1:] if word not in ("--port", "COM3", "--baud", "9600", "--home")]
@@ -107,6 +107,11 @@ def test_a_profile_that_is_gone_is_offered_as_the_journal_has_it(
     copy = offered.words[offered.words.index("--machine") + 1]
     assert load_machine(copy) == machine
     assert any(str(profile) in text and copy in text for _, text in offered.told)
+
+
+def test_the_language_of_the_job_is_offered_where_the_machine_alone_would_not_say_it(folder: Path) -> None:
+    words = line_of(story(folder, machine="Cutting table A", dialect="grblhal"), folder).words
+    assert words[words.index("--dialect") + 1] == "grblhal"
 
 
 @pytest.mark.parametrize(("machine", "named"), [("Cutting table A", "table-a"), ("my-table", NO_PROFILE)])

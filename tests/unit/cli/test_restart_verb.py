@@ -163,7 +163,7 @@ def test_what_resume_offers_runs_as_it_is_pasted(
     shipped = resources.files("CNCStepper.machine") / "profiles" / "table-a.toml"
     profile.write_text(shipped.read_text("utf-8").replace("Cutting table A", "My own çable"), "utf-8")
     program.write_text(PROGRAM.replace("G92 X5 Y5\n", "G4 P0.1\nS12000\nM0\nG92 X5 Y5\n"), "utf-8")
-    stock = ("--stock", "100,100,10", "--tool", "flat:2", "--dialect", "linuxcnc")
+    stock = ("--stock", "100,100,10", "--tool", "flat:2", "--dialect", "grbl")
     sending = ("--port", table[0], "--machine", str(profile), *stock, "--zero-confirmed")
     assert CliRunner().invoke(group, ["send", str(program), *sending]).exit_code == 1  # nobody is there to go on
     journal = next(story.path for story in stories() if story.header["file"] == str(program.resolve()))
