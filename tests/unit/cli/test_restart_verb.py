@@ -8,7 +8,9 @@ import shlex
 import signal
 import subprocess
 import sys
+import time
 from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
 from importlib import resources
 from pathlib import Path
 
@@ -18,6 +20,7 @@ from click.testing import CliRunner, Result
 
 from CNCStepper.cli.main import group
 from CNCStepper.control.certificate import Certificate, digest_of_text
+from CNCStepper.control.desk_session import attach, jobs_running
 from CNCStepper.control.journal.first_program import FirstProgram
 from CNCStepper.control.journal.store import stories
 
@@ -25,6 +28,7 @@ PROGRAM = (
     "G21 G90\nT1\nM3 S12000\nG4 P1\nG0 Z10\nX0 Y0\nG1 Z-1 F300\nX20 F2000\nY10\nX0\nG0 Z10\nG92 X5 Y5\nX10 Y10\n"
     "G1 Z-1 F300\nX20 F2000\nG3 X20 Y10 I-5 J0\nG0 Z10\nG92.1\nM5\nM2\n"
 )
+PAUSE_LIMIT_S = 120.0
 AGAINST = ("--machine", "table-a", "--stock", "100,100,10", "--tool", "flat:2")
 
 
@@ -153,6 +157,19 @@ def test_the_rest_is_cut_on_a_controller_with_the_shift_of_g92(program: Path, ta
     assert places[-1, 2] == pytest.approx(10.0, abs=0.01)
 
 
+def stop_at_pause() -> None:
+    """Stop the job that runs, as from another terminal, where it pauses."""
+    until_s = time.monotonic() + PAUSE_LIMIT_S
+    while not (running := jobs_running()):
+        assert time.monotonic() < until_s
+        time.sleep(0.05)
+    with attach(running[0]) as session:
+        while session.status().phase != "paused":
+            assert time.monotonic() < until_s
+            time.sleep(0.05)
+        session.stop()
+
+
 @pytest.mark.slow
 def test_what_resume_offers_runs_as_it_is_pasted(
     program: Path, table: tuple[str, Path], monkeypatch: pytest.MonkeyPatch
@@ -165,7 +182,10 @@ def test_what_resume_offers_runs_as_it_is_pasted(
     program.write_text(PROGRAM.replace("G92 X5 Y5\n", "G4 P0.1\nS12000\nM0\nG92 X5 Y5\n"), "utf-8")
     stock = ("--stock", "100,100,10", "--tool", "flat:2", "--dialect", "grbl")
     sending = ("--port", table[0], "--machine", str(profile), *stock, "--zero-confirmed")
-    assert CliRunner().invoke(group, ["send", str(program), *sending]).exit_code == 1  # nobody is there to go on
+    with ThreadPoolExecutor(1) as another:
+        stopped = another.submit(stop_at_pause)
+        assert CliRunner().invoke(group, ["send", str(program), *sending]).exit_code == 1
+        stopped.result()
     journal = next(story.path for story in stories() if story.header["file"] == str(program.resolve()))
     told = CliRunner().invoke(group, ["resume", str(journal)]).output.splitlines()
     pasted = shlex.split(told[-1].removeprefix("restart"))
