@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from importlib import resources
 from pathlib import Path
 
 import pytest
@@ -125,15 +126,17 @@ def test_send_is_told_the_start_or_takes_the_one_of_the_certificate(tmp_path: Pa
     program.write_text("G21 G90\nT7 M6\nG43 H7\nG0 Z20\nG0 X5 Y1\nM2\n", "ascii")
     table.write_text("T7 P3 Z12.5 D6\n", "ascii")
     nowhere = ("--port", str(tmp_path / "no port"), "--zero-confirmed")
-    lengths = ("--machine", "table-a", "--dialect", "linuxcnc")
-    assert "does not stand in the tool table" in told(run("send", program, *nowhere, *lengths))
-    assert "port-missing" in told(run("send", program, *nowhere, *lengths, "--tool-table", table))
+    shipped = resources.files("CNCStepper.machine") / "profiles" / "table-a.toml"
+    machine = tmp_path / "hal.toml"
+    machine.write_text(shipped.read_text("utf-8").replace('"grbl"', '"grblhal"'), "utf-8")
+    lengths = ("--machine", machine, "--dialect", "linuxcnc")
+    assert "dialect-differs" in told(run("send", program, *nowhere, *lengths, "--tool-table", table))
     program.write_text("G21 G90\nG0 Z20\no<hop> call [5]\nM2\n", "ascii")
     (tmp_path / "library").mkdir()
     (tmp_path / "library" / "hop.ngc").write_text("o<hop> sub\nG0 X#1 Y[#5420+1]\no<hop> endsub\n", "ascii")
     given = ("--dialect", "grblhal", "--search", tmp_path / "library", "--position", "-9,-8,-7")
     checked = run(
-        "check", program, "--machine", "table-a", *given, "--work-zero", "-100,-100,-40", "--certificate", proof
+        "check", program, "--machine", machine, *given, "--work-zero", "-100,-100,-40", "--certificate", proof
     )
     assert checked.exit_code == 0, told(checked)
     assert "port-missing" in told(run("send", program, *nowhere, "--certificate", proof))

@@ -133,7 +133,7 @@ def test_a_missing_job_and_a_file_that_is_none(tmp_path: Path) -> None:
     with pytest.raises(JobError, match="no job file"):
         load_job(tmp_path / "none.toml")
     (tmp_path / "list.json").write_text("[1, 2]", encoding="utf-8")
-    with pytest.raises(JobError, match="not a job"):
+    with pytest.raises(JobError, match="holds no object"):
         load_job(tmp_path / "list.json")
 
 

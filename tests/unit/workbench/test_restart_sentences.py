@@ -76,7 +76,7 @@ def milled(spindle: str = "M3 S12000", cut: str = "X40 F800") -> str:
         (milled("M4 S900\nM8"), Where(line=12), Options(), ("TURNING COUNTER-CLOCKWISE (M4)", "THE COOLANT ON")),
         (milled("M5\nM7"), Where(line=12), Options(), ("LEAVES THE SPINDLE OFF", "THE COOLANT ON")),
         (milled(), Where(line=11), Options(laser=True), ("SWITCHES THE BEAM ON AT S12000",)),
-        (milled(cut="G92 X5\nX40 F800"), Where(line=12), Options(), ("SETS G92 AS IT WAS", "GOES UP TO Z")),
+        (milled(cut="G92 X5\nX40 F800"), Where(line=12), Options(), ("SETS G92 AS IT WAS", "GOES TO Z")),
         (milled(cut="G91\nX40 F800\nG90"), Where(at_mm=(30.0, 0.0)), Options(), ("OF ITS MOVE DONE",)),
     ],
 )
