@@ -196,15 +196,11 @@ class Grbl:
         self.flush()
         most = self.link.queue_bytes
         unread = self._bytes_under_way - len(self._to_write) - most
-        return self.link.leaving_s(most if 2 * unread > self.window else self._filling_bytes())
-
-    def _filling_bytes(self) -> int:
-        """Return how many bytes have left a full queue when it is filled again: the others are for a late waking."""
-        return self.link.queue_bytes * 3 // 4
+        return self.link.leaving_s(most if 2 * unread > self.window else self.link.filling_bytes)
 
     def _rest_bytes(self) -> int:
         """Return how many bytes go out while answers gather: two fillings, the second of them with the next lines."""
-        return 2 * self._filling_bytes()
+        return 2 * self.link.filling_bytes
 
     def _lines(self, data: bytes) -> list[str]:
         *lines, self._tail = (self._tail + data).replace(b"\r", b"\n").split(b"\n")

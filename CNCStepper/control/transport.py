@@ -34,7 +34,7 @@ class Link:
 
     `port` is a pyserial port, or anything with its read, write and close, opened with timeout 0. baud: the rate of
     the line that the bytes take. woken: whether `wake` ended the last `read`. queue_bytes: how many bytes may wait
-    before the line.
+    before the line. filling_bytes: how many of them are written at a time.
     Every failure of the port is a LinkError with code "link-lost".
     """
 
@@ -44,6 +44,7 @@ class Link:
         self._port = port
         self._queue = WireQueue(port, baud, clock)
         self.queue_bytes = self._queue.most_bytes
+        self.filling_bytes = self._queue.filling_bytes
         self._descriptor = _descriptor(port)
         self._alarm_clock, self._bell = socket.socketpair()
         for end in (self._alarm_clock, self._bell):

@@ -17,6 +17,7 @@ from typing import Any
 
 QUEUE_BYTES = 40  # that a real-time byte may find before it: 3.5 ms at 115 200 baud
 QUEUE_S = 0.002  # where 40 last less: they would be gone before a sender that sleeps meanwhile is awake
+LATE_S = 0.0005  # that a sender may be awake after it meant to: so much of the line still waits then
 BITS_PER_BYTE = 10  # start bit, eight data bits, stop bit
 SIOCOUTQNSD = 0x894B  # Linux: bytes of a socket that were not sent yet
 ROUNDING = 1e-3  # of the clock, in bytes
@@ -25,13 +26,15 @@ ROUNDING = 1e-3  # of the clock, in bytes
 class WireQueue:
     """The bytes between a program and the line; the caller tells what it writes.
 
-    most_bytes: how many may wait, so that a real-time byte goes out at once.
+    most_bytes: how many may wait, so that a real-time byte goes out at once. filling_bytes: how many of these have left
+    when it is time to fill them up.
     """
 
     def __init__(self, port: Any, baud: int, clock: Callable[[], float]):
         self._said_bytes = _what_says(port)
         self._bytes_per_s = baud / BITS_PER_BYTE
         self.most_bytes = max(QUEUE_BYTES, int(QUEUE_S * self._bytes_per_s))
+        self.filling_bytes = self.most_bytes - ceil(LATE_S * self._bytes_per_s) - 1  # which has begun to leave
         self._clock = clock
         self._empty_s = float("-inf")  # when the line will have carried all that was written
 

@@ -225,6 +225,7 @@ class Unqueued:
     clock: FakeClock
     woken = False
     queue_bytes = 40
+    filling_bytes = 30
 
     def rest(self, wait_s: float) -> None:
         self.woken = False

@@ -50,6 +50,7 @@ class SimulatedLink:
 
     name = "simulated"
     queue_bytes = 40
+    filling_bytes = 30
 
     def __init__(self, line: FaultyLink):
         self.line = line

@@ -63,7 +63,7 @@ class PacedLink(Link):
         self.clock.now_s += wait_s + WAKING_S
 
     def read(self, wait_s: float) -> bytes:
-        self.clock.now_s += wait_s + WAKING_S
+        self.clock.now_s += wait_s + WAKING_S if wait_s > 0 else 0.0
         said, self.says = self.says, b""
         return said
 
