@@ -8,10 +8,13 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
+from CNCStepper.control.firmware import TOOL
 from CNCStepper.control.grbl import Grbl
+from CNCStepper.control.readiness import CHECK
 from CNCStepper.control.restarted import UNKNOWN, counts_from_here
 from CNCStepper.errors import MachineRefusal
 
+COUNTING = ("Idle", "Run", "Hold", "Jog", "Door", CHECK, TOOL)  # states in which a controller counts its steps
 MOTORS_IN_DOUBT = ("Alarm", "Sleep")  # what brought a machine there may have cost steps
 
 
@@ -42,6 +45,11 @@ def met(before: Belief, driver: Grbl, greeted: bool) -> Belief:
         return before
     was_lost = before.position_known is False and not before.counts_from_here
     return LOST._replace(counts_from_here=not was_lost and counts_from_here(driver))
+
+
+def counts_steps(driver: Grbl | None) -> bool:
+    """Return whether a controller was last seen in a state in which it counts its steps; None was never met."""
+    return driver is not None and driver.status is not None and driver.status.state in COUNTING
 
 
 def check_program(belief: Belief) -> None:

@@ -86,5 +86,5 @@ def gaps_of(job: SendJob) -> Gaps | None:
     except ValidationError as error:
         what = f"the job's machine profile cannot be read: {error}"
         raise JobError("machine-profile", what, advice=CHECK_AGAIN) from error
-    play = play_of(machine, job.retrace.get("dialect") or machine.controller)
+    play = play_of(machine, job.dialect or machine.controller)
     return Gaps(play) if play else None

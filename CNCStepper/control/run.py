@@ -21,6 +21,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from CNCStepper.control import connect, halt
+from CNCStepper.control.belief import counts_steps
 from CNCStepper.control.buttons import quicker
 from CNCStepper.control.command import Command, Inbox
 from CNCStepper.control.feeder import Feeder
@@ -35,7 +36,7 @@ from CNCStepper.control.outcome import DONE, FAILED, REFUSED, STOPPED, Outcome, 
 from CNCStepper.control.overrides import NORMAL, override_byte, restore
 from CNCStepper.control.path_watch import PathWatch
 from CNCStepper.control.phases import RETREATED, Phases, check_no_tool_change
-from CNCStepper.control.readiness import CHECK, check_zero
+from CNCStepper.control.readiness import check_zero
 from CNCStepper.control.remaining import Remaining
 from CNCStepper.control.restarted import UNKNOWN
 from CNCStepper.control.retrace import LAST, STANDS, Retrace, check_place, stand_reset
@@ -48,7 +49,6 @@ from CNCStepper.control.watch import ANSWER_MISSING, Watch
 from CNCStepper.control.wishes import Wishes
 from CNCStepper.errors import CNCStepperError, LinkError, MachineRefusal
 
-TRUSTED = ("Idle", "Run", "Hold", "Jog", "Door", CHECK, "Tool")  # states in which a controller counts its steps
 MAY_HAVE_RESTARTED = (connect.RESTARTED, ANSWER_MISSING)  # errors; behind a restart the place is another one
 IDLE_REPORTS = 2  # one alone may come between the last answer and the start of its motion
 KEPT = "the machine stands, spindle and outputs are off, its position is kept (the reset cleared G92 and tool length)"
@@ -179,8 +179,7 @@ class JobRun:
 
     def _stands(self, found: connect.Found | None) -> bool:
         """Return whether the machine was seen where it can be trusted; one that homes first only once it was found."""
-        seen = self.driver.status if self.driver else None
-        return seen is not None and seen.state in TRUSTED and (found is not None or not self.job.home_first)
+        return counts_steps(self.driver) and (found is not None or not self.job.home_first)
 
     # --- streaming -----------------------------------------------------------------------------
 

@@ -10,10 +10,10 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
+from being_sent import attached, being_sent
 from test_send import called, command
 
 from CNCStepper.control.desk_client import DeskClient
-from CNCStepper.control.session import SessionClient
 from CNCStepper.control.session_file import read_private, sessions
 from CNCStepper.gcode.prepare import prepare
 from CNCStepper.job.back_worker import answered
@@ -29,25 +29,13 @@ STEP_MM = 0.02
 def sent(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[subprocess.Popen[str]]:
     """A program that is being sent to a virtual grbl, by a terminal at which somebody sits."""
     monkeypatch.setenv("XDG_STATE_HOME", str(tmp_path / "state"))
-    program = tmp_path / "a part ç.nc"
-    program.write_text(PROGRAM, "utf-8")
-    with subprocess.Popen(command(*VIRTUAL), stdout=subprocess.PIPE, encoding="utf-8") as table:
-        assert table.stdout
-        port = table.stdout.readline().rpartition(" ")[2].strip()
-        arguments = ("send", program, "--port", port, "--machine", "table-a", "--zero-confirmed")
-        pipes = {"stdin": subprocess.PIPE, "stdout": subprocess.PIPE, "stderr": subprocess.DEVNULL}
-        with subprocess.Popen(command(*arguments), encoding="utf-8", **pipes) as sender:
-            yield sender
-            sender.kill()
-        table.terminate()
+    with being_sent(tmp_path, PROGRAM, VIRTUAL) as (sender, _):
+        yield sender
 
 
 def hold_in_cut(sent: subprocess.Popen[str]) -> None:
     """Hold the machine once the tool is well under way on the long cut."""
-    while not sessions():
-        assert sent.poll() is None
-        time.sleep(0.05)
-    with SessionClient.attach(sessions()[0]) as client:
+    with attached(sent) as client:
         while (client.status().mpos_mm or (0.0,))[0] > -10.0:
             assert client.outcome is None
             time.sleep(0.02)

@@ -9,13 +9,15 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
-from test_send import called, command
+from being_sent import attached, being_sent
+from test_send import called
 
 from CNCStepper.control.outcome import SenderStatus
 from CNCStepper.control.session import SessionClient
 from CNCStepper.control.session_file import sessions
 
 PROGRAM = "G21 G90\nG0 Z-2\nG1 X-30 F600\n(MSG, change to tool 2)\nM0\nG1 X-300 F600\nM2\n"
+VIRTUAL = ("virtual", "grbl", "--tcp", "127.0.0.1:0", "--speed", "2")
 LIMIT_S = 60.0
 
 
@@ -23,18 +25,9 @@ LIMIT_S = 60.0
 def sent(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[subprocess.Popen[str]]:
     """A program that is being sent to a virtual grbl, with nobody at its terminal."""
     monkeypatch.setenv("XDG_STATE_HOME", str(tmp_path / "state"))
-    program = tmp_path / "a part ç.nc"
-    program.write_text(PROGRAM, "utf-8")
-    words = command("virtual", "grbl", "--tcp", "127.0.0.1:0", "--speed", "2")
-    with subprocess.Popen(words, stdout=subprocess.PIPE, encoding="utf-8") as table:
-        assert table.stdout
-        port = table.stdout.readline().rpartition(" ")[2].strip()
-        arguments = ("send", program, "--port", port, "--machine", "table-a", "--zero-confirmed")
-        pipes = {"stdin": subprocess.DEVNULL, "stdout": subprocess.PIPE, "stderr": subprocess.STDOUT}
-        with subprocess.Popen(command(*arguments), encoding="utf-8", **pipes) as sender:
-            yield sender
-            sender.kill()
-        table.terminate()
+    nobody = {"stdin": subprocess.DEVNULL, "stdout": subprocess.PIPE, "stderr": subprocess.STDOUT}
+    with being_sent(tmp_path, PROGRAM, VIRTUAL, pipes=nobody) as (sender, _):
+        yield sender
 
 
 def until(reached: Callable[[SenderStatus], bool]) -> None:
@@ -47,9 +40,7 @@ def until(reached: Callable[[SenderStatus], bool]) -> None:
 
 @pytest.mark.slow
 def test_job_is_held_led_on_and_stopped_without_its_terminal(sent: subprocess.Popen[str]) -> None:
-    while not sessions():
-        assert sent.poll() is None
-        time.sleep(0.05)
+    attached(sent).close()
     until(lambda status: (status.mpos_mm or (0.0,))[0] < -5.0)
     held = called("hold")
     assert held.returncode == 0 and held.stdout.startswith("held: The machine holds"), held.stderr

@@ -9,11 +9,10 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from test_send import called, command
+from being_sent import attached, being_sent
+from test_send import called
 
 from CNCStepper.control.outcome import SenderStatus
-from CNCStepper.control.session import SessionClient
-from CNCStepper.control.session_file import sessions
 
 PROGRAM = "G21 G90\nG0 Z-2\nG1 X-5 F3000\nM5\nT2 M6\nG1 X-10\nM2\n"
 VIRTUAL = ("virtual", "grbl", "--firmware", "grblhal", "--tcp", "127.0.0.1:0")
@@ -23,25 +22,13 @@ VIRTUAL = ("virtual", "grbl", "--firmware", "grblhal", "--tcp", "127.0.0.1:0")
 def sent(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[tuple[subprocess.Popen[str], str]]:
     """A program with two tools that is being sent to a virtual grblHAL, and the port of that."""
     monkeypatch.setenv("XDG_STATE_HOME", str(tmp_path / "state"))
-    program = tmp_path / "two tools ç.nc"
-    program.write_text(PROGRAM, "utf-8")
-    with subprocess.Popen(command(*VIRTUAL), stdout=subprocess.PIPE, encoding="utf-8") as table:
-        assert table.stdout
-        port = table.stdout.readline().rpartition(" ")[2].strip()
-        arguments = ("send", program, "--port", port, "--unchecked", "--dialect", "grblhal", "--zero-confirmed")
-        pipes = {"stdin": subprocess.PIPE, "stdout": subprocess.PIPE, "stderr": subprocess.DEVNULL}
-        with subprocess.Popen(command(*arguments), encoding="utf-8", **pipes) as sender:
-            yield sender, port
-            sender.kill()
-        table.terminate()
+    with being_sent(tmp_path, PROGRAM, VIRTUAL, ("--unchecked", "--dialect", "grblhal")) as sent:
+        yield sent
 
 
 def at_tool(sender: subprocess.Popen[str]) -> SenderStatus:
     """Wait until the job stands at its M6."""
-    while not sessions():
-        assert sender.poll() is None
-        time.sleep(0.05)
-    with SessionClient.attach(sessions()[0]) as client:
+    with attached(sender) as client:
         while (status := client.status()).machine_state != "Tool" or status.phase != "paused":
             assert client.outcome is None
             time.sleep(0.02)
