@@ -8,6 +8,7 @@ from typing import Any
 import click
 
 from CNCStepper.cli.options import NumberType, machine_option
+from CNCStepper.cli.verb import Verb
 from CNCStepper.machine.axis_answers import USUAL_RATE_HZ, answers, shown
 from CNCStepper.machine.drive import Drive
 from CNCStepper.machine.profile import AXIS_NAMES, Machine, validated
@@ -30,7 +31,7 @@ WORDS = {
 TOLD = "axis of the command line"
 
 
-@click.command("axis")
+@click.command("axis", cls=Verb)
 @click.option("--screw", "screw_pitch_mm", type=ABOVE_0, help="Travel of the screw a turn (pitch, or lead), mm.")
 @click.option("--belt", "belt_pitch_mm", type=ABOVE_0, help="Pitch of the belt, mm; with --teeth.")
 @click.option("--teeth", "pulley_teeth", type=click.IntRange(1), help="Teeth of the belt's pulley.")

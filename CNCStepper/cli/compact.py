@@ -9,14 +9,18 @@ import click
 
 from CNCStepper.cli.editing import Opened, editing_options
 from CNCStepper.cli.options import NumberType
+from CNCStepper.cli.verb import Verb
 
 if TYPE_CHECKING:
     from CNCStepper.gcode.edit.edited import Edited
 
 
-@click.command("compact")
+@click.command("compact", cls=Verb)
 @click.option(
-    "--tolerance", type=NumberType(above=0), required=True, help="How far the new path may be from the old one, mm."
+    "--tolerance",
+    type=NumberType(kind="tolerance"),
+    required=True,
+    help="How far the new path may be off, mm.",
 )
 @editing_options
 def command(opened: Opened, tolerance: float) -> Edited:

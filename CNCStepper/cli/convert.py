@@ -8,7 +8,6 @@ from typing import Any
 
 import click
 
-from CNCStepper.cli.editing import save
 from CNCStepper.cli.options import (
     DialectType,
     NumberType,
@@ -17,20 +16,23 @@ from CNCStepper.cli.options import (
     read_program,
 )
 from CNCStepper.cli.progress import Progress
+from CNCStepper.cli.show import save
 from CNCStepper.cli.start import Given, start_options
+from CNCStepper.cli.verb import OutputPath, Verb
+from CNCStepper.output_files import MADE_BY
 from CNCStepper.state import Start
 
 STAGES = {"read": "reading", "write": "writing", "compare": "reading back what was made of"}
 
 
-@click.command("convert")
+@click.command("convert", cls=Verb)
 @program_argument
 @click.option("--to", "target", type=DialectType, required=True, help="The dialect that is written.")
 @linuxcnc_option
 @click.option(
     "-o",
     "--out",
-    type=click.Path(dir_okay=False, path_type=Path),
+    type=OutputPath("program"),
     help="Write the program there instead of printing it.",
 )
 @click.option(
@@ -46,7 +48,7 @@ STAGES = {"read": "reading", "write": "writing", "compare": "reading back what w
     type=click.Choice(["touch_off", "table", "none"]),
     help="touch_off: the operator zeroes each tool, so that lengths are left out. [default: lengths are kept]",
 )
-@click.option("--rapid", "rapid_mm_min", type=NumberType(above=0), help="F of rapids in mm/min, for Marlin.")
+@click.option("--rapid", "rapid_mm_min", type=NumberType(kind="feed"), help="F of rapids in mm/min, for Marlin.")
 @click.option(
     "--leave-out",
     multiple=True,
@@ -76,6 +78,7 @@ def command(
     choices = {"units": units, "tool_change": tool_change, "tool_length": tool_length, "rapid_mm_min": rapid_mm_min}
     chosen: dict[str, Any] = {name: value for name, value in choices.items() if value is not None}
     lengths_mm = {number: tool.offset_mm[2] for number, tool in start.tools.items()}
+    chosen["title"] = f"{MADE_BY} from {program.name}"
     chosen |= {"leave_out": leave_out, "tool_lengths_mm": lengths_mm}
     with Progress(f"converting {program.name}") as progress:
         chosen["tell"] = lambda stage: progress.doing(f"{STAGES[stage]} {program.name}")

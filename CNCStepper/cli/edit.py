@@ -3,13 +3,17 @@
 
 from __future__ import annotations
 
+import re
+from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
-from CNCStepper.cli.editing import Opened, editing_options, reading_options, save
+from CNCStepper.cli.editing import Opened, editing_options, reading_options
 from CNCStepper.cli.options import MOST, NumbersType, NumberType
+from CNCStepper.cli.show import save
+from CNCStepper.cli.verb import OutputFolder, Verbs
 
 if TYPE_CHECKING:
     from CNCStepper.gcode.edit.edited import Edited
@@ -32,7 +36,7 @@ class _Place(click.ParamType):
         return x, y
 
 
-@click.group("edit")
+@click.group("edit", cls=Verbs)
 def command() -> None:
     """Change a program: VERB --help says what each does.
 
@@ -171,8 +175,14 @@ def _reverse(opened: Opened) -> Edited:
     return reverse(opened.text, **opened.reading)
 
 
+def _split_names(parameters: Mapping[str, Any]) -> dict[str, str]:
+    """Return the names of the programs that the program is split into."""
+    program: Path = parameters["program"]
+    return {rf"{re.escape(program.stem)}-\d+-T\d+{re.escape(program.suffix or '.nc')}": "program"}
+
+
 @command.command("split", short_help="Make a program for each tool: --out FOLDER.")
-@click.option("-o", "--out", type=click.Path(file_okay=False, path_type=Path), help="Folder for the programs.")
+@click.option("-o", "--out", type=OutputFolder(_split_names), help="Folder for the programs.")
 @reading_options
 def _split(opened: Opened, out: Path | None) -> None:
     """Make a program for each tool: FOLDER/NAME-1-T1.nc, NAME-2-T4.nc and so on.

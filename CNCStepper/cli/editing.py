@@ -18,11 +18,13 @@ from CNCStepper.cli.options import (
     dialect_option,
     machine_option,
     program_argument,
+    program_bytes,
     stock_of,
     stock_options,
 )
-from CNCStepper.cli.show import show_findings
+from CNCStepper.cli.show import save, show_findings
 from CNCStepper.cli.start import Given, start_options
+from CNCStepper.cli.verb import OutputPath
 
 if TYPE_CHECKING:
     from CNCStepper.gcode.edit.edited import Edited
@@ -89,7 +91,7 @@ def reading_options(function: Callable[..., None]) -> Callable[..., None]:
         from CNCStepper.gcode.file_form import decoded
 
         check_stock(stock, tool, None)
-        text, form = decoded(program.read_bytes())
+        text, form = decoded(program_bytes(program))
         start = given.start()
         opened = Opened(program, text, form, dialect_name(dialect, machine), start, machine, stock, origin, tool)
         function(opened, **more)
@@ -100,7 +102,7 @@ def reading_options(function: Callable[..., None]) -> Callable[..., None]:
 def editing_options(function: Callable[..., Edited]) -> Callable[..., None]:
     """Add what every edit has: how the program is read, and what becomes of the new one."""
 
-    @click.option("-o", "--out", type=click.Path(dir_okay=False, path_type=Path), help="Write the new program there.")
+    @click.option("-o", "--out", type=OutputPath("program"), help="Write the new program there.")
     @click.option("--in-place", is_flag=True, help="Write the new program over the old one.")
     @click.option("--diff/--no-diff", default=None, help="Show all that changes. [default: where nothing is written]")
     @wraps(function)
@@ -131,11 +133,3 @@ def show(edited: Edited, path: Path, asked: bool | None, unsaved: bool) -> None:
         click.echo(line)
     if len(shown) < len(lines):
         click.echo(f"... {len(lines) - len(shown)} more lines; --diff shows all", err=True)
-
-
-def save(path: Path, data: bytes) -> None:
-    """Write a program whole or not at all, its folder too where there is none."""
-    from CNCStepper.gcode.file_form import write_whole
-
-    path.parent.mkdir(parents=True, exist_ok=True)
-    write_whole(path, data)

@@ -6,13 +6,14 @@ from __future__ import annotations
 import click
 
 from CNCStepper.cli.options import ToolType, machine_option
+from CNCStepper.cli.verb import Verb
 from CNCStepper.machine.feeds import Feeds, feeds_of
 from CNCStepper.machine.material import Material, material, material_names
 from CNCStepper.machine.profile import Machine
 from CNCStepper.machine.tool import Tool
 
 
-@click.command("feeds")
+@click.command("feeds", cls=Verb)
 @click.option("--material", "name", type=click.Choice(material_names()), required=True, help="What is cut.")
 @click.option("--tool", type=ToolType, required=True, help="The cutter, for example flat:6 or drill:3.")
 @click.option("--flutes", type=click.IntRange(1, 20), help="Its cutting edges. [default: 2]")

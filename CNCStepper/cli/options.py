@@ -8,32 +8,39 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from CNCStepper.errors import CNCStepperError
+from CNCStepper.cli.verb import TYPED, InputPath
+from CNCStepper.errors import CNCStepperError, ProgramError
 from CNCStepper.gcode.dialects import dialect as dialect_called
 from CNCStepper.gcode.dialects import dialect_names
+from CNCStepper.input_file import read_input
 from CNCStepper.machine.profile import Machine, load_machine
 from CNCStepper.machine.tool import tool_from_text
+from CNCStepper.quantities import QUANTITIES, Bounds, shown
 
 if TYPE_CHECKING:
     from CNCStepper.simulation.stock import Stock
 
 
-MOST = 1e6  # beyond it no length, angle or factor makes sense
+MOST_PROGRAM_BYTES = 400_000_000  # of a program that is held whole: `check` and `time` read files of any length
+MOST = QUANTITIES["factor"].most  # beyond it no length, angle or factor makes sense
 
 
 class NumberType(click.ParamType):
-    """One number with a decimal point, above a bound where there is one."""
+    """One number with a decimal point, above a bound where there is one, or within those of a kind of quantity."""
 
     name = "NUMBER"
 
-    def __init__(self, above: float = -MOST):
+    def __init__(self, above: float = -MOST, kind: str = ""):
         self._above = above
+        self._bounds = Bounds(kind) if kind else None
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> float:
         try:
             number = float(value)
         except ValueError:
             number = float("nan")
+        if self._bounds and not self._bounds.allows(number):
+            self.fail(f"{shown(value)} is not a number from {self._bounds.words}", param, ctx)
         if not self._above < number < MOST:
             least = f" above {self._above:g}" if self._above > -MOST else ""
             self.fail(f"'{value}' is not a number{least} with a decimal point, such as 1.5", param, ctx)
@@ -45,8 +52,8 @@ class NumbersType(click.ParamType):
 
     name = "X,Y,Z"
 
-    def __init__(self, low: float = -MOST):
-        self._low = low
+    def __init__(self, kind: str = ""):
+        self._low, self._high = (Bounds(kind).low, Bounds(kind).high) if kind else (-MOST, MOST)
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> tuple[float, ...]:
         if isinstance(value, tuple):
@@ -55,7 +62,7 @@ class NumbersType(click.ParamType):
             numbers = tuple(float(part) for part in value.split(","))
         except ValueError:
             numbers = ()
-        if len(numbers) != 3 or not all(self._low <= number < MOST for number in numbers):
+        if len(numbers) != 3 or not all(self._low <= number <= self._high for number in numbers):
             kind = "lengths above 0" if self._low > 0 else "numbers"
             self.fail(f"'{value}' is not three {kind} in mm with decimal points, such as 100,70,20", param, ctx)
         return numbers
@@ -80,7 +87,7 @@ class PointType(click.ParamType):
 
 def as_typed(param: click.Parameter) -> str:
     """Return by what a context's `meta` knows the word that was read into the value of a parameter."""
-    return f"CNCStepper.as_typed.{param.name}"
+    return f"{TYPED}{param.name}"
 
 
 class _Named(click.ParamType):
@@ -103,7 +110,7 @@ class _Named(click.ParamType):
 
 ToolType = _Named("SHAPE:MM", tool_from_text)
 DialectType = _Named("DIALECT", lambda name: dialect_called(name).name)
-FilePath = click.Path(exists=True, dir_okay=False, path_type=Path)
+FilePath = InputPath()
 
 program_argument = click.argument("program", type=FilePath)
 
@@ -154,7 +161,7 @@ def stock_options(required: bool) -> Any:
                 show_default=True,
                 help="Where on the stock the work zero lies.",
             ),
-            click.option("--stock", type=NumbersType(low=1e-3), required=required, help="Size of the stock in mm."),
+            click.option("--stock", type=NumbersType(kind="length"), required=required, help="The stock's size in mm."),
         ):
             function = option(function)
         return function
@@ -178,4 +185,9 @@ def read_program(path: Path) -> str:
     """Return the text of a program file: UTF-8 (a byte-order mark is dropped), else Latin-1."""
     from CNCStepper.gcode.file_form import decoded
 
-    return decoded(path.read_bytes())[0]
+    return decoded(program_bytes(path))[0]
+
+
+def program_bytes(path: Path) -> bytes:
+    """Return the content of a program file, or of a pipe that the shell names; raises ProgramError."""
+    return read_input(path, MOST_PROGRAM_BYTES, streams=True, refusal=ProgramError)

@@ -10,16 +10,15 @@ import click
 
 from CNCStepper.cli.editing import Opened, reading_options
 from CNCStepper.cli.options import job_option, stock_of
+from CNCStepper.cli.verb import OutputPath, Verb
 
 if TYPE_CHECKING:
     from CNCStepper.job.model import Job
     from CNCStepper.toolpath import Toolpath
 
 
-@click.command("print")
-@click.option(
-    "-o", "--out", type=click.Path(dir_okay=False, path_type=Path), required=True, help="The sheet: .pdf or .html."
-)
+@click.command("print", cls=Verb)
+@click.option("-o", "--out", type=OutputPath("sheet"), required=True, help="The sheet: .pdf or .html.")
 @click.option("--process", default="", help="What is done, in your words: milling, plasma, engraving.")
 @click.option("--material", default="", help="What it is made of, in your words. [default: as the job says]")
 @job_option

@@ -4,14 +4,17 @@
 from __future__ import annotations
 
 import sys
+from collections.abc import Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import click
 
 from CNCStepper.cli.made_with import MadeWith, kept
 from CNCStepper.cli.options import FilePath
-from CNCStepper.cli.show import show_figures, show_findings, write_json
+from CNCStepper.cli.show import save, show_figures, show_findings, write_report
+from CNCStepper.cli.verb import OutputFolder, Verb
+from CNCStepper.output_files import MADE_BY
 
 if TYPE_CHECKING:
     from CNCStepper.job.model import Job
@@ -19,11 +22,20 @@ if TYPE_CHECKING:
     from CNCStepper.machine.profile import Machine
 
 
-@click.command("run")
+def _names(parameters: Mapping[str, Any]) -> dict[str, str]:
+    """Return the names of the results, one of each or one a tool, with their kinds."""
+    part = r"(-\d+-T\d+)?"
+    return {
+        rf"program{part}\.nc": "program",
+        rf"report{part}\.json": "report",
+        rf"certificate{part}\.json": "certificate",
+        rf"part{part}\.png": "picture",
+    }
+
+
+@click.command("run", cls=Verb)
 @click.argument("job", type=FilePath)
-@click.option(
-    "-o", "--out", type=click.Path(file_okay=False, path_type=Path), required=True, help="Folder for the results."
-)
+@click.option("-o", "--out", type=OutputFolder(_names), required=True, help="Folder for the results.")
 def command(job: Path, out: Path) -> None:
     """Make DIR/program.nc, DIR/report.json, DIR/certificate.json and DIR/part.png from the job file JOB.
 
@@ -31,10 +43,13 @@ def command(job: Path, out: Path) -> None:
     report-1-T1.json and so on; run them in their order. Each program is read back, timed, simulated and checked, the
     later ones against the stock that the earlier ones have cut; exit 1 when a check refuses one.
     """
+    from CNCStepper.job.estimate import long_work
     from CNCStepper.job.make import is_split
     from CNCStepper.job.model import load_job
 
     loaded, machine = load_job(job)
+    for sentence in long_work(loaded):
+        click.echo(f"cncstepper: {sentence}; Ctrl+C ends it", err=True)
     out.mkdir(parents=True, exist_ok=True)
     make = _split if is_split(loaded, machine) else _whole
     sys.exit(1 if make(loaded, machine, job, out) else 0)
@@ -45,7 +60,7 @@ def _whole(job: Job, machine: Machine, path: Path, out: Path) -> bool:
     from CNCStepper.job.make import make_program
     from CNCStepper.job.prove import prove_job
 
-    made, file = make_program(job, machine, path.stem), out / "program.nc"
+    made, file = make_program(job, machine, f"{MADE_BY}: {path.stem}"), out / "program.nc"
     _write_program(file, made.program)
     proof = prove_job(job, machine, made.program, str(file), answers=made.answers)
     _conclude(proof, file, "", path.stem, job, kept({"--job": [path]}))
@@ -57,7 +72,7 @@ def _split(job: Job, machine: Machine, path: Path, out: Path) -> bool:
     from CNCStepper.job.make import make_parts
     from CNCStepper.job.prove import prove_parts
 
-    parts, refused = make_parts(job, machine, path.stem), False
+    parts, refused = make_parts(job, machine, f"{MADE_BY}: {path.stem}"), False
     for part in parts:
         _write_program(out / part.file_name, part.program)
     for part, proof in zip(parts, prove_parts(job, machine, parts, out), strict=True):
@@ -70,7 +85,7 @@ def _split(job: Job, machine: Machine, path: Path, out: Path) -> bool:
 
 
 def _write_program(file: Path, text: str) -> None:
-    file.write_text(text, encoding="ascii", newline="\n")
+    save(file, text.encode("ascii"))
 
 
 def _conclude(proof: Proof, file: Path, suffix: str, title: str, job: Job, made_with: MadeWith) -> None:
@@ -79,8 +94,8 @@ def _conclude(proof: Proof, file: Path, suffix: str, title: str, job: Job, made_
 
     report, certificate = (file.with_name(f"{kind}{suffix}.json") for kind in ("report", "certificate"))
     picture = file.with_name(f"part{suffix}.png")
-    write_json(report, proof.report)
-    certificate.write_text(certificate_of(proof).sending(made_with=made_with).to_json(), encoding="utf-8")
+    write_report(report, proof.report)
+    save(certificate, certificate_of(proof).sending(made_with=made_with).to_json().encode("utf-8"))
     proof.draw(picture, title, ", ".join(job.tools[number].words for number in proof.report["tools"] if number))
     show_findings(proof.findings)
     show_figures(proof.report)

@@ -12,6 +12,8 @@ import click
 
 from CNCStepper.simulation.finding import Finding
 
+REPORT = "CNCStepper report"  # by which `output_files` knows it
+
 
 def show_findings(findings: Iterable[Finding]) -> None:
     """Print each finding as file:line:column: text."""
@@ -30,6 +32,15 @@ def show_figures(report: dict[str, Any]) -> None:
         click.echo(f"{operation['name']}: {operation['time_s']:.1f} s" + (f", {told}" if told else ""))
 
 
-def write_json(path: Path, report: dict[str, Any]) -> None:
+def write_report(path: Path, report: dict[str, Any]) -> None:
     """Write a report as strict JSON."""
-    path.write_text(json.dumps(report, indent=2, allow_nan=False) + "\n", encoding="utf-8")
+    text = json.dumps({"format": REPORT} | report, indent=2, allow_nan=False) + "\n"
+    save(path, text.encode("utf-8"))
+
+
+def save(path: Path, data: bytes) -> None:
+    """Write a file whole or not at all, its folder too where there is none."""
+    from CNCStepper.whole_file import write_whole
+
+    path.parent.mkdir(parents=True, exist_ok=True)
+    write_whole(path, data)

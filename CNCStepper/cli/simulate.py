@@ -23,8 +23,9 @@ from CNCStepper.cli.options import (
     stock_of,
     stock_options,
 )
-from CNCStepper.cli.show import show_findings, write_json
+from CNCStepper.cli.show import show_findings, write_report
 from CNCStepper.cli.start import Given, start_options
+from CNCStepper.cli.verb import OutputPath, Verb
 from CNCStepper.machine.profile import Machine, load_machine
 from CNCStepper.machine.tool import Tool
 
@@ -38,22 +39,22 @@ VIEWS = ("isometric", "xy", "zy", "depth")
 ANIMATION_S = 6.0
 
 
-@click.command("simulate")
+@click.command("simulate", cls=Verb)
 @program_argument
 @stock_options(required=False)
 @job_option
 @click.option(
     "-o",
     "--out",
-    type=click.Path(dir_okay=False, path_type=Path),
+    type=OutputPath("picture"),
     required=True,
     help="The picture, PNG or SVG; with --view also an animation: GIF, APNG, WebP, or MP4 where ffmpeg is.",
 )
 @click.option("--view", type=click.Choice(VIEWS), help="One view alone. [default: isometric and depth on one sheet]")
 @click.option("--at", "at_s", type=click.FloatRange(min=0), help="Show the part after that many seconds.")
 @click.option("--line", type=click.IntRange(min=1), help="Show the part after that line of the program.")
-@click.option("--stl", type=click.Path(dir_okay=False, path_type=Path), help="Also write the part there, as STL in mm.")
-@click.option("--json", "json_path", type=click.Path(path_type=Path), help="Also write the report there.")
+@click.option("--stl", type=OutputPath("mesh"), help="Also write the part there, as STL in mm.")
+@click.option("--json", "json_path", type=OutputPath("report"), help="Also write the report there.")
 @machine_option(required=False)
 @start_options
 @dialect_option
@@ -102,7 +103,7 @@ def command(
     if stl:
         show.save_stl(stl)
     if json_path:
-        write_json(json_path, proof.report)
+        write_report(json_path, proof.report)
     show_findings(proof.findings)
     click.echo(f"{out}: {show.words}")
     sys.exit(1 if proof.refused else 0)

@@ -19,8 +19,9 @@ from CNCStepper.cli.options import (
     read_program,
 )
 from CNCStepper.cli.progress import Progress
-from CNCStepper.cli.reading import straight_chunks
+from CNCStepper.cli.reading import program_chunks
 from CNCStepper.cli.start import Given, start_options
+from CNCStepper.cli.verb import OutputPath, Verb
 from CNCStepper.machine.profile import Machine
 
 if TYPE_CHECKING:
@@ -33,7 +34,7 @@ BLOCK_BYTES = 65_536
 ALL = 2**62  # pulses: more than a file has
 
 
-@click.command("steps")
+@click.command("steps", cls=Verb)
 @program_argument
 @machine_option(required=True)
 @click.option(
@@ -50,7 +51,7 @@ ALL = 2**62  # pulses: more than a file has
     help="With --as coils: full steps with one phase or two (two_phases_a: other wiring), half steps, or the signs "
     "on the wires of bipolar motors. [default: two_phases]",
 )
-@click.option("-o", "--out", type=click.Path(dir_okay=False, path_type=Path), help="Write there instead of printing.")
+@click.option("-o", "--out", type=OutputPath("signals"), help="Write there instead of printing.")
 @click.option("--back", is_flag=True, help="The way back: every pulse again, from the last one to the first.")
 @click.option("--back-from", "from_s", type=NumberType(), help="The same from this second of the program on.")
 @click.option(
@@ -111,7 +112,7 @@ def _planned(
         path = interpret(read_program(program), start, language, str(program))
         path = motor_moves(require_straight_axes(path, str(program)), play)
         return WayBack(path, machine).stream(None if from_s is None else max(0, round(from_s * TICKS_PER_S)))
-    path, chunks = straight_chunks(program, start, language, progress)
+    path, chunks = program_chunks(program, start, language, progress)
     path, chunks = motor_chunks(path, chunks, play) if play else (path, chunks)
     return pulse_stream(path, machine, chunks)
 
@@ -167,12 +168,9 @@ def _write(pieces: Iterable[bytes], out: Path | None) -> None:
             sys.stdout.buffer.write(piece)
         sys.stdout.buffer.flush()
         return
+    from CNCStepper.whole_file import whole_file
+
     out.parent.mkdir(parents=True, exist_ok=True)
-    part = out.with_name(out.name + ".part")
-    try:
-        with part.open("wb") as file:
-            for piece in pieces:
-                file.write(piece)
-        part.replace(out)
-    finally:
-        part.unlink(missing_ok=True)
+    with whole_file(out) as file:
+        for piece in pieces:
+            file.write(piece)

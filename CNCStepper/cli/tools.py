@@ -8,14 +8,16 @@ from pathlib import Path
 import click
 
 from CNCStepper.cli.options import FilePath
+from CNCStepper.cli.verb import OutputPath, Verb, check_further
 from CNCStepper.machine.stored_tool import StoredTool, given_keys
-from CNCStepper.machine.tool_files import read_tools, write_tools
+from CNCStepper.machine.tool_files import files_of, read_tools, write_tools
+from CNCStepper.output_files import Output
 from CNCStepper.units import MM_PER_INCH
 
 
-@click.command("tools")
+@click.command("tools", cls=Verb)
 @click.argument("file", type=FilePath)
-@click.option("--to", type=click.Path(dir_okay=False, path_type=Path), help="Write them there: .fctb, .fctl or .tbl.")
+@click.option("--to", type=OutputPath(""), help="Write them there: .fctb, .fctl or .tbl.")
 @click.option("--inch", is_flag=True, help="The lengths of a tool.tbl, read or written, are inches.")
 def command(file: Path, to: Path | None, inch: bool) -> None:
     """List the tools of FILE: .fctb or .fctl of FreeCAD, .tbl of LinuxCNC; with --to convert them.
@@ -24,6 +26,8 @@ def command(file: Path, to: Path | None, inch: bool) -> None:
     """
     unit_mm = MM_PER_INCH if inch else 1.0
     tools = read_tools(file, unit_mm)
+    if to is not None:
+        check_further([Output(each, "--to") for each in files_of(tools, to)])
     for stored in tools:
         click.echo(f"{stored.number}: {stored.name or '-'}: {_words(stored)}")
         for note in stored.notes:

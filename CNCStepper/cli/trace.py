@@ -9,9 +9,10 @@ import click
 
 from CNCStepper.cli.options import FilePath, linuxcnc_option, program_argument, read_program
 from CNCStepper.cli.start import Given, search_option
+from CNCStepper.cli.verb import Verb
 
 
-@click.command("trace")
+@click.command("trace", cls=Verb)
 @program_argument
 @linuxcnc_option
 @click.option("--tool-table", type=FilePath, help="LinuxCNC's tool table, in inches. [default: that of its samples]")

@@ -10,9 +10,11 @@ from pathlib import Path
 
 import numpy as np
 from PIL import Image
+from PIL.PngImagePlugin import PngInfo
 
 from CNCStepper.simulation.depth_colours import CONTRAST, LIGHT, colours_of, deepest_shown_mm
 from CNCStepper.simulation.heightmap import HeightMap
+from CNCStepper.whole_file import whole_file
 
 LONG_SIDE = 900  # pixels
 QUICKLY = 1  # of zlib's levels 1 to 9
@@ -23,7 +25,11 @@ def save_first_picture(file: Path, part: HeightMap) -> None:
     picture = Image.fromarray(_lit(part)[::-1])
     scale = LONG_SIDE / max(part.stock.size_mm[:2])
     x, y = (max(round(length * scale), 1) for length in part.stock.size_mm[:2])
-    picture.resize((x, y), Image.Resampling.BILINEAR).save(file, format="PNG", compress_level=QUICKLY)
+    about = PngInfo()
+    about.add_text("Software", "CNCStepper")
+    with whole_file(file) as out:
+        small = picture.resize((x, y), Image.Resampling.BILINEAR)
+        small.save(out, format="PNG", compress_level=QUICKLY, pnginfo=about)
 
 
 def _lit(part: HeightMap) -> np.ndarray:

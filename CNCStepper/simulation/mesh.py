@@ -17,6 +17,7 @@ import numpy as np
 
 from CNCStepper.simulation.heightmap import HeightMap
 from CNCStepper.simulation.mesh_blocks import Squares, corners_used, fans, squares_of
+from CNCStepper.whole_file import whole_file
 
 GONE_MM = 1e-6  # material that is thinner is none
 CORNERS = ((0, 0), (0, 1), (1, 1), (1, 0))  # row and column, counter-clockwise from above
@@ -43,7 +44,7 @@ class Mesh:
         normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
         facets["normal"] = normals / np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-30)
         facets["points"] = corners
-        with path.open("wb") as file:
+        with whole_file(path) as file:
             file.write(b"CNCStepper, binary STL, mm".ljust(80))
             file.write(np.array([len(facets)], "<u4").tobytes())
             file.write(facets.tobytes())

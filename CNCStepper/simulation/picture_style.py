@@ -7,6 +7,7 @@ Only figures with their own canvas are used, never pyplot: several pictures may 
 from __future__ import annotations
 
 from collections.abc import Iterable
+from io import BytesIO
 from pathlib import Path
 from typing import Any
 
@@ -24,6 +25,7 @@ from CNCStepper.errors import JobError
 from CNCStepper.simulation.depth_colours import MATERIAL, deepest_shown_mm
 from CNCStepper.simulation.heightmap import HeightMap
 from CNCStepper.simulation.paths import DrawnPath
+from CNCStepper.whole_file import write_whole
 
 TEXTS = {
     "isometric": "Isometric view",
@@ -155,12 +157,15 @@ def pixels_of(figure: Figure) -> np.ndarray:
 
 def save_figure(figure: Figure, file: Path) -> None:
     """Write a figure as PNG or SVG, as the file's name ends; raises JobError for another ending."""
+    buffer = BytesIO()
     if file.suffix.lower() == ".png":
-        imsave(str(file), pixels_of(figure))
+        imsave(buffer, pixels_of(figure), format="png", metadata={"Software": "CNCStepper"})
     elif file.suffix.lower() == ".svg":
         with matplotlib.rc_context({"svg.hashsalt": "CNCStepper"}):  # the same picture is the same bytes
-            figure.savefig(str(file), format="svg", dpi=DPI * FINER, metadata={"Date": None})
+            about = {"Date": None, "Creator": "CNCStepper"}
+            figure.savefig(buffer, format="svg", dpi=DPI * FINER, metadata=about)
     else:
         raise JobError(
             "picture-kind", f"'{file.name}' is no picture that can be drawn", advice="end it in .png or .svg"
         )
+    write_whole(file, buffer.getvalue())

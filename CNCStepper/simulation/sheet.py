@@ -12,7 +12,7 @@ import html
 import textwrap
 from collections.abc import Iterator
 from dataclasses import dataclass
-from io import StringIO
+from io import BytesIO, StringIO
 from pathlib import Path
 
 import matplotlib
@@ -26,10 +26,12 @@ from matplotlib.textpath import text_to_path
 
 from CNCStepper.errors import JobError
 from CNCStepper.gcode.words import program_lines
+from CNCStepper.output_files import MADE_BY
 from CNCStepper.simulation.paths import FROM_ABOVE, LATHE, drawn_path
 from CNCStepper.simulation.picture_style import COLOURS, GREY, GROUND, INK, STOCK_COLOUR, TEXTS, draw_path, legend
 from CNCStepper.simulation.stock import Stock
 from CNCStepper.toolpath import Toolpath
+from CNCStepper.whole_file import write_whole
 
 A4_INCH = (8.27, 11.69)
 MARGIN_INCH = 0.6
@@ -40,7 +42,8 @@ TITLE_INCH, FACT_INCH = 0.3, 0.22
 LEAST_MM, NARROWEST = 10.0, 0.25  # what a picture shows at least, and its shorter side in shares of the longer
 KINDS = (".pdf", ".html", ".htm")
 PAGE = """<!DOCTYPE html>
-<html lang="en"><head><meta charset="utf-8"><title>{title}</title><style>
+<html lang="en"><head><meta charset="utf-8">
+<meta name="generator" content="made by CNCStepper"><title>{title}</title><style>
 body {{ font: 14px sans-serif; color: {ink}; max-width: 60em; margin: 2em auto; }}
 h1 {{ font-size: 22px; }} th {{ text-align: left; font-weight: normal; color: {grey}; padding-right: 1.5em; }}
 svg {{ max-width: 100%; height: auto; }} ol {{ font: 12px monospace; columns: 2; column-gap: 3em; padding-left: 4em; }}
@@ -77,11 +80,14 @@ def save_sheet(file: Path, sheet: Sheet) -> None:
         what = f"'{file.name}' is no kind of sheet that can be written"
         raise JobError("sheet-kind", what, advice="end it in .pdf or .html")
     if file.suffix.lower() == ".pdf":
-        with PdfPages(file, metadata={"Title": sheet.title, "CreationDate": None}) as pages:
+        about = {"Title": sheet.title, "Creator": MADE_BY, "CreationDate": None}
+        buffer = BytesIO()
+        with PdfPages(buffer, metadata=about) as pages:
             for figure in _pages(sheet):
                 pages.savefig(figure)
+        write_whole(file, buffer.getvalue())
     else:
-        file.write_text(_html(sheet), encoding="utf-8")
+        write_whole(file, _html(sheet).encode("utf-8"))
 
 
 def _pages(sheet: Sheet) -> Iterator[Figure]:

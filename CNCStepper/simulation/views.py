@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import tempfile
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import Any
@@ -10,12 +11,15 @@ from typing import Any
 import numpy as np
 from matplotlib.animation import AbstractMovieWriter, FFMpegWriter, PillowWriter
 from matplotlib.figure import Figure
+from PIL import Image
+from PIL.PngImagePlugin import PngInfo
 
 from CNCStepper.errors import JobError
 from CNCStepper.simulation import view_flat, view_isometric
 from CNCStepper.simulation.paths import FROM_ABOVE
 from CNCStepper.simulation.picture_style import DPI, TEXTS, head, heights_scale, legend, new_figure, save_figure
 from CNCStepper.simulation.scene import Scene
+from CNCStepper.whole_file import write_whole
 
 VIEWS = ("isometric", "xy", "zy", "depth")
 WIDTH_INCH = 11.0
@@ -23,7 +27,29 @@ HEAD_INCH, FOOT_INCH = 1.45, {"isometric": 0.6, "xy": 1.05, "zy": 1.05, "depth":
 LEFT_INCH, RIGHT_INCH, SCALE_INCH = 0.9, 0.45, 0.9  # SCALE: what the colours' scale needs more on the right
 MOST_INCH, LEAST_INCH = 7.5, 1.0  # height of the view itself
 FRAMES_A_S = 10
-MOVIES: dict[str, Any] = {".gif": PillowWriter, ".apng": PillowWriter, ".webp": PillowWriter, ".mp4": FFMpegWriter}
+ABOUT = "CNCStepper"  # in every animation's description
+SOFTWARE = 0x0131  # of EXIF
+
+
+class _ImageWriter(PillowWriter):
+    """Writes an animation with a description, which matplotlib leaves out."""
+
+    def finish(self) -> None:
+        first, *others = self._frames  # type: ignore[attr-defined]
+        text = PngInfo()
+        text.add_text("Software", ABOUT)
+        exif = Image.Exif()
+        exif[SOFTWARE] = ABOUT
+        about: dict[str, dict[str, Any]] = {
+            ".gif": {"comment": ABOUT},
+            ".apng": {"pnginfo": text},
+            ".webp": {"exif": exif},
+        }
+        own = about[Path(self.outfile).suffix]
+        first.save(self.outfile, save_all=True, append_images=others, duration=int(1000 / self.fps), loop=0, **own)
+
+
+MOVIES: dict[str, Any] = {".gif": _ImageWriter, ".apng": _ImageWriter, ".webp": _ImageWriter, ".mp4": FFMpegWriter}
 Captioned = tuple[Scene, list[str]]  # a scene and the facts that its head tells
 
 
@@ -42,11 +68,14 @@ def save_animation(file: Path, view: str, scenes: Iterator[Captioned], title: st
     writer = _writer(file)
     first = next(scenes)
     figure = _figure(view, first[0])
-    with writer.saving(figure, str(file), DPI):
-        for scene, facts in (first, *scenes):
-            figure.clear()
-            _draw(figure, view, scene, title, facts)
-            writer.grab_frame()
+    with tempfile.TemporaryDirectory() as folder:  # of ours alone; ffmpeg writes by name
+        draft = Path(folder) / f"animation{file.suffix.lower()}"
+        with writer.saving(figure, str(draft), DPI):
+            for scene, facts in (first, *scenes):
+                figure.clear()
+                _draw(figure, view, scene, title, facts)
+                writer.grab_frame()
+        write_whole(file, draft.read_bytes())
 
 
 def is_movie(file: Path) -> bool:
@@ -60,7 +89,7 @@ def _writer(file: Path) -> AbstractMovieWriter:
         raise JobError(
             "encoder", f"no encoder for '{file.name}' is installed", advice="end it in .gif, or install ffmpeg"
         )
-    return writer(fps=FRAMES_A_S)
+    return writer(fps=FRAMES_A_S, metadata={"comment": ABOUT})
 
 
 def _bounds(view: str, scene: Scene) -> np.ndarray:

@@ -24,6 +24,12 @@ def commands(toolpath: Toolpath, most: int = MOST_MOVES) -> list[Command]:
     return [_command(table, begins, row, bool(whole)) for row, whole in zip(rows, follows, strict=True)]
 
 
+def gcode(moves: list[Command]) -> str:
+    """Return commands as text, which FreeCAD's Path reads in half the time that it takes single commands."""
+    lines = (f"{name} {' '.join(f'{letter}{value:.6f}' for letter, value in words.items())}" for name, words in moves)
+    return "\n".join(lines)
+
+
 def kept_rows(kind: np.ndarray, most: int) -> np.ndarray:
     """Return which rows to draw, ascending: all, or the ends of runs of rapids and of feeds and evenly some between.
 

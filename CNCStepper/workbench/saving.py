@@ -6,7 +6,8 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
-from CNCStepper.workbench.tell import guarded, note
+from CNCStepper.errors import OutputError
+from CNCStepper.workbench.tell import ask, guarded, note, sentence
 from CNCStepper.workbench.words import tr
 
 
@@ -39,4 +40,10 @@ def proposed(job: Any) -> Path:
 def _write(job: Any, path: str) -> None:
     from CNCStepper.workbench import api
 
-    note(tr("Saved {0}").format(", ".join(map(str, api.save_program(job, path)))))
+    try:
+        saved = api.save_program(job, path)
+    except OutputError as error:  # the dialog has asked about the name that was typed, not about those made of it
+        if not ask(sentence(error), tr("Replace"), tr("Cancel")):
+            return
+        saved = api.save_program(job, path, overwrite=True)
+    note(tr("Saved {0}").format(", ".join(map(str, saved))))

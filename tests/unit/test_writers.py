@@ -1,0 +1,108 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Files are written by `whole_file` alone: whole or not at all. What else writes is listed with its reason."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[2]
+PACKAGE = ROOT / "CNCStepper"
+
+METHODS = {"write_text", "write_bytes", "savefig", "savez", "savez_compressed", "savetxt", "tofile"}
+FUNCTIONS = {"imsave", "copyfile", "copy2", "fdopen", "NamedTemporaryFile", "mkstemp", "write_history_file"}
+PRIVATE = "a folder of 0700 that mkdtemp made, for one worker and its client"
+OWN_STATE = "the user's own state folder of 0700, by O_EXCL"
+BUFFER = "into memory, then whole"
+REASONS = {
+    "whole_file": "the one writer",
+    "cli/console": "the line history of the user's own state folder, by readline",
+    "control/journal/journal_file": "O_EXCL; a journal grows line by line and is never replaced",
+    "control/own_process": "O_EXCL; a log that grows",
+    "control/pulse_ports": "a recording grows while pulses go out; only a recording is opened, links are checked",
+    "control/session_file": OWN_STATE,
+    "control/spool": OWN_STATE,
+    "job/program_picture": PRIVATE,
+    "job/program_text": PRIVATE,
+    "control/own_file": "the session's own file in a folder of 0700, open and locked for as long as its process lives",
+    "job/proof_files": PRIVATE,
+    "job/restart_files": PRIVATE,
+    "job/start_file": PRIVATE,
+    "job/timeline_worker": PRIVATE,
+    "simulation/tip_track": PRIVATE,
+    "workbench/editor/reader": PRIVATE,
+    "workbench/program_file": PRIVATE,
+    "workbench/dock/virtual_machine": "a log in the user's own state folder of 0700, under a random name",
+    "simulation/picture_style": BUFFER,
+    "simulation/sheet": BUFFER,
+}
+
+
+def writing_calls(source: str) -> Iterator[str]:
+    """Yield each call in `source` that may write a file."""
+    for node in ast.walk(ast.parse(source)):
+        if not isinstance(node, ast.Call):
+            continue
+        name = node.func.attr if isinstance(node.func, ast.Attribute) else getattr(node.func, "id", "")
+        moves = ast.unparse(node.func) == "shutil.move"
+        if moves or name in METHODS | FUNCTIONS or (name == "open" and _writes(node)):
+            yield f"{node.lineno}: {ast.unparse(node)[:80]}"
+
+
+def _writes(call: ast.Call) -> bool:
+    """Return whether a call of `open` names a mode or flags that write."""
+    of_path = isinstance(call.func, ast.Attribute) and ast.unparse(call.func.value) not in ("os", "io", "builtins")
+    values = [
+        *call.args[0 if of_path else 1 :],
+        *(word.value for word in call.keywords if word.arg in ("mode", "flags")),
+    ]
+    flags = [node.attr for value in values for node in ast.walk(value) if isinstance(node, ast.Attribute)]
+    modes = [value.value for value in values if isinstance(value, ast.Constant) and isinstance(value.value, str)]
+    return bool({"O_WRONLY", "O_RDWR", "O_CREAT"} & set(flags)) or any(set("wax+") & set(mode) for mode in modes[:1])
+
+
+def modules() -> dict[str, Path]:
+    return {path.relative_to(PACKAGE).with_suffix("").as_posix(): path for path in sorted(PACKAGE.rglob("*.py"))}
+
+
+def test_files_are_written_whole() -> None:
+    found = [
+        f"{module}:{call}"
+        for module, path in modules().items()
+        if module not in REASONS
+        for call in writing_calls(path.read_text("utf-8"))
+    ]
+    assert not found, "use CNCStepper.whole_file: " + "\n".join(found)
+
+
+def test_every_reason_is_still_needed() -> None:
+    idle = [module for module in REASONS if not list(writing_calls(modules()[module].read_text("utf-8")))]
+    assert not idle, idle
+
+
+@pytest.mark.parametrize(
+    "statement",
+    [
+        "path.write_text('x')",
+        "path.write_bytes(b'')",
+        "path.open('wb')",
+        "open(path, 'w')",
+        "open(path, mode='a')",
+        "path.open(mode='x')",
+        "io.open(path, 'r+b')",
+        "os.open(path, os.O_WRONLY | os.O_CREAT)",
+        "figure.savefig(path)",
+        "np.savez(path, a=a)",
+        "shutil.move(a, b)",
+    ],
+)
+def test_the_wall_sees_a_planted_writer(statement: str) -> None:
+    assert list(writing_calls(statement))
+
+
+@pytest.mark.parametrize("statement", ["path.open('rb')", "open(path)", "os.open(folder, os.O_RDONLY)", "path.open()"])
+def test_the_wall_lets_readers_through(statement: str) -> None:
+    assert not list(writing_calls(statement))
