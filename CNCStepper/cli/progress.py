@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A line on the terminal that says what is being done, once it takes longer than a person likes to wait unknowing."""
+"""A line that says what is being done, once it takes longer than a person likes to wait unknowing."""
 
 from __future__ import annotations
 
@@ -11,22 +11,24 @@ from typing import TextIO
 
 PATIENCE_S = 1.0
 AGAIN_S = 0.2
+LOG_EVERY_S = 10.0  # where the stream is no terminal, such as a file or the log of a build
 
 
 class Progress:
-    """Says on standard error what a verb does and how far it is; says nothing where that is no terminal."""
+    """Says on standard error what a verb does and how far it is: on a terminal one line, elsewhere one now and then."""
 
     def __init__(self, doing: str, stream: TextIO | None = None, patience_s: float = PATIENCE_S):
         self._doing, self._share = doing, 0.0
-        self._stream, self._patience_s = stream or sys.stderr, patience_s
+        self._stream = stream or sys.stderr
+        self._is_terminal = self._stream.isatty()
+        self._patience_s = patience_s if self._is_terminal else max(patience_s, LOG_EVERY_S)
         self._over = threading.Event()
         self._begun_s, self._width = time.monotonic(), 0
         self._thread: threading.Thread | None = None
 
     def __enter__(self) -> Progress:
-        if self._stream.isatty():
-            self._thread = threading.Thread(target=self._show, daemon=True)
-            self._thread.start()
+        self._thread = threading.Thread(target=self._show, daemon=True)
+        self._thread.start()
         return self
 
     def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, at: TracebackType | None) -> None:
@@ -50,8 +52,12 @@ class Progress:
         wait_s = self._patience_s
         while not self._over.wait(wait_s):
             share = f" {self._share:.0%}" if self._share else ""
-            self._write(f"{self._doing}:{share} {time.monotonic() - self._begun_s:.0f} s (Ctrl+C stops it)")
-            wait_s = AGAIN_S
+            text = f"{self._doing}:{share} {time.monotonic() - self._begun_s:.0f} s"
+            if self._is_terminal:
+                self._write(f"{text} (Ctrl+C stops it)")
+            else:
+                print(text, file=self._stream, flush=True)
+            wait_s = AGAIN_S if self._is_terminal else LOG_EVERY_S
 
     def _write(self, text: str) -> None:
         """Write the line over the one before."""

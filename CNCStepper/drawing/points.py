@@ -12,18 +12,22 @@ from pathlib import Path
 
 from CNCStepper.errors import JobError, Place
 from CNCStepper.geometry.curve import LIMIT_MM, Curve, from_points
+from CNCStepper.input_file import read_input
+from CNCStepper.quantities import MOST_ITEMS
 
 HEADING = re.compile(r"\W*x[^,;\t]*[,;\t]\W*y[^,;\t]*$", re.IGNORECASE)
+LONGEST_HEADING = 200
 NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?", re.IGNORECASE | re.ASCII)
 
 
 def read_points(path: Path, closed: bool = False) -> Curve:
     """Return the polyline through the points of a file; raises JobError that names file and line."""
     lines = [line.split("#")[0].strip() for line in _text(path).splitlines()]
+    _require_few(sum(map(bool, lines)), Place(str(path)))
     points = [
         _point(line, Place(str(path), number))
         for number, line in enumerate(lines, start=1)
-        if line and not HEADING.match(line)
+        if line and not (len(line) <= LONGEST_HEADING and HEADING.match(line))
     ]
     different = len(set(points))
     if different < 2:
@@ -38,15 +42,19 @@ def read_points(path: Path, closed: bool = False) -> Curve:
     return from_points(points, closed)
 
 
+def _require_few(count: int, place: Place) -> None:
+    """Raise JobError for more lines than a list of points may have."""
+    if count > (most := MOST_ITEMS["points"]):
+        value, limit, advice = f"{count}", f"{most}", "give fewer points"
+        raise JobError("points-many", "too many points", value=value, limit=limit, advice=advice, place=place)
+
+
 def _text(path: Path) -> str:
+    content = read_input(path)
     try:
-        return path.read_text("utf-8-sig")
+        return content.decode("utf-8-sig")
     except UnicodeDecodeError as error:
         raise JobError("points-text", "not a text file", advice="save it as UTF-8", place=Place(str(path))) from error
-    except (OSError, ValueError) as error:
-        raise JobError(
-            "points-missing", f"the point list '{path}' cannot be read: {error}", advice="correct the path"
-        ) from error
 
 
 def _point(line: str, place: Place) -> tuple[float, float]:

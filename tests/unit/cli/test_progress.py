@@ -5,6 +5,8 @@ from __future__ import annotations
 
 import io
 import os
+import subprocess
+import sys
 import threading
 from pathlib import Path
 
@@ -13,9 +15,10 @@ from click.testing import CliRunner
 
 from CNCStepper.cli import check
 from CNCStepper.cli import convert as convert_verb
+from CNCStepper.cli import progress as progress_module
 from CNCStepper.cli.main import group
 from CNCStepper.cli.progress import Progress
-from CNCStepper.gcode import convert, read_runs
+from CNCStepper.gcode import convert, file_pieces, read_runs
 from CNCStepper.job.prove import STAGES
 
 
@@ -36,6 +39,13 @@ class Terminal(io.StringIO):
         return count
 
 
+class Log(Terminal):
+    """A file that keeps the same."""
+
+    def isatty(self) -> bool:
+        return False
+
+
 def test_a_terminal_hears_what_is_done_and_how_far_it_is_and_is_left_clean() -> None:
     terminal = Terminal("timing: 50%")
     with Progress("reading", terminal, patience_s=0.01) as progress:
@@ -47,13 +57,23 @@ def test_a_terminal_hears_what_is_done_and_how_far_it_is_and_is_left_clean() -> 
     assert last[1] == "" and not last[0].strip() and len(last[0]) >= len("timing: 50%")
 
 
-def test_who_is_quick_or_writes_to_a_file_says_nothing() -> None:
+def test_who_is_quick_says_nothing() -> None:
     terminal, file = Terminal("reading"), io.StringIO()
     with Progress("reading", terminal, patience_s=60):
         pass
-    with Progress("reading", file, patience_s=0) as progress:
-        assert progress._thread is None
+    with Progress("reading", file, patience_s=0):
+        pass
     assert terminal.getvalue() == file.getvalue() == ""
+
+
+def test_a_file_gets_a_line_now_and_then(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(progress_module, "LOG_EVERY_S", 0.02)
+    file = Log("reading: 50%")
+    with Progress("reading", file, patience_s=0) as progress:
+        progress.share(0.5)
+        assert file.said.wait(30)
+    lines = file.getvalue().splitlines()
+    assert lines and all(line.startswith("reading:") and "Ctrl" not in line for line in lines)
 
 
 def test_every_stage_has_its_words() -> None:
@@ -70,8 +90,9 @@ def zigzag(tmp_path: Path) -> Path:
 
 @pytest.mark.parametrize("verb", ["check", "convert"])
 def test_a_check_and_a_conversion_say_how_far_they_are(verb: str, tmp_path: Path, monkeypatch) -> None:
-    told: dict[str, list[float]] = {}
-    monkeypatch.setattr(read_runs, "PIECE", 5_000)
+    told: dict[str, list[float]] = {"at once": []}
+    for module in (read_runs, file_pieces):
+        monkeypatch.setattr(module, "PIECE", 5_000)
     monkeypatch.setattr(Progress, "doing", lambda self, what: told.setdefault(what.partition(" many")[0], []))
     monkeypatch.setattr(Progress, "share", lambda self, share: told[list(told)[-1]].append(share))
     path = zigzag(tmp_path)
@@ -79,7 +100,7 @@ def test_a_check_and_a_conversion_say_how_far_they_are(verb: str, tmp_path: Path
     result = CliRunner().invoke(group, [verb, str(path), *more[verb]])
     assert result.exit_code == 0, result.output
     counted = [shares for shares in told.values() if shares]
-    assert len(counted) == {"check": 2, "convert": 3}[verb]
+    assert len(counted) == {"check": 1, "convert": 3}[verb]
     for shares in counted:
         assert len(shares) > 5 and max(shares) > 0.9 and min(shares) < 0.3 and all(0 <= share <= 1 for share in shares)
 
@@ -99,13 +120,27 @@ def test_ctrl_c_ends_a_verb_with_a_sentence(verb: str, tmp_path: Path, monkeypat
     assert len(outcome.stderr.strip().splitlines()) == 1 and not outcome.stdout
 
 
-if hasattr(os, "mkfifo"):  # Windows has no pipes with a path like a file's
+def test_a_program_from_a_pipe_takes_the_time_of_the_program() -> None:
+    words = [sys.executable, "-m", "CNCStepper.cli", "time", "/dev/stdin", "--machine", "table-a"]
+    if not os.path.exists("/dev/stdin"):  # Windows has no such name
+        return
+    text = "G21 G90\nG1 X10 F600\nM2\n"
+    outcome = subprocess.run(words, input=text, capture_output=True, text=True, timeout=120)
+    assert outcome.returncode == 0 and 1 < float(outcome.stdout) < 2
 
-    def test_a_program_from_a_pipe_takes_the_time_of_the_program(tmp_path: Path) -> None:
-        pipe, text = tmp_path / "pipe", "G21 G90\nG1 X10 F600\nM2\n"
-        os.mkfifo(pipe)
-        writer = threading.Thread(target=pipe.write_text, args=(text, "ascii"), daemon=True)
-        writer.start()
-        outcome = CliRunner().invoke(group, ["time", str(pipe), "--machine", "table-a"])
-        writer.join(30)
-        assert outcome.exit_code == 0 and 1 < float(outcome.stdout) < 2
+
+@pytest.mark.parametrize("verb", ["check", "time", "print", "simulate"])
+@pytest.mark.parametrize("kind", ["a folder", "a pipe (FIFO)", "a device"])
+def test_what_is_no_file_is_refused_at_once(verb: str, kind: str, tmp_path: Path) -> None:
+    place = tmp_path / "place.nc"
+    if kind == "a folder":
+        place.mkdir()
+    elif not hasattr(os, "mkfifo"):  # Windows has neither
+        return
+    elif kind == "a device":
+        place = Path("/dev/zero")
+    else:
+        os.mkfifo(place)
+    outcome = CliRunner().invoke(group, [verb, str(place), "--machine", "table-a"])
+    assert outcome.exit_code == 2
+    assert (kind if kind != "a folder" else "directory") in outcome.stderr
