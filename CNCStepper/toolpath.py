@@ -14,17 +14,19 @@ Lengths are mm in machine coordinates (`state.py` says how they relate to work c
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
-from itertools import accumulate
+from itertools import accumulate, chain
 from typing import Any
 
 import numpy as np
 
+from CNCStepper.checkpoint import checkpoint
 from CNCStepper.errors import Place, ProgramError
 from CNCStepper.state import Start, State, States
 
 CHUNK_ROWS = 65_536
+XYZ = 3  # axes
 
 RAPID, LINE, ARC_CW, ARC_CCW = 0, 1, 2, 3  # kinds; the sense of an arc is seen from the positive normal
 XY, ZX, YZ = 0, 1, 2  # planes: G17, G18, G19
@@ -89,13 +91,18 @@ class Span:
 
 @dataclass
 class Toolpath:
-    """The table of moves kept whole, for analysis; streams hand on `chunks` one by one instead."""
+    """The table of moves kept whole, for analysis; streams hand on `chunks` one by one instead.
+
+    frame: the state whose work zero is the stock's; None: that of the first row. A part of a longer table names the
+    state of that table's first row.
+    """
 
     start: Start
     chunks: list[Chunk]
     states: Sequence[State]
     events: list[Event] = field(default_factory=list)
     spans: list[Span] = field(default_factory=list)
+    frame: State | None = None
     _joined: Chunk | None = field(default=None, init=False, repr=False, compare=False)
 
     def __len__(self) -> int:
@@ -154,7 +161,7 @@ def require_straight_axes(path: Toolpath, file: str = "") -> Toolpath:
     Raises ProgramError naming the line of the first row that is something else.
     """
     table = path.table()
-    further = table.end.shape[1] > 3
+    further = table.end.shape[1] > XYZ
     turned = np.isin(table.state, [one for one in np.unique(table.state) if path.states[one].rotation_deg])
     if not further and not turned.any():
         return path
@@ -167,6 +174,18 @@ def require_straight_axes(path: Toolpath, file: str = "") -> Toolpath:
     line = int(table.line[np.argmax(others)]) if len(table) else 0
     advice = "leave those axes out" if further else "turn the program instead"
     raise ProgramError("axes", what, advice=advice, place=Place(file, line))
+
+
+def straight_chunks(chunks: Iterable[Chunk], table: Toolpath | TableBuilder, file: str = "") -> Iterator[Chunk]:
+    """Yield the chunks of a table that grows with them, each checked as `require_straight_axes` does."""
+    coming = iter(chunks)
+    for chunk in coming:
+        if chunk.end.shape[1] > XYZ:
+            stood = np.asarray(table.start.position_mm[XYZ:], float)
+            moved = (one for one in chain([chunk], coming) if (one.end[:, XYZ:] != stood).any())
+            chunk = next(moved, chunk)  # the row that moves a further axis may be in a later chunk
+        require_straight_axes(Toolpath(table.start, [chunk], table.states), file)
+        yield chunk
 
 
 class TableBuilder:
@@ -233,6 +252,13 @@ class TableBuilder:
         kind, name, first, words = self._open_spans.pop()
         self.spans.append(Span(kind, name, first, self.index, words))
 
+    def span_marks(self, kind: str) -> Iterator[int]:
+        """Yield the rows at which spans of a kind begin and end, as far as they have."""
+        for span in self.spans:
+            if span.kind == kind:
+                yield from (span.first, span.last)
+        yield from (first for open_kind, _, first, _ in self._open_spans if open_kind == kind)
+
     def add_span(self, kind: str, name: str, first: int, last: int) -> None:
         """Note a span of rows that are there already."""
         self.spans.append(Span(kind, name, first, last))
@@ -270,6 +296,7 @@ class TableBuilder:
 
         Their states stand in the table already.
         """
+        checkpoint()
         if len(columns[0]):
             self._collect()
             self._pieces.append(Chunk(self.index, *columns))
@@ -299,6 +326,7 @@ class TableBuilder:
         return self._chunk(0, [])
 
     def _row(self, kind, end_mm, centre_mm, plane, turns, feed_mm_min, line) -> None:
+        checkpoint()
         end = tuple(end_mm)
         if len(end) > self.axes:
             self._widen(len(end))

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import os
 from array import array
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import replace
 from functools import lru_cache
 from itertools import count
@@ -30,9 +30,28 @@ def write_spool(path: Path, job: SendJob) -> SendJob:
     Raises ProgramError for a line that holds the end of one.
     """
     numbers = map(int, job.file_lines) if len(job.file_lines) else count(1)
-    with open(os.open(path, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o600), "w", encoding="utf-8", newline="\n") as file:
-        file.writelines(_record(number, line, job.file) for number, line in zip(numbers, job.lines, strict=False))
+    with SpoolWriter(path, job.file) as spool:
+        spool.add(numbers, job.lines)
     return replace(job, lines=(), file_lines=())
+
+
+class SpoolWriter:
+    """A new spool, which only its owner can read, written piece by piece; file: what its lines are of."""
+
+    def __init__(self, path: Path, file: str):
+        descriptor = os.open(path, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o600)
+        self._file = open(descriptor, "w", encoding="utf-8", newline="\n")  # noqa: SIM115  closed by __exit__
+        self._of = file
+
+    def add(self, numbers: Iterable[int], lines: Iterable[str]) -> None:
+        """Write further lines; raises ProgramError for one that holds the end of one."""
+        self._file.writelines(_record(number, line, self._of) for number, line in zip(numbers, lines, strict=False))
+
+    def __enter__(self) -> SpoolWriter:
+        return self
+
+    def __exit__(self, *error: object) -> None:
+        self._file.close()
 
 
 def read_spool(path: Path, job: SendJob) -> SendJob:

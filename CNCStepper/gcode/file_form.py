@@ -1,15 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How a program's file writes its text, so that a changed one is written in the same way, whole or not at all."""
+"""How a program's file writes its text, so that a changed one is written in the same way."""
 
 from __future__ import annotations
 
-import errno
-import shutil
 from dataclasses import dataclass
-from pathlib import Path
 
 BOM = b"\xef\xbb\xbf"
-WRITABLE = 0o222  # bits of a file's mode
 
 
 @dataclass(frozen=True)
@@ -42,22 +38,3 @@ def decoded(data: bytes) -> tuple[str, FileForm]:
         text, encoding = body.decode("latin-1"), "latin-1"
     end = next((end for end in ("\r\n", "\n", "\r") if end in text), "\n")
     return text, FileForm(encoding, end, mark)
-
-
-def write_whole(path: Path, data: bytes) -> None:
-    """Write a file whole or not at all: a full disk does not cost the old one.
-
-    A link stays one: what it leads to is written. Raises OSError, for a read-only file too.
-    """
-    path = path.resolve()
-    if path.exists() and not path.stat().st_mode & WRITABLE:
-        raise PermissionError(errno.EACCES, "the file is read-only", str(path))
-    unfinished = path.with_name(f".{path.name}.unfinished")
-    try:
-        unfinished.write_bytes(data)
-        if path.exists():
-            shutil.copymode(path, unfinished)
-        unfinished.replace(path)
-    except BaseException:  # an interrupt too leaves nothing behind
-        unfinished.unlink(missing_ok=True)
-        raise

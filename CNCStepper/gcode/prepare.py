@@ -10,14 +10,14 @@ belong to the link, as does the "?" that ends what is sent to the mini-lathe.
 from __future__ import annotations
 
 from array import array
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 import numpy as np
 
 from CNCStepper.errors import Place, ProgramError
 from CNCStepper.gcode.dialects import Dialect, dialect_named
 from CNCStepper.gcode.expand import expanded, is_expanded
-from CNCStepper.gcode.first_motion import bare_first_move, with_first_motion
+from CNCStepper.gcode.first_motion import FirstMove, with_first_motion
 from CNCStepper.gcode.flow_lines import is_plain
 from CNCStepper.gcode.front import Piece, pieces
 from CNCStepper.gcode.take_up import with_take_up
@@ -51,77 +51,108 @@ def prepare(
 
 
 def _wire_text(text: str, language: Dialect, file: str, start: Start | None) -> WireText:
-    lines = bytearray()
-    file_lines = array("i")
-    messages: dict[int, str] = {}
-    waiting: list[str] = []
-    wires = _expanded(text, language, start, file) if is_expanded(text, language) else _lines(text, language, file)
-    for found in wires:
-        if isinstance(found, WireRun):
-            if waiting and found.lines:
-                messages[len(file_lines)] = "\n".join(waiting)
-                waiting = []
-            lines += found.lines
-            file_lines.frombytes(found.numbers.astype(np.intc).tobytes())
-            continue
-        number, comments, wire, column = found
-        waiting += [comment.text.strip() for comment in comments if comment.message]
-        if not wire:
-            continue
-        check_wire_line(wire, language, Place(file, number, column))
-        if waiting:
-            messages[len(file_lines)] = "\n".join(waiting)
-            waiting = []
-        lines += f"{wire}\n".encode("ascii")
-        file_lines.append(number)
-    return _whole_text(WireLines(bytes(lines)), np.array(file_lines, np.int32), messages, language, file)
+    encoder = WireEncoder(language, file)
+    if is_expanded(text, language):
+        lines, file_lines = encoder.join(_expanded(text, language, start, file))
+    else:
+        lines, file_lines = encoder.encode(wire_runs(text, language))
+    return WireText(encoder.started(WireLines(lines), file_lines), file_lines, encoder.messages)
 
 
-def _whole_text(
-    lines: WireLines, file_lines: np.ndarray, messages: dict[int, str], language: Dialect, file: str
-) -> WireText:
-    """Return the lines with the motion of the first move named."""
-    index = bare_first_move(lines, language)
-    if index is not None:
-        lines = with_first_motion(lines, index, language)
-        check_wire_line(lines[index], language, Place(file, int(file_lines[index])))
-    return WireText(lines, file_lines, messages)
+class WireEncoder:
+    """Turns the lines of a program, in their order, into those that are sent; a long program comes in pieces.
 
+    messages: index of a line that is sent -> what to tell the operator before it runs. count: lines that were made.
+    """
 
-def _lines(text: str, language: Dialect, file: str) -> Iterator[WireRun | Wire]:
-    """Yield the lines that a controller is to see."""
-    begun, records = False, Records(language)
-    for run in wire_runs(text, language):
-        if isinstance(run, WireRun):
-            begun = begun or run.begins
-            yield run
-            continue
-        number, raw = run
+    def __init__(self, language: Dialect, file: str):
+        self._language, self._file = language, file
+        self._records = Records(language)
+        self._begun = self._over = False  # a word or comment was met; nothing after it is sent any more
+        self._first_move = FirstMove(language)
+        self._waiting: list[str] = []  # messages for the next line
+        self.messages: dict[int, str] = {}
+        self.count = 0
+
+    def encode(self, runs: Iterable[WireRun | tuple[int, str]]) -> tuple[bytes, np.ndarray]:
+        """Return what is sent of further lines, each with its newline, and the line of the file of each, int32[n].
+
+        Raises ProgramError naming file, line, column for what cannot be sent.
+        """
+        return self.join(self._lines(runs))
+
+    def started(self, lines: WireLines, file_lines: np.ndarray) -> WireLines:
+        """Return lines that were encoded with the motion of the program's first move named, where it is among them."""
+        index = self._first_move.without_motion(lines)
+        if index is not None:
+            lines = with_first_motion(lines, index, self._language)
+            check_wire_line(lines[index], self._language, Place(self._file, int(file_lines[index])))
+        return lines
+
+    def join(self, wires: Iterable[WireRun | Wire]) -> tuple[bytes, np.ndarray]:
+        """Return the same of lines that are written out already."""
+        lines, file_lines = bytearray(), array("i")
+        for found in wires:
+            if isinstance(found, WireRun):
+                if found.lines:
+                    self._tell_at(self.count + len(file_lines))
+                lines += found.lines
+                file_lines.frombytes(found.numbers.astype(np.intc).tobytes())
+                continue
+            number, comments, wire, column = found
+            self._waiting += [comment.text.strip() for comment in comments if comment.message]
+            if not wire:
+                continue
+            check_wire_line(wire, self._language, Place(self._file, number, column))
+            self._tell_at(self.count + len(file_lines))
+            lines += f"{wire}\n".encode("ascii")
+            file_lines.append(number)
+        self.count += len(file_lines)
+        return bytes(lines), np.array(file_lines, np.int32)
+
+    def _tell_at(self, index: int) -> None:
+        if self._waiting:
+            self.messages[index] = "\n".join(self._waiting)
+            self._waiting = []
+
+    def _lines(self, runs: Iterable[WireRun | tuple[int, str]]) -> Iterator[WireRun | Wire]:
+        """Yield the lines that a controller is to see."""
+        for run in runs:
+            if self._over:
+                return
+            if isinstance(run, WireRun):
+                self._begun = self._begun or run.begins
+                yield run
+            else:
+                yield from self._line(*run)
+
+    def _line(self, number: int, raw: str) -> Iterator[Wire]:
+        """Yield what a controller is to see of a line."""
+        language = self._language
         comments: list[Comment] = []
         blocks: list[list[Word]] = []
         try:
             found = pieces(raw, language, as_written=True)
             if any(is_tape_mark(piece.text) for piece in found):
-                if begun:
-                    return
-                begun = True
-                continue
+                self._over, self._begun = self._begun, True
+                return
             if language.reads_files and not is_plain(raw):
                 yield number, [], _code(raw, language), 1
-                continue
+                return
             for piece in found:
                 line = split_line(piece.text, language.strict_comments)
                 if not (line.deleted and language.skips_deleted):
                     comments += line.comments
                     blocks.append(_words(line.code, piece))
+            records = self._records
             wire = records.wire(blocks) if records.are_used else "".join(map(_short, _sent(blocks)))
         except ProgramError as error:
             column = error.place.column if error.place else 0
-            raise error.at(Place(file, number, column)) from None
-        begun = begun or bool(comments) or any(blocks)
+            raise error.at(Place(self._file, number, column)) from None
+        self._begun = self._begun or bool(comments) or any(blocks)
         yield number, comments, wire, min((word.column for block in blocks for word in block), default=1)
         if language.stops_at_end and any(word.name in ENDS for block in blocks for word in block):
-            return
+            self._over = True
 
 
 def _expanded(text: str, language: Dialect, start: Start | None, file: str) -> Iterator[Wire]:

@@ -85,14 +85,23 @@ def _groups(wire: WireText) -> Iterator[list[str]]:
 
 def _joined(wire: WireText, text: str, file: str) -> tuple[np.ndarray, str]:
     """Return a program some of whose lines are several on the wire, and the file's line of each of them, from 1."""
+    lines = program_lines(text)
+    if wire.file_lines.max(initial=0) > len(lines):
+        raise _of_another_program(Place(file))
+    numbers, joined = joined_lines(wire, lines)
+    return np.append(np.int32(0), numbers), "".join(f"{line}\n" for line in joined)
+
+
+def joined_lines(wire: WireText, lines: list[str], first: int = 1) -> tuple[np.ndarray, list[str]]:
+    """Return a program with the lines that are sent in place of those that they were made from, and the number of each.
+
+    lines: of the program from its line `first` on, for which all of `wire` stands. The numbers are int32[n].
+    """
     instead: dict[int, list[str]] = {}
     for number, line in zip(wire.file_lines.tolist(), wire.lines, strict=True):
         instead.setdefault(number, []).append(line)
-    lines = program_lines(text)
-    if max(instead, default=0) > len(lines):
-        raise _of_another_program(Place(file))
-    joined = [(number, line) for number, raw in enumerate(lines, 1) for line in instead.get(number, [raw])]
-    return np.array([0, *(number for number, _ in joined)], np.int32), "".join(f"{line}\n" for _, line in joined)
+    joined = [(number, line) for number, raw in enumerate(lines, first) for line in instead.get(number, [raw])]
+    return np.array([number for number, _ in joined], np.int32), [line for _, line in joined]
 
 
 def _with_lines_of(path: Toolpath, numbers: np.ndarray) -> Toolpath:

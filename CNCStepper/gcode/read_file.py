@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Generator, Iterator
 from pathlib import Path
 
 from CNCStepper.errors import Place, ProgramError
@@ -56,12 +56,13 @@ class FileReading:
         self._progress = progress or (lambda share: None)
         self._cancelled = cancelled or (lambda: False)
 
-    def chunks(self) -> Iterator[Chunk]:
+    def chunks(self, encoding: str = "") -> Iterator[Chunk]:
         """Read the file and yield its chunks, each when it is whole; raises ProgramError, also where there is no end.
 
-        When the last one is out, the states, events and spans of `interpreter.table` are complete.
+        When the last one is out, the states, events and spans of `interpreter.table` are complete. encoding: found out
+        when left out.
         """
-        encoding = encoding_of(self._pieces())
+        encoding = encoding or encoding_of(self._pieces())
         table = self.interpreter.table
         for _ in self._read(encoding):
             yield from table.take_whole()
@@ -73,13 +74,49 @@ class FileReading:
         reader = compiled_reader(self.interpreter, size)
         for piece in self._pieces(mark):
             if not (reader.read(piece, encoding) if reader else self._lines(piece.decode(encoding))):
-                text = b"".join(self._pieces(mark)).decode(encoding)
-                yield from run_on(self.interpreter, text, self._library)
+                yield from self._run_on(mark, encoding)
                 break
             read += len(piece)
             self._progress(min(1.0, read / size))
             yield
         self._progress(1.0)
+
+    def _run_on(self, mark: bytes, encoding: str) -> Iterator[None]:
+        """Read what comes after the lines that were read, wherever it leads."""
+        text = b"".join(self._pieces(mark)).decode(encoding)
+        yield from run_on(self.interpreter, text, self._library)
+
+    def refusals(self) -> Iterator[ProgramError]:
+        """Read the file and yield why lines are refused, as `flow.refusals` does for its text."""
+        encoding = encoding_of(self._pieces())
+        mark = BOM if encoding == "utf-8" else b""
+        reader = compiled_reader(self.interpreter, self.path.stat().st_size)
+        for piece in self._pieces(mark):
+            if reader:
+                whole = yield from reader.refused(piece, encoding)
+            else:
+                whole = yield from self._refused_lines(piece.decode(encoding))
+            if not whole:
+                yield from self._refusals_behind(mark, encoding)
+                return
+
+    def _refused_lines(self, text: str) -> Generator[ProgramError, None, bool]:
+        for line in program_lines(text):
+            if self.interpreter.leads(line):
+                return False
+            try:
+                self.interpreter.line(line)
+            except ProgramError as error:
+                yield error
+        return True
+
+    def _refusals_behind(self, mark: bytes, encoding: str) -> Iterator[ProgramError]:
+        """Yield the refusal behind a line that leads elsewhere, which is the last."""
+        try:
+            for _ in self._run_on(mark, encoding):
+                pass
+        except ProgramError as error:
+            yield error
 
     def _lines(self, text: str) -> bool:
         """Read lines up to the first that leads elsewhere; return whether there was none."""

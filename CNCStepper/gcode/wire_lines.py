@@ -34,6 +34,10 @@ class WireLines(Sequence[str]):
         end = int(self._ends[index])
         return self.data[self.data.rfind(b"\n", 0, end) + 1 : end].decode("ascii")
 
+    def begins(self, indices: np.ndarray) -> np.ndarray:
+        """Return where lines begin in `data`, int64[n]; the index behind the last one is the end."""
+        return np.append(0, self._ends + 1)[indices]
+
     def __len__(self) -> int:
         return len(self._ends)
 

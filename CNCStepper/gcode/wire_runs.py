@@ -37,12 +37,21 @@ def wire_runs(text: str, dialect: Dialect) -> Iterator[WireRun | tuple[int, str]
         yield from enumerate(program_lines(text), 1)
 
 
-def compiled_runs(data: bytes, dialect: Dialect) -> Iterator[WireRun | tuple[int, str]]:
+def runs_of_piece(piece: str, first: int, dialect: Dialect) -> Iterator[WireRun | tuple[int, str]]:
+    """Yield the same of whole lines of a text, of which the first is line `first`."""
+    if keeps_moves(dialect) and pays(len(piece)):
+        yield from compiled_runs(piece.encode("utf-8", "surrogatepass"), dialect, first)
+    else:
+        yield from enumerate(program_lines(piece), first)
+
+
+def compiled_runs(data: bytes, dialect: Dialect, first: int = 1) -> Iterator[WireRun | tuple[int, str]]:
     """Yield the same of a text's bytes, written by the kernel."""
     from CNCStepper.scan.wire import NOW, write_lines
     from CNCStepper.scan.words import new_roles
 
     view, roles, now = np.frombuffer(data, np.uint8), new_roles(), np.zeros(1, NOW).view(np.recarray)[0]
+    now.line = first - 1
     out, numbers = np.empty(2 * len(data) + 2, np.uint8), np.empty(len(data) // 2 + 1, np.int32)
     while now.at < len(data):
         now.out = now.lines = now.words = 0

@@ -8,22 +8,23 @@ import json
 import math
 import re
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import asdict, dataclass
-from typing import TYPE_CHECKING, Any, TypeVar
+from dataclasses import asdict, replace
+from typing import Any, Protocol, TypeVar
 
+import numpy as np
 from pydantic import TypeAdapter
 
 from CNCStepper import __version__
-from CNCStepper.control.certificate import CHECK_AGAIN, FORMAT, VERSION, Certificate, digest_of, digest_of_text
+from CNCStepper.control.certificate import CHECK_AGAIN, FORMAT, VERSION, Certificate, digest_of
 from CNCStepper.control.readiness import expected_settings
 from CNCStepper.control.send_job import SendJob
-from CNCStepper.cycles.form import Removal
 from CNCStepper.errors import JobError
 from CNCStepper.gcode.offsets import HOMES
 from CNCStepper.gcode.prepare import prepare
 from CNCStepper.gcode.take_up import play_of
+from CNCStepper.gcode.wire_lines import WireLines
 from CNCStepper.gcode.wire_text import WireText
-from CNCStepper.job.milestones import milestones
+from CNCStepper.job.given import Given
 from CNCStepper.job.start_file import start_from
 from CNCStepper.machine.play import Play
 from CNCStepper.machine.profile import Machine
@@ -32,9 +33,6 @@ from CNCStepper.simulation.clamps import Clamp
 from CNCStepper.simulation.cutter import Tools
 from CNCStepper.simulation.stock import HeightField, Stock
 from CNCStepper.state import ZERO3, Start
-
-if TYPE_CHECKING:
-    from CNCStepper.job.prove import Proof
 
 FIGURES = ("blocks", "moves", "cut_length_mm", "air_length_mm", "rapid_length_mm", "pierces", "removed_volume_mm3")
 VERDICT = ("gouge_mm", "left_over_mm")
@@ -55,25 +53,59 @@ _PLAY = TypeAdapter(Play)
 ANY_TOOL = "any"  # the number of a tool that stands for every number
 
 
-@dataclass(frozen=True)
-class Given:
-    """What a proof was made against; None and empty are "not given", and then not judged.
+class Sent(Protocol):
+    """What is sent of a program."""
 
-    before: the fingerprints of the programs that had cut the stock before this one.
-    """
+    @property
+    def lines(self) -> Sequence[str]:
+        """The lines, without their newline."""
 
-    text: str
-    dialect: str
-    machine: Machine
-    stock: Stock | None = None
-    tools: Tools | None = None
-    removals: Sequence[Removal] = ()
-    keep_out: Sequence[Clamp] = ()
-    edge_mm: float | None = None
-    before: Sequence[str] = ()
+    @property
+    def file_lines(self) -> np.ndarray | Sequence[int]:
+        """The file's line of each, from 1."""
+
+    @property
+    def messages(self) -> Mapping[int, str]:
+        """What to tell the operator before lines, by their index from 0."""
+
+    @property
+    def sha256(self) -> str:
+        """The fingerprint of the lines as they are sent."""
 
 
-def certificate_of(proof: Proof) -> Certificate:
+class Proven(Protocol):
+    """What a certificate says of a proof; plan: as `milestones` gives it, cell_mm: of the cut part, None for none."""
+
+    @property
+    def wire(self) -> Sent:
+        """What is sent."""
+
+    @property
+    def program_sha256(self) -> str:
+        """The fingerprint of the program's text."""
+
+    @property
+    def start(self) -> Start:
+        """The start state."""
+
+    @property
+    def plan(self) -> list[list[float]]:
+        """The planned times."""
+
+    @property
+    def given(self) -> Given:
+        """What it was proven against."""
+
+    @property
+    def report(self) -> dict[str, Any]:
+        """What was found."""
+
+    @property
+    def cell_mm(self) -> tuple[float, float] | None:
+        """The sides of a cell."""
+
+
+def certificate_of(proof: Proven) -> Certificate:
     """Return the certificate of a proof, clean or not."""
     given, report = proof.given, proof.report
     return Certificate(
@@ -81,14 +113,14 @@ def certificate_of(proof: Proof) -> Certificate:
             "format": FORMAT,
             "version": VERSION,
             "made_by": f"CNCStepper {__version__}",
-            "program": {"file": report["program"], "sha256": digest_of_text(given.text)},
+            "program": {"file": report["program"], "sha256": proof.program_sha256},
             "wire": {
                 "sha256": proof.wire.sha256,
                 "lines": len(proof.wire.lines),
                 "dialect": given.dialect,
                 "play": _play(given),
             },
-            "start": {"sha256": proof.toolpath.start.sha256(), "state": _start(proof.toolpath.start)},
+            "start": {"sha256": proof.start.sha256(), "state": _start(proof.start)},
             "machine": {"sha256": machine_digest(given.machine), "name": given.machine.name},
             "stock": {"sha256": stock_digest(given.stock), "stock": _stock(given.stock)},
             "before": list(given.before),
@@ -145,7 +177,7 @@ def _part_of(certificate: Certificate, read: Callable[[Mapping[str, Any]], Read]
 
 
 def send_job(
-    wire: WireText,
+    wire: Sent,
     machine: Machine | None,
     file: str,
     start: Start | None = None,
@@ -162,7 +194,7 @@ def send_job(
         port="",
         lines=wire.lines,
         file=file,
-        file_lines=wire.file_lines.tolist(),
+        file_lines=wire.file_lines.tolist() if isinstance(wire.file_lines, np.ndarray) else wire.file_lines,
         messages=wire.messages,
         expected=expected_settings(machine) if machine else {},
         work_offsets_mm=(_offsets(known) if known else {}) | (_places(start, wire.lines) if start else {}),
@@ -251,12 +283,12 @@ def _start(start: Start) -> dict[str, Any]:
     return dict(json.loads(json.dumps(asdict(start) | {"position_mm": position})))
 
 
-def _tolerance(proof: Proof) -> dict[str, Any]:
+def _tolerance(proof: Proven) -> dict[str, Any]:
     """Return how far the program may leave the shapes wanted, and the cells of the volume that is removed."""
     allowed = [removal.tolerance_mm for removal in proof.given.removals]
     return {
         "shape_mm": min(allowed) if allowed else None,
-        "cell_mm": None if proof.part is None else list(proof.part.cell_mm),
+        "cell_mm": None if proof.cell_mm is None else list(proof.cell_mm),
     }
 
 
@@ -264,8 +296,14 @@ def _times(operations: list[dict[str, Any]]) -> list[dict[str, Any]]:
     return [{"name": operation["name"], "time_s": operation["time_s"]} for operation in operations]
 
 
-def _send(proof: Proof) -> dict[str, Any]:
-    plan, given = milestones(proof.toolpath.table().line, proof.times_s), proof.given
-    job = send_job(proof.wire, given.machine, proof.report["program"], proof.toolpath.start, given.dialect, plan)
-    content = job.to_content()
+def _send(proof: Proven) -> dict[str, Any]:
+    given = proof.given
+    job = send_job(proof.wire, given.machine, proof.report["program"], proof.start, given.dialect, proof.plan)
+    content = replace(job, lines=(), file_lines=()).to_content()
+    content |= {"lines": _plain(job.lines), "file_lines": _plain(job.file_lines)}
     return {name: content[name] for name in SENT}
+
+
+def _plain(column: Sequence[Any]) -> Sequence[Any]:
+    """Return a list, or the column itself where it is read from a spool: those of a long program are never held."""
+    return list(column) if isinstance(column, list | tuple | WireLines) else column

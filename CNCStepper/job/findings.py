@@ -11,12 +11,11 @@ from CNCStepper.cycles.form import Answer
 from CNCStepper.errors import Place
 from CNCStepper.job.loose import cuts_into_loose, wanted_area
 from CNCStepper.job.model import Job
+from CNCStepper.job.stock_fit import ON_EDGE_MM
 from CNCStepper.machine.profile import Machine
 from CNCStepper.simulation.finding import Finding
 from CNCStepper.simulation.stock import Stock
 from CNCStepper.toolpath import Toolpath
-
-ON_EDGE_MM = 0.01  # a shape may end on the stock's edge
 
 
 def findings_of(

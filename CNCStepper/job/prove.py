@@ -19,18 +19,19 @@ from CNCStepper.control.certificate import digest_of_text
 from CNCStepper.cycles.form import Answer, Removal
 from CNCStepper.errors import JobError, Place
 from CNCStepper.gcode.wire_text import WireText
-from CNCStepper.job.certify import Given
 from CNCStepper.job.findings import findings_of
+from CNCStepper.job.given import Given
 from CNCStepper.job.make import Part, is_split, make_parts, make_program
+from CNCStepper.job.milestones import milestones
 from CNCStepper.job.model import Job
 from CNCStepper.job.wire_and_ways import wire_and_ways
 from CNCStepper.machine.profile import Machine
 from CNCStepper.machine.tool import Tool
-from CNCStepper.motion.plan import begun, times_s
+from CNCStepper.motion.plan import begun, times_and_whole_s
 from CNCStepper.simulation.check import check
 from CNCStepper.simulation.clamps import Clamp
 from CNCStepper.simulation.earlier import followed
-from CNCStepper.simulation.finding import Finding, refused
+from CNCStepper.simulation.finding import Finding, refused, worst_first
 from CNCStepper.simulation.heightmap import HeightMap, height_map
 from CNCStepper.simulation.report import report
 from CNCStepper.simulation.stock import Stock
@@ -71,6 +72,26 @@ class Proof:
     def refused(self) -> bool:
         """Whether a finding forbids sending it."""
         return refused(self.findings)
+
+    @property
+    def program_sha256(self) -> str:
+        """The fingerprint of the program's text."""
+        return digest_of_text(self.given.text)
+
+    @property
+    def start(self) -> Start:
+        """The start state of the table."""
+        return self.toolpath.start
+
+    @property
+    def plan(self) -> list[list[float]]:
+        """The planned times that a sender is given, as `milestones` has them."""
+        return milestones(self.toolpath.table().line, self.times_s)
+
+    @property
+    def cell_mm(self) -> tuple[float, float] | None:
+        """The sides of a cell of the cut part; None without stock and tools."""
+        return None if self.part is None else self.part.cell_mm
 
     def scene(self, moment: Moment | None = None, part: HeightMap | None = None) -> Scene:
         """Return what a picture shows of the program's end, or of a moment and the part at that moment.
@@ -141,14 +162,15 @@ def prove(
     moves = followed(before.toolpath, toolpath) if before else toolpath
     part = _part(moves, tools, stock, see)
     tell("time")
-    ends_s = times_s(begun(motors), machine, share)
+    ends_s, whole_s = times_and_whole_s(begun(motors), machine, share)
     tell("judge")
     judgement = judge(moves, tools, list(removals), stock) if tools is not None and removals else None
     tell("check")
     given = Given(text, language, machine, stock, tools, removals, keep_out, edge_mm, before.sha256 if before else ())
     findings = _checked(given, toolpath, motors, moves, judgement, file)
     tell("report")
-    told = report(toolpath, ends_s, file=file, findings=findings, judgement=judgement, part=part, tools=tools)
+    cut: dict[str, Any] = {"judgement": judgement, "part": part, "tools": tools}
+    told = report(toolpath, ends_s, whole_s=whole_s, file=file, findings=findings, **cut)
     return Proof(wire, toolpath, motors, ends_s, findings, part, told, given)
 
 
@@ -277,7 +299,7 @@ def _told(proof: Proof, answers: Sequence[Answer]) -> dict[str, Any]:
 
 def with_findings(proof: Proof, more: Sequence[Finding]) -> Proof:
     """Return a proof in which more was found; its report tells of it too."""
-    findings = sorted([*proof.findings, *more], key=lambda finding: finding.place.line)
+    findings = worst_first([*proof.findings, *more])
     counts = {f"{kind}s": sum(one.severity == kind for one in findings) for kind in ("error", "warning")}
     told = {"findings": [finding.as_dict() for finding in findings]}
     return replace(proof, findings=findings, report=proof.report | counts | told)

@@ -13,7 +13,7 @@ from CNCStepper.simulation.edge_tree import flat_edges
 from CNCStepper.simulation.finding import Finding
 from CNCStepper.simulation.segments import Segments, segments
 from CNCStepper.simulation.stock import Stock
-from CNCStepper.simulation.subject import Subject
+from CNCStepper.simulation.subject import PartCheck, Subject
 from CNCStepper.toolpath import RAPID, Toolpath
 
 FLATTEN_MM = 0.01
@@ -40,22 +40,39 @@ def through(pieces: Segments, bottom_mm: float) -> Segments:
     return Segments(begin, end, pieces.row)
 
 
-def beams(subject: Subject, stock: Stock, tools: Tools) -> Iterator[Finding]:
-    """Yield the rapid that crosses the stock with the beam on, and a program whose beam is never on.
+class Beams(PartCheck):
+    """Finds the rapid that crosses the stock with the beam on, and a program whose beam is never on.
 
     A laser's controller switches its beam off on rapids by itself.
     """
-    is_beam, on = beam_rows(subject.toolpath, tools)
-    path = through(segments(subject.toolpath, FLATTEN_MM), stock.bottom_mm).known()
-    over = np.zeros(len(subject.table), bool)
-    over[path.row[shapely.intersects(shapely.linestrings(flat_edges(path)), stock.outline)]] = True
-    burning = np.flatnonzero(on & ~subject.is_feed & over)
-    if len(burning) and not subject.machine.spindle.laser:
-        text = "a rapid crosses the stock with the beam on"
-        advice = "switch it off with M5 before it"
-        yield subject.finding(int(burning[0]), "error", "rapid-in-stock", text, advice=advice, count=len(burning))
-    feeds = np.flatnonzero(is_beam & subject.is_feed & over)
-    if len(feeds) and not on[feeds].any():
-        text = "the beam is never on where it is to cut"
-        advice = "switch it on with M3 and S before it"
-        yield subject.finding(int(feeds[0]), "error", "spindle-off", text, advice=advice, count=len(feeds))
+
+    def __init__(self, stock: Stock, tools: Tools):
+        self._stock, self._tools = stock, tools
+        self._ever_on = False  # on a feed over the stock
+        self._dark: list[Finding] = []  # feeds over the stock with the beam off
+
+    def __call__(self, subject: Subject) -> Iterator[Finding]:
+        is_beam, on = beam_rows(subject.toolpath, self._tools)
+        over = self._over_stock(subject)
+        burning = np.flatnonzero(on & ~subject.is_feed & over)
+        if len(burning) and not subject.machine.spindle.laser:
+            text, advice = "a rapid crosses the stock with the beam on", "switch it off with M5 before it"
+            row, code = int(burning[0]), "rapid-in-stock"
+            yield subject.finding(row, "error", code, text, advice=advice, count=len(burning), group="beam")
+        feeds = np.flatnonzero(is_beam & subject.is_feed & over)
+        self._ever_on |= bool(on[feeds].any())
+        if len(feeds) and not self._ever_on:
+            text, advice = "the beam is never on where it is to cut", "switch it on with M3 and S before it"
+            row, code = int(feeds[0]), "spindle-off"
+            self._dark.append(subject.finding(row, "error", code, text, advice=advice, count=len(feeds), group="beam"))
+
+    def _over_stock(self, subject: Subject) -> np.ndarray:
+        """Return which rows cross the stock seen from above, bool[n]."""
+        path = through(segments(subject.toolpath, FLATTEN_MM), self._stock.bottom_mm).known()
+        over = np.zeros(len(subject.table), bool)
+        over[path.row[shapely.intersects(shapely.linestrings(flat_edges(path)), self._stock.outline)]] = True
+        return over
+
+    def end(self, last: Subject) -> Iterator[Finding]:
+        if not self._ever_on:
+            yield from self._dark

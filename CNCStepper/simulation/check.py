@@ -3,30 +3,36 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from typing import TYPE_CHECKING
 
-from CNCStepper.cycles.form import Removal
 from CNCStepper.machine.profile import Machine
-from CNCStepper.simulation import corner_checks, load_checks, machine_checks, motor_checks, stock_checks, tool_checks
-from CNCStepper.simulation.beams import beams
-from CNCStepper.simulation.clamps import Clamp, clamps, sheet_edge
-from CNCStepper.simulation.cutter import Tools
-from CNCStepper.simulation.finding import Finding
-from CNCStepper.simulation.stock import Stock
-from CNCStepper.simulation.subject import Subject
-from CNCStepper.simulation.sweep import Judgement, judge
+from CNCStepper.simulation import corner_checks, machine_checks, motor_checks
+from CNCStepper.simulation.finding import Finding, Findings
+from CNCStepper.simulation.subject import PartCheck, Subject
 from CNCStepper.toolpath import Toolpath
 
-SEVERITIES = ("error", "warning", "info")
-MACHINE_CHECKS = (
-    machine_checks.travel,
+if TYPE_CHECKING:  # what looks at the stock is loaded where there is one: a short check takes half the time without
+    from CNCStepper.cycles.form import Removal
+    from CNCStepper.simulation.beams import Beams
+    from CNCStepper.simulation.clamps import Clamp
+    from CNCStepper.simulation.cutter import Tools
+    from CNCStepper.simulation.kept_cuts import KeptCuts
+    from CNCStepper.simulation.stock import Stock
+    from CNCStepper.simulation.stock_checks import StillSpindle
+    from CNCStepper.simulation.sweep import Judgement
+
+ROW_CHECKS: tuple[Callable[[Subject], Iterator[Finding]], ...] = (
     machine_checks.rates,
-    machine_checks.starts,
-    machine_checks.outputs,
-    machine_checks.spin_up,
-    machine_checks.tool_changes,
     motor_checks.motors,
-    corner_checks.blended,
+)  # each row alone
+PART_CHECKS: tuple[type[PartCheck], ...] = (
+    machine_checks.Travel,
+    machine_checks.Starts,
+    machine_checks.Outputs,
+    machine_checks.SpinUp,
+    machine_checks.ToolChanges,
+    corner_checks.Blended,
 )
 
 
@@ -44,7 +50,7 @@ def check(
     cut: Toolpath | None = None,
     motors: Toolpath | None = None,
 ) -> list[Finding]:
-    """Return what is wrong with a program, in the order of its lines; an empty list is a clean program.
+    """Return what is wrong with a program, the worst first; an empty list is a clean program.
 
     Whether the work zero is known says `toolpath.start`. tools: by number, or one tool that stands for
     every number. Checks that need a stock, tools or removals are left out where these are not given; a
@@ -54,46 +60,95 @@ def check(
     what is wrong with these, on no line, is not told again. motors: the same rows as the motors go them, where their
     axes have play: travel, rates and torque are theirs.
     """
-    subject = Subject.of(toolpath, machine, file)
-    of_motors = subject if motors is None or motors is toolpath else Subject.of(motors, machine, file)
-    found = [finding for one in MACHINE_CHECKS for finding in one(of_motors)]
-    found += clamps(subject, tools, keep_out)
-    if cut is not None and cut is not toolpath:
-        subject = Subject.of(cut, machine, file)
-    found += [
-        finding for finding in _in_stock(subject, stock, tools, removals, judgement, edge_mm) if finding.place.line
-    ]
-    return sorted(found, key=lambda finding: (finding.place.line, SEVERITIES.index(finding.severity), finding.code))
+    of_tool = Subject.of(toolpath, machine, file)
+    of_motors = of_tool if motors is None or motors is toolpath else Subject.of(motors, machine, file)
+    of_cut = of_tool if cut is None or cut is toolpath else Subject.of(cut, machine, file)
+    checks = Checks(stock, tools, keep_out, edge_mm)
+    checks.see(of_motors, of_tool, of_cut)
+    if judgement is None and tools is not None and removals:
+        from CNCStepper.simulation.sweep import judge
+
+        judgement = judge(of_cut.toolpath, tools, removals, stock)
+    return checks.end(judgement)
 
 
-def _in_stock(
-    subject: Subject,
-    stock: Stock | None,
-    tools: Tools | None,
-    removals: Sequence[Removal] | None,
-    judgement: Judgement | None,
-    edge_mm: float | None,
-) -> list[Finding]:
-    found: list[Finding] = []
-    if tools is not None:
-        found += stock_checks.tools_known(subject, tools)
-        if stock is not None:
-            found += _at_stock(subject, stock, tools)
-            if edge_mm is not None:
-                found += sheet_edge(subject, tools, stock, edge_mm)
-        if judgement is None and removals:
-            judgement = judge(subject.toolpath, tools, removals, stock)
-    if judgement is not None:
-        found += stock_checks.verdict(subject, judgement)
-    return found
+class Checks:
+    """All checks of a program, which may come in parts, each a whole table of consecutive rows.
 
+    Every part must fit into memory; what the parts before have left is kept as little as it can be.
+    """
 
-def _at_stock(subject: Subject, stock: Stock, tools: Tools) -> Iterator[Finding]:
-    yield from stock_checks.blind(subject, stock)
-    yield from beams(subject, stock, tools)
-    checks = stock_checks.StockChecks(subject, stock, tools)
-    for one in (checks.rapids, checks.still_spindle, checks.below):
-        yield from one()
-    yield from tool_checks.plunges(checks)
-    yield from tool_checks.sideways(checks)
-    yield from load_checks.loads(subject, stock, tools)
+    def __init__(
+        self,
+        stock: Stock | None = None,
+        tools: Tools | None = None,
+        keep_out: Sequence[Clamp] = (),
+        edge_mm: float | None = None,
+        kept: KeptCuts | None = None,
+    ):
+        """kept: where the cutting paths of parts before stay; None: there is one part only."""
+        self._stock, self._tools, self._keep_out, self._edge_mm = stock, tools, keep_out, edge_mm
+        self._findings = Findings()
+        self._of_motors = [one() for one in PART_CHECKS]
+        self._beams: Beams | None = None
+        self._still_spindle: StillSpindle | None = None
+        self._kept = kept
+        self._tools_seen: set[int] = set()
+        self._last: tuple[Subject, Subject] | None = None  # as the motors and as the tool go it
+
+    def see(self, of_motors: Subject, of_tool: Subject, of_cut: Subject | None = None) -> None:
+        """Check the next part: as the motors go it, as the tool does, and after the programs before on this stock."""
+        of_cut = of_cut or of_tool
+        self._last = of_motors, of_cut
+        for row_check in ROW_CHECKS:
+            self._findings.add(row_check(of_motors))
+        for one in self._of_motors:
+            self._findings.add(one(of_motors))
+        if self._keep_out:
+            from CNCStepper.simulation.clamps import clamps
+
+            self._findings.add(clamps(of_tool, self._tools, self._keep_out))
+        self._findings.add(finding for finding in self._in_stock(of_cut) if finding.place.line)
+
+    def end(self, judgement: Judgement | None = None) -> list[Finding]:
+        """Return what was found, in the order of the lines."""
+        if self._last:
+            of_motors, of_cut = self._last
+            for one in self._of_motors:
+                self._findings.add(one.end(of_motors))
+            found = list(self._beams.end(of_cut)) if self._beams else []
+            if judgement:
+                from CNCStepper.simulation.stock_checks import verdict
+
+                found += verdict(of_cut, judgement)
+            self._findings.add(finding for finding in found if finding.place.line)
+        return self._findings.all()
+
+    def _in_stock(self, subject: Subject) -> Iterator[Finding]:
+        if self._tools is None:
+            return
+        from CNCStepper.simulation.clamps import sheet_edge
+        from CNCStepper.simulation.stock_checks import tools_known
+
+        yield from tools_known(subject, self._tools, self._tools_seen)
+        if self._stock is not None:
+            yield from self._at_stock(subject, self._stock, self._tools)
+            if self._edge_mm is not None:
+                yield from sheet_edge(subject, self._tools, self._stock, self._edge_mm)
+
+    def _at_stock(self, subject: Subject, stock: Stock, tools: Tools) -> Iterator[Finding]:
+        from CNCStepper.simulation import beams, load_checks, stock_checks, tool_checks
+
+        self._beams = self._beams or beams.Beams(stock, tools)
+        self._still_spindle = self._still_spindle or stock_checks.StillSpindle()
+        yield from stock_checks.blind(subject, stock)
+        yield from self._beams(subject)
+        checks = stock_checks.StockChecks(subject, stock, tools, self._kept or ())
+        yield from checks.rapids()
+        yield from self._still_spindle(checks)
+        yield from checks.below()
+        yield from tool_checks.plunges(checks)
+        yield from tool_checks.sideways(checks)
+        yield from load_checks.loads(subject, stock, tools)
+        if self._kept is not None:
+            self._kept.add(checks.cuts)

@@ -69,13 +69,14 @@ def clamps(subject: Subject, tools: Tools | None, keep_out: Sequence[Clamp]) -> 
     for part in _by_tool(subject) if keep_out else ():
         for body in _bodies(tool_numbered(tools, part[0])):
             for number, clamp in enumerate(keep_out, start=1):
-                yield from _touched(subject, part[1], body, clamp, number)
+                group = f"{part[0]}-{body.name}-{number}"
+                yield from _touched(subject, part[1], body, clamp, number, group)
 
 
 def sheet_edge(subject: Subject, tools: Tools, stock: Stock, edge_mm: float) -> Iterator[Finding]:
     """Yield the cut that comes nearest to the sheet's edge, where it comes nearer than `edge_mm`."""
     rim = stock.outline.boundary
-    for tool, pieces in _cuts(subject, tools, stock):
+    for number, tool, pieces in _cuts(subject, tools, stock):
         lines = shapely.linestrings(flat_edges(pieces))
         away = shapely.distance(lines, rim)
         inside = shapely.contains(stock.outline, lines)
@@ -95,11 +96,14 @@ def sheet_edge(subject: Subject, tools: Tools, stock: Stock, edge_mm: float) -> 
                 limit=edge_mm,
                 unit="mm",
                 count=len(rows),
+                group=str(number),
+                rank=-float(left[k]),
+                at_first=False,
             )
 
 
-def _cuts(subject: Subject, tools: Tools, stock: Stock) -> Iterator[tuple[Tool, Segments]]:
-    """Yield each tool that is known with its feeds below the stock's top; those of a beam that is on all are."""
+def _cuts(subject: Subject, tools: Tools, stock: Stock) -> Iterator[tuple[int, Tool, Segments]]:
+    """Yield each known tool's number, the tool and its feeds below the stock's top; a beam's are those with it on."""
     cut_by_beam = beam_cuts(subject.toolpath, tools)
     for number, path in _by_tool(subject, known=False):
         tool = tool_numbered(tools, number)
@@ -108,14 +112,14 @@ def _cuts(subject: Subject, tools: Tools, stock: Stock) -> Iterator[tuple[Tool, 
         else:
             pieces = clipped_below(path[subject.is_feed[path.row]].known(), stock.top_mm - TOUCH_MM)
         if tool is not None and len(pieces):
-            yield tool, pieces
+            yield number, tool, pieces
 
 
 def _by_tool(subject: Subject, known: bool = True) -> list[tuple[int, Segments]]:
     """Return the path of each tool number, all of it or what is known."""
     path = segments(subject.toolpath, FLATTEN_MM)
     path = path.known() if known else path
-    number = np.array([state.tool for state in subject.toolpath.states], int)[subject.table.state[path.row]]
+    number = subject.tool_numbers[path.row]
     return [(one, path[number == one]) for one in np.unique(number).tolist()]
 
 
@@ -129,7 +133,7 @@ def _bodies(tool: Tool | None) -> list[_Body]:
     return found
 
 
-def _touched(subject: Subject, path: Segments, body: _Body, clamp: Clamp, number: int) -> Iterator[Finding]:
+def _touched(subject: Subject, path: Segments, body: _Body, clamp: Clamp, number: int, group: str) -> Iterator[Finding]:
     low = split_ramps(clipped_below(path, clamp.top_mm - body.lift_mm - TOUCH_MM), RAMP_STEP_MM)
     if not len(low):
         return
@@ -152,6 +156,7 @@ def _touched(subject: Subject, path: Segments, body: _Body, clamp: Clamp, number
             limit=0.0,
             unit="mm",
             count=len(np.unique(low.row[hits])),
+            group=group,
         )
 
 

@@ -9,6 +9,8 @@ corners of what the move and the stock share, so that a corner of the stock betw
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 import numpy as np
 import shapely
 
@@ -31,14 +33,20 @@ FEWEST_POINTS = 64
 MISSES = 64  # as many places that no edge has cut are looked at one by one; an index finds the others faster
 INNER = (0.7, 0.4, 0.1)  # of the radius, at which points lie inside a rim
 
+Cuts = Iterable[tuple[Cutter, Segments]]  # the tip's path below the stock's top, by cutter, in the order of its rows
+
 
 class Remaining:
-    """The stock and the whole path that cuts it, asked what is left before a given row."""
+    """The stock and the path that cuts it, asked what is left before a given row.
 
-    def __init__(self, stock: Stock, path: list[tuple[Cutter, Segments]]):
+    before: paths whose every move comes before `path`, perhaps read from the disk each time.
+    """
+
+    def __init__(self, stock: Stock, path: Cuts, before: Cuts = ()):
         self.stock = stock
         self.outline = stock.outline
         self.path = path
+        self.before = before
         self.inside = self.outline.buffer(-RUB_MM, join_style="mitre")
         shapely.prepare(self.outline)
 
@@ -81,21 +89,29 @@ class Remaining:
         """Say which points the moves before `row` have cut down to `z_mm`."""
         cut = np.zeros(len(points), bool)
         for cutter, pieces in self.path:
-            low, high = points.min(axis=0) - cutter.radius_mm, points.max(axis=0) + cutter.radius_mm
-            near = pieces.row < row
-            near &= pieces.low_mm <= z_mm
-            for axis in range(2):
-                near &= np.minimum(pieces.begin[:, axis], pieces.end[:, axis]) <= high[axis]
-                near &= np.maximum(pieces.begin[:, axis], pieces.end[:, axis]) >= low[axis]
-            pieces = pieces[near]
-            for level_mm in _levels_of(cutter, pieces, z_mm):
-                edges = flat_edges(clipped_below(pieces, level_mm))
-                radius = cutter.radius_at(np.array([z_mm - level_mm]))[0]
-                _find_cut(points, edges, radius * radius, cut)
-                open_ = np.flatnonzero(~cut)
-                if len(open_):
-                    cut[open_] = EdgeTree(edges).distance(points[open_]) <= radius
+            _mark_cut(cut, points, z_mm, cutter, pieces[: np.searchsorted(pieces.row, row)])
+        for cutter, pieces in self.before:
+            if cut.all():
+                break
+            _mark_cut(cut, points, z_mm, cutter, pieces)
         return cut
+
+
+def _mark_cut(cut: np.ndarray, points: np.ndarray, z_mm: float, cutter: Cutter, pieces: Segments) -> None:
+    """Mark the points, float64[n, 2], that a cutter on these segments has cut down to `z_mm`."""
+    low, high = points.min(axis=0) - cutter.radius_mm, points.max(axis=0) + cutter.radius_mm
+    near = pieces.low_mm <= z_mm
+    for axis in range(2):
+        near &= np.minimum(pieces.begin[:, axis], pieces.end[:, axis]) <= high[axis]
+        near &= np.maximum(pieces.begin[:, axis], pieces.end[:, axis]) >= low[axis]
+    pieces = pieces[near]
+    for level_mm in _levels_of(cutter, pieces, z_mm):
+        edges = flat_edges(clipped_below(pieces, level_mm))
+        radius = cutter.radius_at(np.array([z_mm - level_mm]))[0]
+        _find_cut(points, edges, radius * radius, cut)
+        open_ = np.flatnonzero(~cut)
+        if len(open_):
+            cut[open_] = EdgeTree(edges).distance(points[open_]) <= radius
 
 
 @njit

@@ -3,12 +3,16 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import Any, Literal
+from collections import Counter
+from collections.abc import Iterable
+from dataclasses import dataclass, field, replace
+from typing import Any, Literal, get_args
 
 from CNCStepper.errors import Place
 
 Severity = Literal["error", "warning", "info"]
+SEVERITIES: tuple[Severity, ...] = get_args(Severity)  # the worst first
+MOST_LISTED = 1000  # findings of one code that are listed one by one
 
 
 @dataclass(frozen=True)
@@ -18,6 +22,8 @@ class Finding:
     code: stable name of the rule. place: file, line and column of the block. place_mm: work coordinates,
     or None where the finding has no place on the part. value, limit: numbers in `unit`, or None.
     text: one sentence without a full stop. advice: what to change. count: moves with the same finding.
+    group: findings of one code and group in several parts of a program are one finding: the text and the numbers of the
+    highest `rank`, all their moves, and the place of the first one where `at_first`, else that of the highest rank.
     """
 
     severity: Severity
@@ -30,6 +36,9 @@ class Finding:
     limit: float | None = None
     unit: str = ""
     count: int = 1
+    group: str | None = field(default=None, compare=False, repr=False)
+    rank: float = field(default=0.0, compare=False, repr=False)
+    at_first: bool = field(default=True, compare=False, repr=False)
 
     def __str__(self) -> str:
         numbers = [
@@ -70,6 +79,56 @@ class Finding:
         place = Place(rest.pop("file"), rest.pop("line"), rest.pop("column"))
         place_mm = rest.pop("place_mm")
         return cls(place=place, place_mm=None if place_mm is None else tuple(place_mm), **rest)
+
+
+class Findings:
+    """The findings of a program that is checked part after part, in the order of its rows."""
+
+    def __init__(self) -> None:
+        self._found: list[Finding] = []
+        self._places: dict[tuple[str, str], int] = {}  # of a group among them
+        self._counts: Counter[str] = Counter()  # of findings that stand alone, by code
+
+    def add(self, found: Iterable[Finding]) -> None:
+        """Take the findings of one part."""
+        for one in found:
+            place = None if one.group is None else self._places.setdefault((one.code, one.group), len(self._found))
+            if place is not None and place < len(self._found):
+                self._found[place] = _as_one(self._found[place], one)
+            elif place is not None:
+                self._found.append(one)
+            else:
+                self._add_single(one)
+
+    def _add_single(self, one: Finding) -> None:
+        self._counts[one.code] += 1
+        if self._counts[one.code] <= MOST_LISTED:
+            self._found.append(one)
+        elif self._counts[one.code] == MOST_LISTED + 1:
+            text, advice = (
+                "from here on findings of this kind are not listed",
+                "correct those that are, and check again",
+            )
+            self.add([Finding(one.severity, one.code, one.place, text, advice, group="not-listed")])
+        else:
+            place = self._places[one.code, "not-listed"]
+            self._found[place] = replace(self._found[place], count=self._counts[one.code] - MOST_LISTED)
+
+    def all(self) -> list[Finding]:
+        """Return all of them, the worst first; of each code at most MOST_LISTED one by one."""
+        return worst_first(self._found)
+
+
+def _as_one(before: Finding, after: Finding) -> Finding:
+    """Return one finding for those of two parts of a program."""
+    worst = after if after.rank > before.rank else before
+    placed = before if worst.at_first else worst
+    return replace(worst, place=placed.place, place_mm=placed.place_mm, count=before.count + after.count)
+
+
+def worst_first(findings: Iterable[Finding]) -> list[Finding]:
+    """Return findings in the order in which all lists show them: by severity, then by line."""
+    return sorted(findings, key=lambda one: (SEVERITIES.index(one.severity), one.place.line, one.code))
 
 
 def refused(findings: list[Finding]) -> bool:

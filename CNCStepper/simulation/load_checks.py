@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 import numpy as np
 
@@ -19,13 +19,16 @@ CHIP_SHARE = 1.001
 
 
 def loads(subject: Subject, stock: Stock, tools: Tools) -> Iterator[Finding]:
-    """Yield for each tool where it is loaded more than it may; what a tool does not say is not checked."""
-    numbers = np.array([state.tool for state in subject.toolpath.states], int)[subject.table.state]
+    """Yield for each tool where it is loaded more than it may; what a tool does not say is not checked.
+
+    Where a tool says something of the material that it may meet, the subject must be the whole program.
+    """
+    numbers = subject.tool_numbers
     known = {number: tool_numbered(tools, number) for number in np.unique(numbers).tolist()}
     for number, tool in known.items():
         if tool is not None:
-            yield from _thin_chips(subject, tool, numbers == number, stock)
-    if not any(tool is not None and _says_something(tool) for tool in known.values()):
+            yield from _thin_chips(subject, number, tool, numbers == number, stock)
+    if not needs_material(known.values()):
         return
     from CNCStepper.simulation.engagement import Engagement, engagement
 
@@ -34,6 +37,11 @@ def loads(subject: Subject, stock: Stock, tools: Tools) -> Iterator[Finding]:
         mine = numbers[met.row] == number
         if tool is not None and _says_something(tool):
             yield from _along(subject, tool, met, mine)
+
+
+def needs_material(tools: Iterable[Tool | None]) -> bool:
+    """Whether one of the tools says how much material it may meet: that is measured along the whole program."""
+    return any(tool is not None and _says_something(tool) for tool in tools)
 
 
 def _says_something(tool: Tool) -> bool:
@@ -113,7 +121,7 @@ def _worst(
     ]
 
 
-def _thin_chips(subject: Subject, tool: Tool, mine: np.ndarray, stock: Stock) -> Iterator[Finding]:
+def _thin_chips(subject: Subject, number: int, tool: Tool, mine: np.ndarray, stock: Stock) -> Iterator[Finding]:
     """Yield the cut that asks less of each tooth than it needs to cut instead of rub."""
     if not tool.chip_load_min_mm:
         return
@@ -133,6 +141,9 @@ def _thin_chips(subject: Subject, tool: Tool, mine: np.ndarray, stock: Stock) ->
             limit=tool.chip_load_min_mm,
             unit="mm",
             count=len(thin),
+            group=f"thin-{number}",
+            rank=-float(chip[k]),
+            at_first=False,
         )
 
 

@@ -4,6 +4,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
+from itertools import pairwise
 
 import numpy as np
 
@@ -11,35 +13,65 @@ from CNCStepper.machine.profile import AXIS_NAMES
 from CNCStepper.simulation.arcs import extremes
 from CNCStepper.simulation.finding import Finding, Severity
 from CNCStepper.simulation.segments import segments_of_chunks
-from CNCStepper.simulation.subject import Subject
+from CNCStepper.simulation.subject import PartCheck, Subject
 
 ROUNDING_MM = 1e-4
 DIRECTION_TOLERANCE_MM = 0.01  # of the chords whose directions stand for an arc's
 
 
-def travel(subject: Subject) -> Iterator[Finding]:
-    """Yield each end of an axis that the program leaves; arcs count with their real extremes.
+class Travel(PartCheck):
+    """Finds each end of an axis that the program leaves; arcs count with their real extremes.
 
     Where the work zero is not known, a program larger than the travel is refused and its place is
     reported as unknown.
     """
-    low, high = extremes(subject.table, subject.toolpath.begins()[:, :3])
-    known = subject.toolpath.start.zero_known
-    if not known:
-        yield subject.finding(
-            0 if len(subject.table) else -1,
-            "info",
-            "place-unknown",
-            "the work zero is not known, so the program's place on the table is unknown",
-            advice="give the work zero to have the travel checked",
-            place_mm=None,
-        )
-    for axis, (name, profile) in enumerate(zip(AXIS_NAMES, subject.machine.axes, strict=True)):
-        bounds = profile.travel_min_mm, profile.travel_max_mm
-        if known:
-            yield from _beyond(subject, name, low[:, axis], high[:, axis], *bounds)
-        else:
-            yield from _larger(subject, name, low[:, axis], high[:, axis], bounds[1] - bounds[0])
+
+    def __init__(self) -> None:
+        self._parts = 0
+        self._low, self._high = np.full(3, np.nan), np.full(3, np.nan)
+        self._highest: list[Finding | None] = [None] * 3  # a finding without numbers at the highest place of each axis
+
+    def __call__(self, subject: Subject) -> Iterator[Finding]:
+        low, high = extremes(subject.table, subject.toolpath.begins()[:, :3])
+        self._parts += 1
+        if subject.toolpath.start.zero_known:
+            for axis, (name, profile) in enumerate(zip(AXIS_NAMES, subject.machine.axes, strict=True)):
+                bounds = profile.travel_min_mm, profile.travel_max_mm
+                yield from _beyond(subject, name, low[:, axis], high[:, axis], *bounds)
+            return
+        if self._parts == 1:
+            yield subject.finding(
+                0 if len(subject.table) else -1,
+                "info",
+                "place-unknown",
+                "the work zero is not known, so the program's place on the table is unknown",
+                advice="give the work zero to have the travel checked",
+                place_mm=None,
+            )
+        for axis, name in enumerate(AXIS_NAMES):
+            self._extend(subject, axis, name, low[:, axis], high[:, axis])
+
+    def _extend(self, subject: Subject, axis: int, name: str, low: np.ndarray, high: np.ndarray) -> None:
+        """Let the program's extent in one axis grow by the rows of a part."""
+        if not np.isfinite(low).any():
+            return
+        self._low[axis] = np.fmin(self._low[axis], np.nanmin(low))
+        if not np.nanmax(high) <= self._high[axis]:
+            self._high[axis] = np.nanmax(high)
+            self._highest[axis] = subject.finding(
+                int(np.nanargmax(high)),
+                "error",
+                "travel",
+                f"the program is larger than the travel of {name.upper()}",
+                advice="make the program smaller, split it, or use a larger machine",
+                unit="mm",
+            )
+
+    def end(self, last: Subject) -> Iterator[Finding]:
+        for size_mm, axis, found in zip(self._high - self._low, last.machine.axes, self._highest, strict=True):
+            travel_mm = axis.travel_max_mm - axis.travel_min_mm
+            if found is not None and size_mm > travel_mm + ROUNDING_MM:
+                yield replace(found, value=float(size_mm), limit=travel_mm)
 
 
 def _beyond(subject: Subject, name: str, low, high, min_mm: float, max_mm: float) -> Iterator[Finding]:
@@ -59,22 +91,8 @@ def _beyond(subject: Subject, name: str, low, high, min_mm: float, max_mm: float
                 limit=limit,
                 unit="mm",
                 count=len(rows),
-            )
-
-
-def _larger(subject: Subject, name: str, low, high, travel_mm: float) -> Iterator[Finding]:
-    if np.isfinite(low).any():
-        size_mm = float(np.nanmax(high) - np.nanmin(low))
-        if size_mm > travel_mm + ROUNDING_MM:
-            yield subject.finding(
-                int(np.nanargmax(high)),
-                "error",
-                "travel",
-                f"the program is larger than the travel of {name.upper()}",
-                advice="make the program smaller, split it, or use a larger machine",
-                value=size_mm,
-                limit=travel_mm,
-                unit="mm",
+                group=f"{name}{sign:+g}",
+                rank=float(over[worst]),
             )
 
 
@@ -94,6 +112,8 @@ def rates(subject: Subject) -> Iterator[Finding]:
                 limit=profile.max_rate_mm_min,
                 unit="mm/min",
                 count=len(over),
+                group=name,
+                rank=float(fastest[over, axis].max()),
             )
 
 
@@ -110,87 +130,114 @@ def _fastest_mm_min(subject: Subject) -> np.ndarray:
     return fastest
 
 
-def starts(subject: Subject) -> Iterator[Finding]:
-    """Yield a program without a move, feeds without a rate or from nowhere, sideways rapids at an unknown height."""
-    if not len(subject.toolpath):
-        yield subject.finding(-1, "error", "no-motion", "the program moves nothing", advice="see whether it is whole")
-        return
-    feeds = subject.is_feed
-    from_nowhere = (np.isnan(subject.begin) & np.isfinite(subject.end)).any(axis=1)
-    has_height = bool(np.isfinite(subject.end[:, 2]).any())  # a table without Z never names one
-    sideways = np.isfinite(subject.end[:, :2]).any(axis=1) & np.isnan(subject.begin[:, 2])
-    rules: tuple[tuple[np.ndarray, Severity, str, str, str], ...] = (
-        (feeds & (subject.table.feed <= 0), "error", "no-feed", "a cutting move has no feed rate", "give F before it"),
-        (
-            feeds & from_nowhere,
-            "warning",
-            "position-unknown",
+class Starts(PartCheck):
+    """Finds a program without a move, feeds without a rate or from nowhere, sideways rapids at an unknown height."""
+
+    def __init__(self) -> None:
+        self._moves = self._has_height = False
+        self._sideways: list[Finding] = []  # which count only where some row names a height: a table may have no Z
+
+    def __call__(self, subject: Subject) -> Iterator[Finding]:
+        self._moves |= len(subject.toolpath) > 0
+        self._has_height |= bool(np.isfinite(subject.end[:, 2]).any())
+        feeds = subject.is_feed
+        from_nowhere = (np.isnan(subject.begin) & np.isfinite(subject.end)).any(axis=1)
+        sideways = ~feeds & np.isfinite(subject.end[:, :2]).any(axis=1) & np.isnan(subject.begin[:, 2])
+        yield from _first_of(
+            subject, feeds & (subject.table.feed <= 0), "error", "no-feed", "a cutting move has no feed rate",
+            "give F before it",
+        )  # fmt: skip
+        yield from _first_of(
+            subject, feeds & from_nowhere, "warning", "position-unknown",
             "a cutting move begins at an unknown position, so it is not checked against the stock",
             "begin with rapids that name X, Y and Z",
-        ),
-        (
-            ~feeds & sideways & has_height,
-            "warning",
-            "height-unknown",
-            "a rapid goes sideways while the height is not known",
+        )  # fmt: skip
+        self._sideways += _first_of(
+            subject, sideways, "warning", "height-unknown", "a rapid goes sideways while the height is not known",
             "begin the program with a rapid to a safe Z",
-        ),
-    )
-    for where, severity, code, text, advice in rules:
-        rows = np.flatnonzero(where)
-        if len(rows):
-            yield subject.finding(int(rows[0]), severity, code, text, advice=advice, count=len(rows))
+        )  # fmt: skip
+
+    def end(self, last: Subject) -> Iterator[Finding]:
+        if not self._moves:
+            text, advice = "the program moves nothing", "see whether it is whole"
+            yield last.finding(-1, "error", "no-motion", text, advice=advice)
+        elif self._has_height:
+            yield from self._sideways
 
 
-def outputs(subject: Subject) -> Iterator[Finding]:
-    """Yield spindle speeds out of range and coolant that the machine does not have."""
-    spindle, coolant = subject.machine.spindle, subject.machine.outputs.coolant
-    min_rpm = 0.0 if spindle.laser else spindle.min_rpm
-    seen: set[tuple] = set()
-    for index, row in subject.first_rows_of_states():
-        state = subject.toolpath.states[index]
-        speed = ("rpm", state.spindle_rpm)
-        if state.spindle != "off" and not min_rpm <= state.spindle_rpm <= spindle.max_rpm and speed not in seen:
-            seen.add(speed)
-            yield subject.finding(
-                row,
-                "error",
-                "spindle-speed",
-                "the spindle cannot turn at this speed",
-                advice=f"choose S from {min_rpm:g} to {spindle.max_rpm:g}",
-                value=state.spindle_rpm,
-                limit=min_rpm if state.spindle_rpm < min_rpm else spindle.max_rpm,
-                unit="rpm",
-            )
-        for name, word in (("mist", "M7"), ("flood", "M8")):
-            if getattr(state, name) and name not in coolant and (name,) not in seen:
-                seen.add((name,))
+def _first_of(
+    subject: Subject, where: np.ndarray, severity: Severity, code: str, text: str, advice: str
+) -> Iterator[Finding]:
+    """Yield one finding for all rows of bool[n], at the first."""
+    rows = np.flatnonzero(where)
+    if len(rows):
+        yield subject.finding(int(rows[0]), severity, code, text, advice=advice, count=len(rows), group="")
+
+
+class Outputs(PartCheck):
+    """Finds spindle speeds out of range and coolant that the machine does not have, each once."""
+
+    def __init__(self) -> None:
+        self._seen: set[tuple] = set()
+
+    def __call__(self, subject: Subject) -> Iterator[Finding]:
+        spindle, coolant, seen = subject.machine.spindle, subject.machine.outputs.coolant, self._seen
+        min_rpm = 0.0 if spindle.laser else spindle.min_rpm
+        for index, row in subject.first_rows_of_states():
+            state = subject.toolpath.states[index]
+            speed = ("rpm", state.spindle_rpm)
+            if state.spindle != "off" and not min_rpm <= state.spindle_rpm <= spindle.max_rpm and speed not in seen:
+                seen.add(speed)
                 yield subject.finding(
-                    row, "error", "coolant", f"the machine has no {name} coolant", advice=f"take out {word}"
+                    row,
+                    "error",
+                    "spindle-speed",
+                    "the spindle cannot turn at this speed",
+                    advice=f"choose S from {min_rpm:g} to {spindle.max_rpm:g}",
+                    value=state.spindle_rpm,
+                    limit=min_rpm if state.spindle_rpm < min_rpm else spindle.max_rpm,
+                    unit="rpm",
                 )
+            for name, word in (("mist", "M7"), ("flood", "M8")):
+                if getattr(state, name) and name not in coolant and (name,) not in seen:
+                    seen.add((name,))
+                    text, advice = f"the machine has no {name} coolant", f"take out {word}"
+                    yield subject.finding(row, "error", "coolant", text, advice=advice)
 
 
-def spin_up(subject: Subject) -> Iterator[Finding]:
-    """Yield each cut that begins before the spindle can have reached its speed."""
-    needed_s = subject.machine.spindle.spin_up_s
-    if needed_s <= 0 or subject.machine.spindle.laser:
-        return
-    running = np.r_[False, subject.spindle_on, False].astype(np.int8)
-    change = np.diff(running)
-    for first, last in zip(np.flatnonzero(change == 1), np.flatnonzero(change == -1), strict=True):
+class SpinUp(PartCheck):
+    """Finds each cut that begins before the spindle can have reached its speed."""
+
+    def __init__(self) -> None:
+        self._waited_s: float | None = None  # since the spindle was started, before its first cut; None: not waiting
+        self._turns = False  # at the end of the part before
+
+    def __call__(self, subject: Subject) -> Iterator[Finding]:
+        needed_s, laser = subject.machine.spindle.spin_up_s, subject.machine.spindle.laser
+        if needed_s <= 0 or laser or not len(subject.table):
+            return
+        turns = subject.spindle_on
+        edges = [0, *(np.flatnonzero(turns[1:] != turns[:-1]) + 1).tolist(), len(turns)]
+        dwells = _dwells_while_turning(subject)
+        for first, last in pairwise(edges):
+            if turns[first] and not (first == 0 and self._turns):
+                self._waited_s = 0.0
+            if turns[first] and self._waited_s is not None:
+                yield from self._wait(subject, first, last, dwells, needed_s)
+        self._turns = bool(turns[-1])
+
+    def _wait(
+        self, subject: Subject, first: int, last: int, dwells: list[tuple[int, float]], needed_s: float
+    ) -> Iterator[Finding]:
+        """Count the dwells of rows [first, last), on which the spindle turns, up to the first cut."""
+        assert self._waited_s is not None
         cuts = np.flatnonzero(subject.is_feed[first:last]) + first
-        if not len(cuts):
-            continue
-        waited_s = sum(
-            event.value
-            for event in subject.toolpath.events
-            if event.kind == "dwell"
-            and first <= event.index <= cuts[0]
-            and subject.toolpath.states[event.state].spindle != "off"
-        )
-        if waited_s < needed_s - 1e-9:
+        until = int(cuts[0]) if len(cuts) else last - 1
+        waited_s = self._waited_s + sum(dwell_s for row, dwell_s in dwells if first <= row <= until)
+        self._waited_s = None if len(cuts) else waited_s
+        if len(cuts) and waited_s < needed_s - 1e-9:
             yield subject.finding(
-                int(cuts[0]),
+                until,
                 "warning",
                 "spin-up",
                 "the cut begins without waiting for the spindle",
@@ -201,26 +248,42 @@ def spin_up(subject: Subject) -> Iterator[Finding]:
             )
 
 
-def tool_changes(subject: Subject) -> Iterator[Finding]:
-    """Yield changes of the tool number without a stop, and stops for the hand with the spindle running."""
-    events = subject.toolpath.events
-    stops = {event.index for event in events if event.kind in ("pause", "tool_change")}
-    numbers = np.array([state.tool for state in subject.toolpath.states], int)[subject.table.state]
-    for row in np.flatnonzero(numbers[1:] != numbers[:-1]) + 1:
-        if numbers[row - 1] != 0 and int(row) not in stops:
-            yield subject.finding(
-                int(row),
-                "error",
-                "tool-change",
-                f"tool {numbers[row]} cuts on without a stop to change tool {numbers[row - 1]}",
-                advice="stop with M5 and M0 before the new tool",
-            )
-    for event in events:
-        if event.kind == "pause" and subject.toolpath.states[event.state].spindle != "off":
-            yield subject.finding_at(
-                event.line,
-                "warning",
-                "pause-spindle",
-                "the program pauses while the spindle turns",
-                advice="write M5 before M0",
-            )
+def _dwells_while_turning(subject: Subject) -> list[tuple[int, float]]:
+    """Return before which row each dwell stands during which the spindle is on, and its time in s."""
+    states = subject.toolpath.states
+    return [
+        (event.index, event.value)
+        for event in subject.toolpath.events
+        if event.kind == "dwell" and states[event.state].spindle != "off"
+    ]
+
+
+class ToolChanges(PartCheck):
+    """Finds changes of the tool number without a stop, and stops for the hand with the spindle running."""
+
+    def __init__(self) -> None:
+        self._tool = 0  # of the last row before
+
+    def __call__(self, subject: Subject) -> Iterator[Finding]:
+        events, states = subject.toolpath.events, subject.toolpath.states
+        stops = {event.index for event in events if event.kind in ("pause", "tool_change")}
+        numbers = np.append(self._tool, subject.tool_numbers)
+        for row in np.flatnonzero(numbers[1:] != numbers[:-1]):
+            if numbers[row] != 0 and int(row) not in stops:
+                yield subject.finding(
+                    int(row),
+                    "error",
+                    "tool-change",
+                    f"tool {numbers[row + 1]} cuts on without a stop to change tool {numbers[row]}",
+                    advice="stop with M5 and M0 before the new tool",
+                )
+        self._tool = int(numbers[-1])
+        for event in events:
+            if event.kind == "pause" and states[event.state].spindle != "off":
+                yield subject.finding_at(
+                    event.line,
+                    "warning",
+                    "pause-spindle",
+                    "the program pauses while the spindle turns",
+                    advice="write M5 before M0",
+                )

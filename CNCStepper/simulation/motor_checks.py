@@ -8,7 +8,6 @@ from collections.abc import Iterator
 import numpy as np
 
 from CNCStepper.machine.profile import AXIS_NAMES, Motor
-from CNCStepper.motion.plan import top_speeds_mm_s
 from CNCStepper.simulation.finding import Finding
 from CNCStepper.simulation.subject import Subject
 from CNCStepper.toolpath import LINE, RAPID
@@ -21,7 +20,7 @@ def motors(subject: Subject) -> Iterator[Finding]:
     """Yield for each axis the move at which its motor lacks most torque; without an encoder it would lose steps."""
     if not len(subject.toolpath) or not any(axis.motor for axis in subject.machine.axes):
         return
-    speeds, accelerations = top_speeds_mm_s(subject.toolpath, subject.machine), _accelerations(subject)
+    speeds, accelerations = subject.speeds_mm_s, _accelerations(subject)
     for axis, (name, profile) in enumerate(zip(AXIS_NAMES, subject.machine.axes, strict=True)):
         if profile.motor is not None:
             yield from _lacking(subject, name, profile.motor, speeds[:, axis], accelerations[:, axis])
@@ -49,6 +48,9 @@ def _lacking(subject: Subject, name: str, motor: Motor, speed: np.ndarray, accel
             limit=float(given[worst]),
             unit="Nm",
             count=len(rows),
+            group=name,
+            rank=float((needed - given)[worst]),
+            at_first=False,
         )
 
 

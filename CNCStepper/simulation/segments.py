@@ -55,8 +55,8 @@ class Segments:
 
 def frame_mm(toolpath: Toolpath) -> np.ndarray:
     """Return the machine coordinates of the stock's work zero, float64[3]: the offset of the first row."""
-    table = toolpath.table()
-    state = toolpath.states[int(table.state[0]) if len(table) else 0]
+    first = next((chunk for chunk in toolpath.chunks if len(chunk)), None)
+    state = toolpath.frame or toolpath.states[int(first.state[0]) if first else 0]
     return np.array(state.offset_mm[:3], float) - (0.0, 0.0, state.tool_length_mm)
 
 

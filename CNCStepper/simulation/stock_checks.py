@@ -10,7 +10,7 @@ import shapely
 
 from CNCStepper.machine.shapes import OWN_KEYS
 from CNCStepper.machine.tool import Tool
-from CNCStepper.simulation.contact import RUB_MM, Remaining
+from CNCStepper.simulation.contact import RUB_MM, Cuts, Remaining
 from CNCStepper.simulation.cutter import BEAM, Cutter, Tools, tool_numbered
 from CNCStepper.simulation.edge_tree import flat_edges
 from CNCStepper.simulation.finding import Finding
@@ -26,16 +26,21 @@ PASSED_MM = 0.001
 SPOIL_MM = 5.0  # a spoil board is cut no deeper on purpose; below lies the table
 
 
-def tools_known(subject: Subject, tools: Tools) -> Iterator[Finding]:
-    """Yield each tool number that cuts and is not known, and each shape that is simulated as another."""
-    numbers = np.array([state.tool for state in subject.toolpath.states], int)[subject.table.state]
+def tools_known(subject: Subject, tools: Tools, seen: set[int]) -> Iterator[Finding]:
+    """Yield each tool number that cuts and is not known, and each shape that is simulated as another.
+
+    seen: the numbers that were looked at before; those of this part are added.
+    """
+    numbers = subject.tool_numbers
     feeds = np.flatnonzero(subject.is_feed)
-    for number in np.unique(numbers[feeds]).tolist():
+    for number in sorted(set(np.unique(numbers[feeds]).tolist()) - seen):
+        seen.add(number)
         row = int(feeds[numbers[feeds] == number][0])
         tool = tool_numbered(tools, number)
         if tool is None:
             text = f"tool {number} is not known, so what it cuts is not checked"
-            yield subject.finding(row, "error", "unknown-tool", text, advice="add the tool or correct the T word")
+            advice = "add the tool or correct the T word"
+            yield subject.finding(row, "error", "unknown-tool", text, advice=advice)
         elif tool.shape not in ("flat", *BEAM) and Cutter(form_of(tool)).is_flat:
             text = f"the {tool.shape} tool's form is not given, so it is judged as a flat one of its diameter"
             advice = f"give its {' and '.join(sorted(OWN_KEYS[tool.shape]))}"
@@ -49,20 +54,24 @@ def blind(subject: Subject, stock: Stock) -> Iterator[Finding]:
     if len(rows):
         text = "the tool is below the stock's top while its place in X or Y is not known"
         advice = "name X and Y in a rapid above the stock first"
-        yield subject.finding(int(rows[0]), "error", "place-unknown-in-stock", text, advice=advice, count=len(rows))
+        row, code = int(rows[0]), "place-unknown-in-stock"
+        yield subject.finding(row, "error", code, text, advice=advice, count=len(rows), group="")
 
 
 class StockChecks:
-    """The checks that need to know what the moves before have left."""
+    """The checks of a program, or of a part of it, that need to know what the moves before have left.
 
-    def __init__(self, subject: Subject, stock: Stock, tools: Tools):
+    before: the cutting paths of the parts before.
+    """
+
+    def __init__(self, subject: Subject, stock: Stock, tools: Tools, before: Cuts = ()):
         self.subject = subject
         self.stock = stock
         self.path = segments(subject.toolpath, FLATTEN_MM).known()
-        self.remaining = Remaining(stock, cutting_path(subject.toolpath, tools, stock.top_mm, stock))
-        numbers = np.array([state.tool for state in subject.toolpath.states], int)[subject.table.state]
-        self.tools = {int(number): tool_numbered(tools, int(number)) for number in np.unique(numbers)}
-        self.numbers = numbers
+        self.cuts = cutting_path(subject.toolpath, tools, stock.top_mm, stock)
+        self.remaining = Remaining(stock, self.cuts, before)
+        self.numbers = subject.tool_numbers
+        self.tools = {int(number): tool_numbered(tools, int(number)) for number in np.unique(self.numbers)}
 
     def tool(self, row: int) -> Tool | None:
         """Return the tool of a row, or None where it is not known."""
@@ -86,22 +95,9 @@ class StockChecks:
         """Yield each rapid that touches stock which the moves before it have not cleared."""
         low = self.subject.low_mm < self.stock.top_mm - RUB_MM
         for row in np.flatnonzero(~self.subject.is_feed & low).tolist():
-            point = self._contact(row)
+            point = self.touched(row)
             if point is not None:
-                yield self._touch(row, point, "rapid-in-stock", "a rapid goes through stock", "lift the tool before it")
-
-    def still_spindle(self) -> Iterator[Finding]:
-        """Yield the first cut into stock of each stretch of the program without a turning spindle."""
-        low = self.subject.low_mm < self.stock.top_mm - RUB_MM
-        still = ~self.subject.spindle_on
-        stretch = np.cumsum(np.r_[True, still[1:] != still[:-1]]) if len(still) else still
-        reported: set[int] = set()
-        for row in np.flatnonzero(still & self.subject.is_feed & low).tolist():
-            point = None if int(stretch[row]) in reported else self._contact(row)
-            if point is not None:
-                reported.add(int(stretch[row]))
-                advice = "start the spindle with M3 and S before it"
-                yield self._touch(row, point, "spindle-off", "a cut goes into stock while the spindle stands", advice)
+                yield self.touch(row, point, "rapid-in-stock", "a rapid goes through stock", "lift the tool before it")
 
     def below(self) -> Iterator[Finding]:
         """Yield the deepest cut that goes through the bottom of the stock; an error where it goes into the table."""
@@ -119,6 +115,9 @@ class StockChecks:
                 limit=self.stock.bottom_mm,
                 unit="mm",
                 count=len(rows),
+                group="",
+                rank=-lowest_mm,
+                at_first=False,
             )
 
     def _over_stock(self, row: int) -> bool:
@@ -129,14 +128,40 @@ class StockChecks:
         beside = shapely.distance(shapely.linestrings(flat_edges(deep)), self.stock.outline)
         return bool((beside < cutter.radius_mm).any())
 
-    def _contact(self, row: int) -> tuple[float, ...] | None:
+    def touched(self, row: int) -> tuple[float, ...] | None:
+        """Return the first place where the cutter of a row touches stock; None where it does not."""
         cutter = self.cutter(row)
         return None if cutter is None else self.contact(cutter, self.pieces(row))
 
-    def _touch(self, row: int, point: tuple[float, ...], code: str, text: str, advice: str) -> Finding:
+    def touch(self, row: int, point: tuple[float, ...], code: str, text: str, advice: str) -> Finding:
+        """Return the finding of a row that touches stock at a place."""
         return self.subject.finding(
             row, "error", code, text, advice=advice, place_mm=point, value=point[2], limit=self.stock.top_mm, unit="mm"
         )
+
+
+class StillSpindle:
+    """Finds the first cut into stock of each stretch of the program without a turning spindle."""
+
+    def __init__(self) -> None:
+        self._still = False  # on the last row before
+        self._reported = False  # a cut in the stretch of that row
+
+    def __call__(self, checks: StockChecks) -> Iterator[Finding]:
+        """Yield what is found in the next part of the program."""
+        subject, still = checks.subject, ~checks.subject.spindle_on
+        if not len(still):
+            return
+        stretch = np.cumsum(np.append(still[0] != self._still, still[1:] != still[:-1]))
+        reported = {0} if self._reported else set()
+        low = subject.low_mm < checks.stock.top_mm - RUB_MM
+        for row in np.flatnonzero(still & subject.is_feed & low).tolist():
+            point = None if int(stretch[row]) in reported else checks.touched(row)
+            if point is not None:
+                reported.add(int(stretch[row]))
+                advice = "start the spindle with M3 and S before it"
+                yield checks.touch(row, point, "spindle-off", "a cut goes into stock while the spindle stands", advice)
+        self._still, self._reported = bool(still[-1]), int(stretch[-1]) in reported
 
 
 def verdict(subject: Subject, judgement: Judgement) -> Iterator[Finding]:

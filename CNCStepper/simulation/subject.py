@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
@@ -11,6 +12,7 @@ import numpy as np
 
 from CNCStepper.errors import Place
 from CNCStepper.machine.profile import Machine
+from CNCStepper.motion.plan import top_speeds_mm_s
 from CNCStepper.simulation.arcs import extremes
 from CNCStepper.simulation.finding import Finding, Severity
 from CNCStepper.simulation.segments import tips_mm
@@ -19,7 +21,10 @@ from CNCStepper.toolpath import RAPID, Chunk, Toolpath
 
 @dataclass(frozen=True)
 class Subject:
-    """A program under check; begin, end: the tip in work coordinates, float64[n, 3]."""
+    """A program under check, or one part of it after the other; begin, end: the tip in work coordinates, float64[n, 3].
+
+    known_speeds_mm_s: the greatest speed of each axis on every row, float64[n, axes]; None: not planned yet.
+    """
 
     toolpath: Toolpath
     machine: Machine
@@ -27,11 +32,12 @@ class Subject:
     table: Chunk
     begin: np.ndarray
     end: np.ndarray
+    known_speeds_mm_s: np.ndarray | None = None
 
     @classmethod
-    def of(cls, toolpath: Toolpath, machine: Machine, file: str) -> Subject:
-        """Return the program ready for the checks."""
-        return cls(toolpath, machine, file, toolpath.table(), *tips_mm(toolpath))
+    def of(cls, toolpath: Toolpath, machine: Machine, file: str, speeds_mm_s: np.ndarray | None = None) -> Subject:
+        """Return the program, or a part of it, ready for the checks."""
+        return cls(toolpath, machine, file, toolpath.table(), *tips_mm(toolpath), speeds_mm_s)
 
     @property
     def is_feed(self) -> np.ndarray:
@@ -49,6 +55,18 @@ class Subject:
         """Whether the spindle turns, or the beam is on, on each row, bool[n]."""
         return np.array([state.spindle_turns for state in self.toolpath.states], bool)[self.table.state]
 
+    @property
+    def tool_numbers(self) -> np.ndarray:
+        """The number of each row's tool, int[n]."""
+        return np.array([state.tool for state in self.toolpath.states], int)[self.table.state]
+
+    @property
+    def speeds_mm_s(self) -> np.ndarray:
+        """The greatest speed of each axis on every row, float64[n, axes]."""
+        if self.known_speeds_mm_s is None:
+            return top_speeds_mm_s(self.toolpath, self.machine)
+        return self.known_speeds_mm_s
+
     def finding(self, row: int, severity: Severity, code: str, text: str, **more: Any) -> Finding:
         """Return a finding at a row of the table, or at the start of the file where there is none (-1)."""
         line = int(self.table.line[row]) if 0 <= row < len(self.table) else 1
@@ -64,3 +82,15 @@ class Subject:
         """Return (state, first row that names it), in the order of the rows."""
         states, rows = np.unique(self.table.state, return_index=True)
         return sorted(zip(states.tolist(), rows.tolist(), strict=True), key=lambda pair: pair[1])
+
+
+class PartCheck:
+    """A check that remembers what the parts of a program before have shown."""
+
+    def __call__(self, subject: Subject) -> Iterator[Finding]:
+        """Yield what is found in the next part."""
+        raise NotImplementedError
+
+    def end(self, last: Subject) -> Iterator[Finding]:
+        """Yield what can be said only after the last part."""
+        yield from ()

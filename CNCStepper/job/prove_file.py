@@ -1,0 +1,294 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The proof of a program's file, piece by piece: memory stays the same however long the program is.
+
+    WireFile ─chunks─► tool's way ─► planner ─► parts of PART_ROWS rows ─► Checks · Figures · the cut part
+        └── what is sent ─► spool, for the certificate
+
+It finds and reports what `prove.prove` does of the whole text. What needs the whole program at once is left to that:
+jobs, whose shapes are judged, and tools that say how much material they may meet.
+"""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import ExitStack
+from dataclasses import dataclass, replace
+from itertools import repeat
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+
+from CNCStepper.gcode.dialects import dialect_named
+from CNCStepper.gcode.file_pieces import text_pieces
+from CNCStepper.gcode.flow_lines import is_plain
+from CNCStepper.gcode.take_up import play_of
+from CNCStepper.gcode.wire_file import WireFile
+from CNCStepper.gcode.wire_text import WireText
+from CNCStepper.job.given import Given
+from CNCStepper.job.milestones import Milestones
+from CNCStepper.machine.profile import Machine
+from CNCStepper.machine.tool import Tool
+from CNCStepper.motion.backlash import ToolMoves
+from CNCStepper.motion.chunk_window import ChunkWindow
+from CNCStepper.motion.memory import TICKS_PER_S
+from CNCStepper.motion.plan import Run, begun_chunks
+from CNCStepper.motion.stops import RUNNING_EVENTS
+from CNCStepper.simulation.check import Checks
+from CNCStepper.simulation.finding import Finding, refused
+from CNCStepper.simulation.report import Figures
+from CNCStepper.simulation.subject import Subject
+from CNCStepper.simulation.table_parts import PART_ROWS, TableParts
+from CNCStepper.state import Start
+from CNCStepper.toolpath import Chunk, Event, Toolpath, straight_chunks
+
+if TYPE_CHECKING:  # what looks at the stock is loaded where there is one: a short check takes half the time without
+    from CNCStepper.control.spool import SpoolWriter
+    from CNCStepper.simulation.cutter import Tools
+    from CNCStepper.simulation.heightmap import HeightMap
+    from CNCStepper.simulation.kept_cuts import KeptCuts
+    from CNCStepper.simulation.stock import Stock
+
+
+@dataclass(frozen=True)
+class FileProof:
+    """What is known of a program's file on a machine; as `prove.Proof`, but for what holds the whole program.
+
+    wire: what would be sent; its lines are read from the spool, and there are none where no spool was asked for.
+    start: of the table. plan: as `milestones` gives it. cell_mm: of the cut part, None without stock.
+    """
+
+    path: Path
+    wire: SpooledWire
+    start: Start
+    plan: list[list[float]]
+    findings: list[Finding]
+    report: dict[str, Any]
+    given: Given
+    cell_mm: tuple[float, float] | None
+
+    @property
+    def refused(self) -> bool:
+        """Whether a finding forbids sending it."""
+        return refused(self.findings)
+
+    @property
+    def program_sha256(self) -> str:
+        """The fingerprint of the program's text."""
+        from CNCStepper.control.certificate import digest_of_pieces
+
+        return digest_of_pieces(text_pieces(self.path))
+
+
+@dataclass(frozen=True)
+class SpooledWire:
+    """What is sent of a program; its lines are in a spool, and read when they are asked for."""
+
+    lines: Sequence[str]
+    file_lines: Sequence[int]
+    messages: dict[int, str]
+    sha256: str
+    count: int
+
+
+def can_be_proven_in_pieces(path: Path, machine: Machine, dialect: str, tools: Tools | None) -> bool:
+    """Whether `prove_file` can prove a program: none of its lines leads elsewhere, and no check needs all of it."""
+    language = dialect_named(dialect or machine.controller)
+    computes = language.expressions or language.o_words
+    if computes and not all(map(is_plain, text_pieces(path))):
+        return False
+    if tools is None:
+        return True
+    from CNCStepper.simulation.load_checks import needs_material
+
+    return not needs_material([tools] if isinstance(tools, Tool) else tools.values())
+
+
+def prove_file(
+    path: Path,
+    machine: Machine,
+    *,
+    dialect: str = "",
+    start: Start | None = None,
+    stock: Stock | None = None,
+    tools: Tools | None = None,
+    spool: Path | None = None,
+    share: Callable[[float], None] = lambda share: None,
+) -> FileProof:
+    """Return the proof of a program's file for which `can_be_proven_in_pieces`; raises ProgramError as `prove` does.
+
+    tools: by number, or one that stands for every number. spool: a new file for what is sent. share: called with the
+    share that is done.
+    """
+    return _FileProof(path, machine, dialect or machine.controller, start, stock, tools, spool, share).run()
+
+
+class _FileProof:
+    """One proof on its way through a program's file."""
+
+    def __init__(
+        self,
+        path: Path,
+        machine: Machine,
+        dialect: str,
+        start: Start | None,
+        stock: Stock | None,
+        tools: Tools | None,
+        spool: Path | None,
+        share: Callable[[float], None],
+    ):
+        self._path, self._machine, self._dialect = path, machine, dialect
+        self._stock, self._tools, self._spool = stock, tools, spool
+        self._play = play_of(machine, dialect)
+        self._wire = WireFile(path, start, dialect, self._play, sink=self._keep, progress=share)
+        self._kept: KeptCuts | None = None
+        self._part: HeightMap | None = None
+        if stock is not None and tools is not None:
+            from CNCStepper.simulation.heightmap import HeightMap
+            from CNCStepper.simulation.kept_cuts import KeptCuts
+
+            self._kept, self._part = KeptCuts(), HeightMap(stock)
+        self._checks = Checks(stock, tools, kept=self._kept)
+        self._figures, self._milestones = Figures(tools), Milestones()
+        self._writer: SpoolWriter | None = None
+        table = self._wire.table
+        self._motors, self._tool_parts = (TableParts(table.start, table.states) for _ in range(2))
+        self._tool_moves = ToolMoves(self._play, table.start.position_mm) if self._play else None
+        self._stops: list[Event] = []  # events at which the motion stops
+        self._rows = 0  # read so far
+        self._whole_s = 0.0
+
+    def run(self) -> FileProof:
+        """Read the file and prove it."""
+        with ExitStack() as files:
+            if self._kept:
+                files.callback(self._kept.close)
+            if self._spool:
+                from CNCStepper.control.spool import SpoolWriter
+
+                self._writer = files.enter_context(SpoolWriter(self._spool, str(self._path)))
+            for group, is_last in _groups(self._planned()):
+                self._see(group, is_last)
+        return self._proof()
+
+    def _keep(self, wire: WireText) -> None:
+        if self._writer:
+            self._writer.add(wire.file_lines.tolist(), wire.lines)
+
+    def _planned(self) -> Iterator[_Planned]:
+        """Yield the chunks as the motors go them, each once it is planned."""
+        table = self._wire.table
+        path, waiting = Toolpath(table.start, [], table.states, self._stops), deque[Chunk]()
+        chunks = self._chunks(waiting)
+        speeds: Iterator[np.ndarray | None] = repeat(None)
+        if any(axis.motor for axis in self._machine.axes):
+            chunks, again = _twice(chunks)
+            speeds = Run(replace(path, chunks=ChunkWindow(again)), self._machine).row_speeds_mm_s()  # type: ignore
+        begun, known = begun_chunks(path, chunks)
+        run = Run(replace(begun, chunks=ChunkWindow(known)), self._machine)  # type: ignore[arg-type]
+        for ends_s in run.row_ends_s():
+            yield _Planned(waiting.popleft(), ends_s, next(speeds))
+        self._whole_s = run.clock / TICKS_PER_S
+        if not self._rows:
+            yield _Planned(table.empty(), np.zeros(0), None)
+
+    def _chunks(self, waiting: deque[Chunk]) -> Iterator[Chunk]:
+        """Yield the motors' chunks, which then wait to be planned; their events are in both lists when they are out."""
+        for chunk in straight_chunks(self._wire.chunks(), self._wire.table, str(self._path)):
+            self._take_events()
+            if len(chunk):
+                self._rows += len(chunk)
+                waiting.append(chunk)
+                yield chunk
+        self._take_events()
+
+    def _take_events(self) -> None:
+        events = self._wire.take_events()
+        self._stops += [event for event in events if event.kind not in RUNNING_EVENTS]
+        for parts in (self._motors, self._tool_parts):
+            parts.events += events
+
+    def _see(self, group: list[_Planned], is_last: bool) -> None:
+        """Check, measure and cut the next part of the program."""
+        file, lines = str(self._path), np.concatenate([one.chunk.line for one in group])
+        ends_s = np.concatenate([one.ends_s for one in group])
+        speeds = [one.speeds_mm_s for one in group if one.speeds_mm_s is not None]
+        motors = self._motors.part([one.chunk for one in group], is_last)
+        of_motors = of_tool = Subject.of(motors, self._machine, file, np.concatenate(speeds) if speeds else None)
+        if self._tool_moves:
+            moved = [self._tool_moves.moved(one.chunk) for one in group]
+            of_tool = Subject.of(self._tool_parts.part(moved, is_last), self._machine, file)
+        self._checks.see(of_motors, of_tool)
+        self._figures.see(of_tool.toolpath, ends_s, self._wire.table.span_marks("operation"))
+        self._milestones.see(lines, ends_s)
+        if self._part is not None and self._stock is not None and self._tools is not None:
+            from CNCStepper.simulation.heightmap import HeightMap
+            from CNCStepper.simulation.removal_moves import moves_of
+
+            moves = moves_of(of_tool.toolpath, self._tools, self._stock)
+            self._part = HeightMap(self._stock, part=self._part.part.after(moves))
+
+    def _proof(self) -> FileProof:
+        table, findings = self._wire.table, self._checks.end()
+        toolpath = Toolpath(table.start, [], table.states, spans=table.spans)
+        given = Given("", self._dialect, self._machine, self._stock, self._tools)
+        return FileProof(
+            path=self._path,
+            wire=self._sent(),
+            start=table.start,
+            plan=self._milestones.all(),
+            findings=findings,
+            report=self._figures.report(
+                toolpath, whole_s=self._whole_s, file=str(self._path), findings=findings, part=self._part
+            ),
+            given=given,
+            cell_mm=None if self._part is None else self._part.cell_mm,
+        )
+
+    def _sent(self) -> SpooledWire:
+        """Return what would be sent."""
+        wire = self._wire
+        if self._spool is None:
+            return SpooledWire((), (), wire.messages, wire.sha256, wire.count)
+        from CNCStepper.control.send_job import SendJob
+        from CNCStepper.control.spool import read_spool
+
+        job = read_spool(self._spool, SendJob("", ()))
+        return SpooledWire(job.lines, job.file_lines, wire.messages, wire.sha256, wire.count)
+
+
+def _twice(chunks: Iterator[Chunk]) -> tuple[Iterator[Chunk], Iterator[Chunk]]:
+    """Return the chunks for two readers; `itertools.tee` would keep up to 57 of them that both have read."""
+    lags = deque[Chunk](), deque[Chunk]()
+
+    def reader(own: deque[Chunk]) -> Iterator[Chunk]:
+        while True:
+            if not own:
+                chunk = next(chunks, None)
+                if chunk is None:
+                    return
+                for lag in lags:
+                    lag.append(chunk)
+            yield own.popleft()
+
+    return reader(lags[0]), reader(lags[1])
+
+
+class _Planned(NamedTuple):
+    """A chunk of the motors' way, the end of each row in s, and where motors are checked their speeds."""
+
+    chunk: Chunk
+    ends_s: np.ndarray
+    speeds_mm_s: np.ndarray | None
+
+
+def _groups(planned: Iterator[_Planned]) -> Iterator[tuple[list[_Planned], bool]]:
+    """Yield the chunks in groups of PART_ROWS rows at least, and whether it is the last group."""
+    group: list[_Planned] = []
+    for one in planned:
+        if sum(len(before.chunk) for before in group) >= PART_ROWS:
+            yield group, False
+            group = []
+        group.append(one)
+    yield group, True

@@ -1,0 +1,206 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A program that is proven piece by piece has the findings, the report and the certificate of the whole text."""
+
+from __future__ import annotations
+
+import re
+import subprocess
+import sys
+from collections import Counter
+from collections.abc import Iterator
+from contextlib import ExitStack
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from CNCStepper.control.certificate import Certificate
+from CNCStepper.errors import ProgramError
+from CNCStepper.gcode import file_pieces
+from CNCStepper.gcode.wire_file import WireFile
+from CNCStepper.job import prove_file as prove_file_module
+from CNCStepper.job.certify import certificate_of
+from CNCStepper.job.prove import prove
+from CNCStepper.job.prove_file import FileProof, can_be_proven_in_pieces, prove_file
+from CNCStepper.machine.profile import Machine, Motor, load_machine
+from CNCStepper.machine.tool import Tool
+from CNCStepper.simulation.stock import Stock
+from CNCStepper.state import Start
+from CNCStepper.toolpath import COLUMNS, Chunk
+
+sys.path.insert(0, str(Path(__file__).parents[1] / "simulation"))
+from seeded_programs import clean_program, faults_of
+
+TABLE = load_machine("table-a")
+STOCK, FLAT = Stock((60, 50, 20)), Tool(number=1, shape="flat", diameter_mm=6)
+CORED = Tool(number=2, shape="flat", diameter_mm=6, core_diameter_mm=2)
+FAULTY = (  # each line of it is there for a check that looks beyond one row
+    "%\n(operation: first)\nX1 Y1\nG21 G90 G17 T1\nG1 Z-1 F300\n(MSG, look)\nG0 Z5\nM3 S10000\n(still waiting)\nG4 P1\n"
+    "G4 P0.5\n"
+    "G1 X2 Z-1\nX9\nG2 X12 Y4 I3 J0\nM8\nG64 P0.05\nG1 X13\nX14\nX14 Y9\nG64\nX15\nX16\nG61\n"
+    "(operation: second)\nG0 X20\n"
+    "G0 Z-2\nM5\nX25\nG1 X26\nX27\nM3 S10000\nM0\nX30 F9000\nX31\nM5\nG0 Z9\nT2\nG0 X5\nM3 S24000\nG1 Z-25 F100\nX200\n"
+    "Y-190\nG55 G0 Z9\nG92 X5\nG1 X6 Z-3\nG10 L2 P1 X3\nX0\n(MSG, end)\nM5\nM2\n%\nG1 X1000\n"
+)
+
+
+def machine_with(controller: str = "grbl", **of_axes: Any) -> Machine:
+    axes = {name: axis.model_copy(update=of_axes) for name, axis in TABLE.axis.items()}
+    return TABLE.model_copy(update={"axis": axes, "controller": controller})
+
+
+@pytest.fixture(params=[(1, 40), (3, 200), (50, 1 << 21)], ids=lambda value: f"rows{value[0]}-bytes{value[1]}")
+def pieces(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Let chunks, parts and pieces of the file be small."""
+    rows, size = request.param
+    chunks = WireFile.chunks
+
+    def small(self: WireFile) -> Iterator[Chunk]:
+        for chunk in chunks(self):
+            for first in range(0, len(chunk), rows):
+                some = (getattr(chunk, name)[first : first + rows] for name in COLUMNS)
+                yield Chunk(chunk.first + first, *some)
+
+    monkeypatch.setattr(WireFile, "chunks", small)
+    monkeypatch.setattr(prove_file_module, "PART_ROWS", 2 * rows)
+    monkeypatch.setattr(file_pieces, "PIECE", size)
+
+
+def both(folder: Path, text: str, machine: Machine, dialect: str = "grbl", **more: Any) -> tuple[Any, FileProof]:
+    file = folder / "ç program.nc"
+    file.write_text(text, encoding="utf-8", newline="")
+    stock, tools, start = (more.get(name) for name in ("stock", "tools", "start"))
+    whole = prove(text, machine, file=str(file), dialect=dialect, stock=stock, tools=tools, start=start)
+    assert can_be_proven_in_pieces(file, machine, dialect, tools)
+    spool = folder / "sent"
+    spool.unlink(missing_ok=True)
+    parts = prove_file(file, machine, dialect=dialect, stock=stock, tools=tools, start=start, spool=spool)
+    return whole, parts
+
+
+def assert_same(whole: Any, parts: FileProof) -> None:
+    assert parts.findings == whole.findings
+    volume, own = (proof.report.pop("removed_volume_mm3") for proof in (whole, parts))
+    assert own == (volume if volume is None else pytest.approx(volume, abs=1e-3))
+    assert parts.report == whole.report
+    for proof in (whole, parts):
+        proof.report["removed_volume_mm3"] = 0.0
+    assert certificate_of(parts).sha256 == certificate_of(whole).sha256
+
+
+@pytest.mark.parametrize("dialect", ["grbl", "grblhal", "linuxcnc"])
+@pytest.mark.parametrize("stock", [None, STOCK], ids=["no-stock", "stock"])
+@pytest.mark.parametrize("start", [None, Start.with_work_zero((-200.0, -200.0, -40.0))], ids=["unknown", "zero"])
+@pytest.mark.usefixtures("pieces")
+def test_all_that_checks_find_beyond_a_row(
+    tmp_path: Path, dialect: str, stock: Stock | None, start: Start | None
+) -> None:
+    tools = CORED if stock else None
+    machine = machine_with(controller=dialect)
+    text = FAULTY.replace("\nX1 Y1", "\nG0 X1 Y1") if dialect == "linuxcnc" else re.sub("G6[14].*\n", "", FAULTY)
+    whole, parts = both(tmp_path, text, machine, dialect, stock=stock, tools=tools, start=start)
+    assert_same(whole, parts)
+    codes = {finding.code for finding in whole.findings}
+    wanted = {"spin-up", "pause-spindle", "height-unknown", "feed-above-rate"}
+    wanted |= {"corners-cut"} if dialect == "linuxcnc" else set()
+    wanted |= {"spindle-off", "rapid-in-stock", "below-stock", "plunge"} if stock else set()
+    wanted |= {"travel"} if start else {"place-unknown"}
+    assert wanted <= codes, wanted - codes
+
+
+@pytest.mark.usefixtures("pieces")
+def test_play_is_taken_up_line_by_line(tmp_path: Path) -> None:
+    machine = machine_with(backlash_mm=0.05)
+    text = "G21 G90\n(operation: a)\nG0 Z5\nG0 X0 Y0\nM3 S9000\nG4 P3\n(MSG, go)\nG1 Z-1 F200\n" + "".join(
+        f"X{10 + index % 3} Y{index % 5}\n(comment {index})\n" for index in range(40)
+    )
+    whole, parts = both(tmp_path, text + "G2 X20 Y4 I5 J0\nG0 Z5\nM2\n", machine, stock=STOCK, tools=FLAT)
+    assert len(whole.wire.lines) > 60, "play is taken up in lines of its own"
+    assert_same(whole, parts)
+
+
+@pytest.mark.usefixtures("pieces")
+def test_the_torque_of_motors_and_beams_that_are_never_on(tmp_path: Path) -> None:
+    load = {"travel_per_turn_mm": 10.0, "mass_kg": 8.0, "inertia_kg_m2": 5e-5, "force_n": 40.0, "efficiency": 0.8}
+    machine = machine_with(motor=Motor(**load, torque=((0, 0.1), (300, 0.08), (600, 0.0))))
+    beam = Tool(number=1, shape="jet", diameter_mm=1)
+    text = "G21 G90\nG0 Z5\n" + "".join(f"G1 X{index % 7} Y{index % 3} F1500\n" for index in range(60)) + "M2\n"
+    whole, parts = both(tmp_path, text, machine, stock=STOCK, tools=beam)
+    assert {"spindle-off", "motor-torque"} <= {finding.code for finding in whole.findings}
+    assert_same(whole, parts)
+    assert_same(*both(tmp_path, text.replace("X3", "M3 S900 X3"), machine, stock=STOCK, tools=beam))
+
+
+@pytest.mark.slow
+@pytest.mark.usefixtures("pieces")
+def test_programs_with_planted_faults(tmp_path: Path) -> None:
+    found: Counter[str] = Counter()
+    for seed in range(3):
+        clean = clean_program(seed)
+        for program in (clean, *(fault.program for fault in faults_of(clean, seed))):
+            tools = {number: replace_limits(tool) for number, tool in program.tools.items()}
+            whole, parts = both(tmp_path, program.text, TABLE, stock=program.stock, tools=tools, start=program.start)
+            assert_same(whole, parts)
+            found.update(finding.code for finding in whole.findings)
+    assert found["rapid-in-stock"] and found["spindle-off"] and found["plunge"] and found["travel"], found
+
+
+def replace_limits(tool: Tool) -> Tool:
+    """Return a tool that says nothing of the material that it may meet."""
+    return tool.model_copy(
+        update={"flute_length_mm": 0.0, "length_mm": 0.0, "engagement_max_deg": 0.0, "chip_load_max_mm": 0.0}
+    )
+
+
+@pytest.mark.usefixtures("pieces")
+@pytest.mark.parametrize("line", ["G1 X5 Q7", "G999", "G1 X1 ! Y2", "X" + "1" * 90])
+def test_a_refused_line_is_named_as_in_the_whole_text(tmp_path: Path, line: str) -> None:
+    file = tmp_path / "p.nc"
+    file.write_text("G21 G90\r\nG0 X1 (here)\r\n" * 30 + f"  {line}\r\nG0 X2\r\n", encoding="latin-1", newline="")
+    with pytest.raises(ProgramError) as whole:
+        prove(file.read_text("latin-1"), TABLE, file=str(file))
+    with pytest.raises(ProgramError) as parts:
+        prove_file(file, TABLE)
+    assert str(parts.value) == str(whole.value)
+
+
+def test_what_leads_elsewhere_is_not_read_in_pieces(tmp_path: Path) -> None:
+    file = tmp_path / "p.ngc"
+    file.write_text("O100 repeat [3]\nG0 X1\nO100 endrepeat\nM2\n", encoding="ascii")
+    assert not can_be_proven_in_pieces(file, TABLE, "linuxcnc", None)
+    with pytest.raises(ProgramError, match="not-in-pieces"):
+        prove_file(file, TABLE, dialect="linuxcnc")
+
+
+def test_a_certificate_of_a_spool_is_read_back(tmp_path: Path) -> None:
+    _, parts = both(tmp_path, "G21 G90\nG0 Z5\nG1 X1 F100\nM2\n", TABLE)
+    file = tmp_path / "certificate.json"
+    with file.open("w", encoding="utf-8") as stream:
+        stream.writelines(certificate_of(parts).json_pieces())
+    with ExitStack() as files:
+        assert list(Certificate.read(file, files).send_job().lines) == ["G21G90", "G0Z5", "G1X1F100", "M2"]
+
+
+PEAK = """
+import resource, subprocess, sys
+words = ["-m", "CNCStepper.cli", "check", sys.argv[1], "--machine", "table-a"]
+subprocess.run([sys.executable, *words, "--stock", "120,120,20", "--tool", "flat:6"], check=True)
+print(resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss // 1024)
+"""  # a process begins with the peak of the one that started it: a small one stands between
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(sys.platform == "win32", reason="Windows has no getrusage")
+def test_memory_does_not_grow_with_the_program(tmp_path: Path) -> None:
+    """Twice the lines, twice the table; what is held grows by far less, and 600 MB are never reached."""
+    peaks_mb = []
+    for rows in (500_000, 1_500_000):
+        file = tmp_path / f"{rows}.nc"
+        with file.open("w", encoding="ascii") as stream:
+            stream.write("G21 G90\nG0 Z5\nG0 X0 Y0\nM3 S9000\nG4 P3\nG1 Z-1 F600\n")
+            stream.writelines(f"X{index % 97 * 0.5:.3f} Y{index % 89 * 0.5:.3f}\n" for index in range(rows))
+            stream.write("G0 Z5\nM2\n")
+        output = subprocess.run([sys.executable, "-c", PEAK, str(file)], capture_output=True, text=True, check=True)
+        peaks_mb.append(int(output.stdout.splitlines()[-1]))
+    print(f"peaks {peaks_mb} MB")
+    assert max(peaks_mb) < 600 and peaks_mb[1] - peaks_mb[0] < 60
