@@ -10,6 +10,7 @@ import click
 
 from CNCStepper.cli.options import machine_option
 from CNCStepper.cli.running_job import session_file, session_option
+from CNCStepper.cli.verb import Verb
 from CNCStepper.errors import CNCStepperError, JobError
 from CNCStepper.machine.profile import Machine
 
@@ -30,7 +31,7 @@ OVER = "that was not done: the job has gone on meanwhile"
 LENGTH = click.FloatRange(min=0, min_open=True)
 
 
-@click.command("back")
+@click.command("back", cls=Verb)
 @click.option("--distance", "distance_mm", type=LENGTH, metavar="MM", help="Go back so far along the cut.")
 @click.option("--line", type=click.IntRange(min=1), metavar="N", help="Go back to where line N of the program begins.")
 @click.option("--entry", is_flag=True, help="Go back to where the tool last began to go down into the work.")

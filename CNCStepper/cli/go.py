@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import click
 
 from CNCStepper.cli.running_job import follow, session_file, session_option
+from CNCStepper.cli.verb import Verb
 from CNCStepper.errors import MachineRefusal
 
 if TYPE_CHECKING:
@@ -16,7 +17,7 @@ if TYPE_CHECKING:
     from CNCStepper.control.session import SessionClient
 
 
-@click.command("go")
+@click.command("go", cls=Verb)
 @click.option("--pause", "from_pause", is_flag=True, help="Also from a pause of the program (M0), once that is done.")
 @session_option
 def command(from_pause: bool, session: str | None) -> None:

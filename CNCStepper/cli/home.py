@@ -6,9 +6,10 @@ from __future__ import annotations
 import click
 
 from CNCStepper.cli.talk import Talk, place, port_options
+from CNCStepper.cli.verb import Verb
 
 
-@click.command("home")
+@click.command("home", cls=Verb)
 @port_options
 def command(port: str, baud: int) -> None:
     """Let the machine at --port find its own zero with its limit switches ($H), and wait until it has.

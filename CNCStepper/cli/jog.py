@@ -10,14 +10,15 @@ import click
 
 from CNCStepper.cli.options import NumberType
 from CNCStepper.cli.talk import Talk, place, port_options
+from CNCStepper.cli.verb import Verb
 
 WORD = re.compile(r"([XYZ])([-+]?\d+(?:\.\d*)?|[-+]?\.\d+)", re.IGNORECASE)
 FEED_MM_MIN = 1000.0
 
 
-@click.command("jog")
+@click.command("jog", cls=Verb)
 @click.argument("way", nargs=-1, required=True)
-@click.option("--feed", type=NumberType(above=0), default=FEED_MM_MIN, show_default=True, help="Speed in mm/min.")
+@click.option("--feed", type=NumberType(kind="feed"), default=FEED_MM_MIN, show_default=True, help="Speed in mm/min.")
 @port_options
 def command(way: tuple[str, ...], feed: float, port: str, baud: int) -> None:
     """Move the axes of the machine at --port by WAY from where they stand, in mm: X10, or X-2.5 Y3 together.

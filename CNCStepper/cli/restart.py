@@ -24,8 +24,9 @@ from CNCStepper.cli.options import (
 )
 from CNCStepper.cli.progress import Progress
 from CNCStepper.cli.restart_options import Sending, restart_options
-from CNCStepper.cli.show import show_findings
+from CNCStepper.cli.show import save, show_findings
 from CNCStepper.cli.start import Given, start_options
+from CNCStepper.cli.verb import Verb
 from CNCStepper.machine.profile import Machine
 from CNCStepper.machine.tool import Tool
 
@@ -54,7 +55,7 @@ class _Against:
         return self.job is not None or (self.stock is not None and self.tool is not None)
 
 
-@click.command("restart")
+@click.command("restart", cls=Verb)
 @program_argument
 @restart_options
 @machine_option(required=False)
@@ -172,10 +173,10 @@ def _tell(proven: ProvenRestart, against: _Against) -> None:
 def _write(proven: ProvenRestart, certificate: Certificate, sending: Sending) -> None:
     """Write program and certificate where they are wanted; the certificate names the program."""
     if sending.out:
-        sending.out.write_text(proven.restart.text, encoding="utf-8", newline="\n")
+        save(sending.out, proven.restart.text.encode("utf-8"))
         click.echo(f"{sending.out}: written")
     if sending.certificate:
-        sending.certificate.write_text(certificate.to_json(), encoding="utf-8")
+        save(sending.certificate, certificate.to_json().encode("utf-8"))
         click.echo(f"{sending.certificate}: written")
 
 

@@ -12,6 +12,7 @@ from typing import Any
 import click
 
 from CNCStepper.cli.options import NumberType, PointType
+from CNCStepper.cli.verb import OutputPath
 
 _PLACE = (
     click.option("--line", type=click.IntRange(1), help="The first line that is not certainly done."),
@@ -29,10 +30,8 @@ _PLACE = (
     ),
 )
 _SENDING = (
-    click.option(
-        "-o", "--out", type=click.Path(dir_okay=False, path_type=Path), help="Write the restart program there."
-    ),
-    click.option("--certificate", type=click.Path(dir_okay=False, path_type=Path), help="Write its certificate there."),
+    click.option("-o", "--out", type=OutputPath("program"), help="Write the restart program there."),
+    click.option("--certificate", type=OutputPath("certificate"), help="Write its certificate there."),
     click.option("--port", help="Send it: a serial port (COM3, /dev/ttyUSB0) or a URL (socket://127.0.0.1:2217)."),
     click.option("--baud", type=click.IntRange(min=300), default=115200, show_default=True),
     click.option("--zero-confirmed", is_flag=True, help="As of `cncstepper send`; the tool is in."),

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 import click
 
 from CNCStepper.cli.options import FilePath, read_program
+from CNCStepper.cli.verb import Verb
 from CNCStepper.errors import ProgramError
 
 if TYPE_CHECKING:
@@ -20,7 +21,7 @@ if TYPE_CHECKING:
 NOTHING_CUT, NOTHING_LEFT = "restart-at-start", "restart-nothing-left"
 
 
-@click.command("resume")
+@click.command("resume", cls=Verb)
 @click.argument("journal", type=FilePath, required=False)
 @click.option("--all", "is_list", is_flag=True, help="List every journal that is kept, the latest first.")
 def command(journal: Path | None, is_list: bool) -> None:

@@ -12,12 +12,13 @@ from typing import Any
 import click
 
 from CNCStepper.cli.options import FilePath, NumbersType, read_program
+from CNCStepper.cli.verb import InputFolder
 from CNCStepper.state import Start
 
 search_option = click.option(
     "--search",
     multiple=True,
-    type=click.Path(exists=True, file_okay=False),
+    type=InputFolder(),
     help="A folder of subroutines, looked through after the program's own; may be given more than once.",
 )
 _OPTIONS = (

@@ -8,9 +8,10 @@ from pathlib import Path
 import click
 
 from CNCStepper.cli.talk import Talk, place, port_options
+from CNCStepper.cli.verb import Verb
 
 
-@click.command("zero")
+@click.command("zero", cls=Verb)
 @click.argument("axes", default="XYZ")
 @port_options
 def command(axes: str, port: str, baud: int) -> None:

@@ -10,9 +10,9 @@ from typing import NamedTuple
 
 from CNCStepper.control.firmware import TOOL
 from CNCStepper.control.grbl import Grbl
+from CNCStepper.control.motion_interlock import position_unknown
 from CNCStepper.control.readiness import CHECK
-from CNCStepper.control.restarted import UNKNOWN, counts_from_here
-from CNCStepper.errors import MachineRefusal
+from CNCStepper.control.restarted import counts_from_here
 
 COUNTING = ("Idle", "Run", "Hold", "Jog", "Door", CHECK, TOOL)  # states in which a controller counts its steps
 MOTORS_IN_DOUBT = ("Alarm", "Sleep")  # what brought a machine there may have cost steps
@@ -52,11 +52,16 @@ def counts_steps(driver: Grbl | None) -> bool:
     return driver is not None and driver.status is not None and driver.status.state in COUNTING
 
 
-def check_program(belief: Belief) -> None:
-    """Raise MachineRefusal when the position is lost: no program may move it, unless all it has is from here."""
-    if belief.position_known is False and not belief.counts_from_here:
-        raise MachineRefusal(
-            UNKNOWN,
-            "the machine's position is unknown",
-            advice="home it, or set the zero of all axes again, before it is sent a program",
-        )
+def is_lost(belief: Belief, restart_counts: bool = False) -> bool:
+    """Return whether the position is lost, so that no program may move the machine.
+
+    restart_counts: a machine that was restarted and not moved since may be trusted, where its zero was set in an
+    earlier connection (`check_zero_here`). A connection that stays open asks for the zero instead.
+    """
+    return belief.position_known is False and not (restart_counts and belief.counts_from_here)
+
+
+def check_program(belief: Belief, restart_counts: bool = False) -> None:
+    """Raise MachineRefusal when the position is lost, as `is_lost` says."""
+    if is_lost(belief, restart_counts):
+        raise position_unknown()

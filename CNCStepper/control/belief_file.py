@@ -2,16 +2,24 @@
 """A position that is unknown, on the disk from one connection to the next: one file a port, gone when it is known.
 
 PORT-DIGEST.position    beside the sessions' files, readable by their owner only
+
+Which port a file is of says its content, so that it is found under each name of the port. Two boards of one kind
+without serial numbers may have changed places: what one has lost counts for the other too, until that was homed or
+zeroed where it is plugged in now.
 """
 
 from __future__ import annotations
 
 import hashlib
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
+from typing import Any
 
 from CNCStepper.control.belief import LOST, NOTHING_AGAINST, Belief
+from CNCStepper.control.journal.store import stories
+from CNCStepper.control.journal.story import RUNNING
+from CNCStepper.control.port_identity import PortIdentity, identify, other_names, read_identity
 from CNCStepper.control.session_file import read_private, write_durably
 from CNCStepper.errors import JobError
 
@@ -23,28 +31,33 @@ _NOT_FOR_NAMES = re.compile(r"[^A-Za-z0-9]+")
 class BeliefFile:
     """What was held of the position of the machine at one port when somebody was last connected to it.
 
-    belief: as it was kept; without a file nothing speaks against the position. path: None keeps nothing.
+    belief: as it was kept; without a file nothing speaks against the position. path: None keeps nothing. identity: of
+    the port; None looks at that one file alone. aliases: older files of the same port.
     """
 
-    def __init__(self, path: Path | None):
+    def __init__(self, path: Path | None, identity: PortIdentity | None = None, aliases: frozenset[Path] = frozenset()):
         self._path = path
-        self.belief = _read(path) if path else NOTHING_AGAINST
+        self._identity = identity
+        self._aliases = aliases
+        self.belief = self._said()
 
     @classmethod
     def of_port(cls, folder: Path, port: str) -> BeliefFile:
         """Return that of a port, by whatever name it has, in a folder of sessions."""
-        readable = _NOT_FOR_NAMES.sub("-", port).strip("-")[:LONGEST_NAME]
-        digest = hashlib.sha256(port.encode("utf-8")).hexdigest()[:16]
-        return cls(folder / f"{readable}-{digest}{POSITION}")
+        identity = identify(port)
+        return cls(_path(folder, identity.key), identity, frozenset(_path(folder, name) for name in other_names(port)))
 
     def keep(self, belief: Belief) -> None:
         """Keep what is held now; when this returns it is on the disk. Raises JobError when it cannot be."""
         kept = belief if belief.position_known is False else NOTHING_AGAINST
-        if kept == self.belief:
+        if kept == self.belief and (kept is NOTHING_AGAINST or self._path is None or self._path.exists()):
             return
         self.belief = kept
         if self._path:
-            _write(self._path, kept)
+            try:
+                self._write(self._path, kept)
+            except OSError as error:
+                raise _unwritable(self._path, error) from error
 
     def keep_or_tell(self, belief: Belief, tell: Callable[[str, str], None]) -> None:
         """Keep what is held now; where that cannot be done, tell it as a warning once."""
@@ -53,28 +66,92 @@ class BeliefFile:
         except JobError as error:
             tell("warning", str(error))
 
+    # --- inside --------------------------------------------------------------------------------
 
-def _read(path: Path) -> Belief:
-    """Return what a file says; one that cannot be read says by being there that the position was lost."""
+    def _write(self, path: Path, belief: Belief) -> None:
+        if belief.position_known is False:
+            identity = {"port_identity": self._identity.to_json()} if self._identity else {}
+            zeroed = "".join(sorted(belief.zeroed))
+            write_durably(path, {"counts_from_here": belief.counts_from_here, "zeroed": zeroed} | identity)
+            return
+        for file, content in list(self._against()):
+            if self._is_own(file, content):
+                file.unlink(missing_ok=True)
+            elif self._identity:  # of a board that looks like this one
+                known = [*_known_at(content), self._identity]
+                write_durably(file, {**content, "known_at": [identity.to_json() for identity in known]})
+
+    def _said(self) -> Belief:
+        """Return what the files say together: where they do not agree, what no zero of before mends."""
+        said = {_belief(content) if self._is_own(file, content) else LOST for file, content in self._against()}
+        return NOTHING_AGAINST if not said else said.pop() if len(said) == 1 else LOST
+
+    def _against(self) -> Iterator[tuple[Path, Mapping[str, Any]]]:
+        """Yield the files that say that this port's machine may have lost its position, with their contents."""
+        if self._path is None:
+            return
+        for file in sorted(self._path.parent.glob(f"*{POSITION}")):
+            if (content := _read(file)) is not None and (self._is_own(file, content) or self._may_be_meant(content)):
+                yield file, content
+
+    def _is_own(self, file: Path, content: Mapping[str, Any]) -> bool:
+        other = _identity_of(content)
+        if other is None or self._identity is None:
+            return file == self._path or file in self._aliases
+        return self._identity.is_same(other)
+
+    def _may_be_meant(self, content: Mapping[str, Any]) -> bool:
+        other = _identity_of(content)
+        if other is None or self._identity is None or not self._identity.may_be(other):
+            return False
+        return not any(self._identity.is_same(known) for known in _known_at(content)) and not self._runs(other)
+
+    def _runs(self, other: PortIdentity) -> bool:
+        """Return whether a job runs at another port: then its machine is there, and is not the one at this port."""
+        assert self._path
+        running = (story.header for story in stories(self._path.parent) if story.end == RUNNING)
+        return any(read_identity(header, header["port"]).is_same(other) for header in running)
+
+
+def _path(folder: Path, name: str) -> Path:
+    readable = _NOT_FOR_NAMES.sub("-", name).strip("-")[:LONGEST_NAME]
+    return folder / f"{readable}-{hashlib.sha256(name.encode('utf-8')).hexdigest()[:16]}{POSITION}"
+
+
+def _read(path: Path) -> Mapping[str, Any] | None:
+    """Return what a file says; {} for one that cannot be read, None where there is none."""
     try:
         content = read_private(path)
-        if content is None:
-            return NOTHING_AGAINST
+    except (OSError, ValueError, RecursionError):
+        return {}
+    return content if content is None or isinstance(content, dict) else {}
+
+
+def _belief(content: Mapping[str, Any]) -> Belief:
+    """Return what a file says; one that cannot be read says by being there that the position was lost."""
+    try:
         return LOST._replace(counts_from_here=content["counts_from_here"] is True, zeroed=frozenset(content["zeroed"]))
-    except (OSError, ValueError, KeyError, TypeError):
+    except (KeyError, TypeError):
         return LOST
 
 
-def _write(path: Path, belief: Belief) -> None:
+def _identity_of(content: Mapping[str, Any]) -> PortIdentity | None:
     try:
-        if belief.position_known is False:
-            zeroed = "".join(sorted(belief.zeroed))
-            write_durably(path, {"counts_from_here": belief.counts_from_here, "zeroed": zeroed})
-        else:
-            path.unlink(missing_ok=True)
-    except OSError as error:
-        raise JobError(
-            "position-unwritable",
-            f"what is known of the machine's position cannot be kept: {error.strerror or error}",
-            advice=f"make room on the disk of {path.parent}, and see that you may write there",
-        ) from error
+        return PortIdentity.from_json(content["port_identity"])
+    except (ValueError, KeyError, TypeError):
+        return None
+
+
+def _known_at(content: Mapping[str, Any]) -> Iterator[PortIdentity]:
+    known = content.get("known_at")
+    for identity in known if isinstance(known, list) else []:
+        if (found := _identity_of({"port_identity": identity})) is not None:
+            yield found
+
+
+def _unwritable(path: Path, error: OSError) -> JobError:
+    return JobError(
+        "position-unwritable",
+        f"what is known of the machine's position cannot be kept: {error.strerror or error}",
+        advice=f"make room on the disk of {path.parent}, and see that you may write there",
+    )

@@ -24,6 +24,12 @@ OFFSET_TOLERANCE_MM = 0.002  # and in inches four
 
 CHECK = "Check"
 NOTHING_MOVES = "the controller reads its lines without moving"
+IN_A_JOB = {
+    CHECK: NOTHING_MOVES,
+    "Starting": "the controller is starting",
+    "ConfigAlarm": "the controller's configuration is not valid",
+    "Critical": "the controller stopped by a critical fault",
+}
 WHAT_TO_DO = {
     "Alarm": "home the machine ($H), or unlock it ($X) if its position is surely right",
     "Hold": "resume what it was doing, or reset it",
@@ -35,6 +41,8 @@ WHAT_TO_DO = {
     "Sleep": "wake it up with a reset, then home it",
     "Tool": "end the tool change and resume, or reset it",
     "Starting": "wait until it has started",
+    "ConfigAlarm": "correct its configuration, then restart it",
+    "Critical": "reset it, then home it or set its zero again",
 }
 
 
@@ -62,7 +70,7 @@ def state_refusal(status: Status | None) -> MachineRefusal:
     state = status.state if status else "silent"
     return MachineRefusal(
         f"machine-{state.lower()}",
-        NOTHING_MOVES if state == CHECK else "the machine is not idle",
+        IN_A_JOB.get(state, "the machine is not idle"),
         value=status.name if status else state,
         advice=WHAT_TO_DO.get(state, "bring it to Idle first"),
     )

@@ -17,13 +17,13 @@ from CNCStepper.control.connect import Found
 from CNCStepper.control.grbl import Grbl
 from CNCStepper.control.grbl_report import Vector
 from CNCStepper.control.lines import is_move
+from CNCStepper.control.motion_interlock import UNKNOWN
 from CNCStepper.control.readiness import OFFSET_TOLERANCE_MM
 from CNCStepper.errors import MachineRefusal
 from CNCStepper.state import WORK_SYSTEMS
 
 _SYSTEM = re.compile(r"G(5[4-8]|59(?:\.[123])?)(?![\d.])")
 _MACHINE_PLACE = re.compile(r"G(28|30|53)(?![\d.])")
-UNKNOWN = "position-unknown"
 WHAT_TO_DO = (
     "home the machine; or move the tool to the work zero, set the zero of all axes there, and send without moving it "
     "in between"

@@ -12,8 +12,10 @@ import runpy
 import sys
 from importlib.util import find_spec
 
+from CNCStepper.needs import FAST, REQUIRED
+
 BEHIND = "CNCSTEPPER_BEHIND"  # a version of Python, then the folders that it imports from
-USED = ("numpy", "numba", "shapely", "pydantic", "platformdirs", "serial")
+USED = (*REQUIRED, FAST)
 
 
 def python_version() -> str:

@@ -18,7 +18,7 @@ from CNCStepper.control.retrace import REST
 from CNCStepper.errors import JobError, ProgramError
 from CNCStepper.gcode.codes import MOTION_NAMES
 from CNCStepper.gcode.dialects import dialect_named
-from CNCStepper.gcode.first_motion import bare_first_move
+from CNCStepper.gcode.first_motion import FirstMove
 from CNCStepper.gcode.model import Model
 from CNCStepper.gcode.parameters import offset_number
 from CNCStepper.gcode.retreat.find import Found, Seen
@@ -253,7 +253,8 @@ def held(told: Mapping[str, Any], machine: Machine | None = None) -> Held:
 def _with_motion(lines: Sequence[str], model: Model, dialect: str) -> list[str]:
     """Return a program's further lines, the first move of which names the motion that was modal."""
     own = list(lines)
-    index = bare_first_move(WireLines("".join(f"{line}\n" for line in own).encode("ascii")), dialect_named(dialect))
+    lines = WireLines("".join(f"{line}\n" for line in own).encode("ascii"))
+    index = FirstMove(dialect_named(dialect)).without_motion(lines)
     if index is not None:
         own[index] = MOTION_NAMES[model.motion] + own[index]
     return own

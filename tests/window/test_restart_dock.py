@@ -11,10 +11,11 @@ import FreeCAD
 import FreeCADGui
 import pytest
 from hand import Hand
-from test_dock import LONGEST_MS, D, dock, own_sessions  # noqa: F401
+from test_dock import LONGEST_MS, D, dock, own_sessions, start_button, zeroed  # noqa: F401
 
 from CNCStepper.control.session_file import read_private, running_desks
 from CNCStepper.workbench import api
+from CNCStepper.workbench.dock import virtual_machine
 
 R = "CNCStepper_Restart_"
 START_S = 240  # a process whose kernels are not compiled yet
@@ -54,6 +55,7 @@ def proven(hand: Hand) -> str:
 def typed(hand: Hand, dock: Any, line: str, answer: str) -> None:  # noqa: F811
     """Type a line in the console, and bring it back with the arrow key."""
     hand.click(f"{D}ConsoleLine")
+    hand.key("Ctrl+A")  # the dock keeps what an earlier test has left
     hand.type(line)
     hand.key("Return")
     hand.wait(lambda: answer in dock.console.said.toPlainText(), 20, "the answer")
@@ -63,7 +65,9 @@ def typed(hand: Hand, dock: Any, line: str, answer: str) -> None:  # noqa: F811
 
 
 def at_zero(hand: Hand) -> None:
+    """Wait for the question for the zero, which nobody can say yes to before it is set."""
     hand.wait(lambda: hand.exists(f"{D}Start") and "Work zero" in hand.text(f"{D}FlowTitle"), START_S, "the work zero")
+    zeroed(hand)
 
 
 def test_a_contour_is_chosen_from_the_list_and_the_rest_is_cut(hand: Hand, dock: Any, job: Any) -> None:  # noqa: F811
@@ -118,7 +122,33 @@ def test_a_simulation_gives_its_moment(hand: Hand, job: Any) -> None:
     assert hand.text(f"{R}choice") == f"From line {CUT_LINE}" and hand.text(f"{R}line") == str(CUT_LINE)
 
 
-def test_a_job_whose_sender_was_killed_is_offered_and_restarted(hand: Hand, dock: Any, job: Any) -> None:  # noqa: F811
+def kill_the_desk(machines: list[Any]) -> None:
+    (desk,) = running_desks()
+    os.kill(read_private(desk)["process"], signal.SIGKILL)
+
+
+def cut_the_link(machines: list[Any]) -> None:
+    machines[-1].kill()  # the virtual controller goes, and the next one counts from where it is switched on
+
+
+@pytest.fixture
+def machines(monkeypatch: pytest.MonkeyPatch) -> list[Any]:
+    """The processes of the virtual controllers that the dock starts."""
+    started: list[Any] = []
+    start = virtual_machine._started
+    monkeypatch.setattr(virtual_machine, "_started", lambda *how: started.append(start(*how)) or started[-1])
+    return started
+
+
+@pytest.mark.parametrize(("lose", "how"), [(kill_the_desk, "Killed"), (cut_the_link, "Failed")])
+def test_a_job_that_was_lost_is_offered_and_restarted_once_the_zero_is_set(
+    hand: Hand,
+    dock: Any,  # noqa: F811
+    job: Any,
+    machines: list[Any],
+    lose: Any,
+    how: str,
+) -> None:
     hand.main(FreeCADGui.Selection.addSelection, job)
     hand.command("CNCStepper_Send")
     hand.wait(lambda: hand.exists(f"{D}Start") and "Connect" in hand.text(f"{D}FlowTitle"), START_S, "the proof")
@@ -128,8 +158,7 @@ def test_a_job_whose_sender_was_killed_is_offered_and_restarted(hand: Hand, dock
     assert not hand.exists(f"{D}Offer")
     hand.click(f"{D}Start")
     hand.wait(lambda: dock.link.status and dock.link.status.acknowledged > 140, 60, "cuts that the journal knows of")
-    (desk,) = running_desks()
-    os.kill(read_private(desk)["process"], signal.SIGKILL)
+    lose(machines)
     hand.wait(lambda: hand.text(f"{D}State") == "Connection lost", 30)
     hand.click(f"{D}Cancel")
     hand.click(f"{D}Connect")
@@ -140,12 +169,24 @@ def test_a_job_whose_sender_was_killed_is_offered_and_restarted(hand: Hand, dock
     hand.click(f"{D}Unfinished")
     hand.wait(lambda: hand.exists(f"{R}said"), START_S, "what the journal tells")
     said = hand.text(f"{R}said")
-    assert all(f"<b>{name}:</b>" in said for name in ("Killed", "Certain", "Not certain", "On the path", "Position"))
+    assert all(f"<b>{name}:</b>" in said for name in (how, "Certain", "Not certain", "On the path", "Position"))
     assert "path at line" in said or "OFF the path" in said
     words = proven(hand)
     line = int(hand.text(f"{R}line"))
     assert line > 1 and f"From line {line}" == hand.text(f"{R}choice") and "goes to Z" in words
     hand.shot("restart-unfinished")
+    hand.click(f"{R}send")
+    hand.wait(lambda: hand.exists(f"{D}Start") and "Work zero" in hand.text(f"{D}FlowTitle"), START_S, "the work zero")
+    assert not hand.main(start_button().isEnabled) and "position is unknown" in hand.text(f"{D}FlowDetail")
+    hand.main(dock.sending.onward)  # whatever asks for the start past the button, the machine is not moved
+    hand.wait(lambda: "Refused by the machine" in hand.text(f"{D}FlowTitle"), 20, "the refusal of the desk")
+    assert "position is unknown" in hand.text(f"{D}FlowDetail")
+    assert hand.main(lambda: dock.link.status.mpos_mm) == (0, 0, 0)
+    hand.shot("restart-position-unknown")
+    hand.click(f"{D}Cancel")
+    hand.click(f"{D}Unfinished")
+    hand.wait(lambda: hand.exists(f"{R}said"), START_S, "what the journal tells")
+    proven(hand)
     hand.click(f"{R}send")
     at_zero(hand)
     hand.click(f"{D}Start")

@@ -13,7 +13,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from CNCStepper.workbench.dock.state import CALM, DANGER, GOING, OFF, WAITING
+from CNCStepper.workbench.dock.state import CALM, DANGER, GOING, OFF, WAITING, Moment
 from CNCStepper.workbench.words import later
 
 
@@ -58,6 +58,10 @@ STEPS = {
     "ended": Step(later("Done"), tone=CALM, away=later("Close")),
 }  # fmt: skip
 ENDS = frozenset({"refused", "failed", "ended"})
+STARTS = frozenset({"zero", "differs"})  # the steps behind which the machine moves
+POSITION_UNKNOWN = later(
+    "The machine's position is unknown: home it, or move the tool to the work zero and press All = 0."
+)
 LAST_NUMBER = 4
 OUTCOMES = {
     "done": (later("Done"), CALM),
@@ -149,12 +153,14 @@ class Flow:
         return Step(title, step.text, tone, step.onward, step.away)
 
 
-def why_not_onward(flow: Flow, phase: str) -> str:
+def why_not_onward(flow: Flow, moment: Moment) -> str:
     """Return why the question of this step cannot be answered with yes now, "" when it can."""
     if flow.again:
         return later("The program is being checked with this work zero.")
-    if flow.step in ("zero", "differs") and phase != "idle":
+    if flow.step in STARTS and moment.phase != "idle":
         return later("The machine must be idle: wait, or home or unlock it first.")
-    if flow.step == "connect" and phase in ("starting", "connecting"):
+    if flow.step in STARTS and moment.position_known is False:
+        return POSITION_UNKNOWN
+    if flow.step == "connect" and moment.busy:
         return later("The connection is being made.")
     return ""

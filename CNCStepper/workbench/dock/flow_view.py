@@ -9,7 +9,8 @@ from typing import Any
 from PySide import QtCore, QtGui
 
 from CNCStepper.workbench.dock import parts
-from CNCStepper.workbench.dock.flow import LAST_NUMBER, Flow
+from CNCStepper.workbench.dock.flow import LAST_NUMBER, STARTS, Flow
+from CNCStepper.workbench.dock.keyboard import KeyButton
 from CNCStepper.workbench.tell import guarded
 from CNCStepper.workbench.words import tr
 
@@ -27,8 +28,8 @@ class FlowView(QtGui.QFrame):
         self.number, self.title = QtGui.QLabel(), parts.wrapped("FlowTitle")  # a job's name may be long
         self.title.setFont(parts.caption("").font())
         self.text, self.detail = parts.wrapped("FlowText"), parts.wrapped("FlowDetail")
-        self.away = parts.named(QtGui.QPushButton(), "Cancel")
-        self.onward = parts.named(QtGui.QPushButton(), "Start")
+        self.away = parts.named(KeyButton(), "Cancel")
+        self.onward = parts.named(KeyButton(), "Start")
         self.away.clicked.connect(guarded(away))
         self.onward.clicked.connect(guarded(onward))
         layout = parts.column(self)
@@ -55,7 +56,7 @@ class FlowView(QtGui.QFrame):
         self.title.setToolTip(flow.label)
         self.number.setText(tr("Step {0} of {1}").format(step.number, LAST_NUMBER) if step.number else "")
         self._say(self.text, tr(step.text))
-        self._say(self.detail, flow.detail)
+        self._say(self.detail, flow.detail or (tr(why_not) if flow.step in STARTS else ""))
         self.findings.setVisible(flow.step in ("refused", "warned"))
         for button, text in ((self.onward, step.onward), (self.away, step.away)):
             button.setVisible(bool(text))

@@ -49,14 +49,16 @@ class Recovery:
         self._reading.poll()
 
     def _restart(self) -> None:
-        """Choose the restart of the program that is meant."""
+        """Choose the restart of the program that is in front."""
         from CNCStepper.workbench import restart
-        from CNCStepper.workbench.commands import proving
+        from CNCStepper.workbench.commands import in_front, proving
 
-        if why_not := proving.why_not():
+        if why_not := in_front.why_not():
             tell.notice(why_not)
             return
-        program = proving.meant()
+        program = in_front.take()
+        if program is None:
+            return
         proving.make(program)
         restart.open_restart(program)
 

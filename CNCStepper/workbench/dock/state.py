@@ -178,6 +178,9 @@ AT_A_STAND = {  # the machine states in which these work between two lines, or t
     "paused": {"jog": ("Idle", "Jog", "Tool"), "zero": ("Idle", "Tool"), "hold": ("Jog",)},
     RETREATED: {"jog": ("Idle", "Jog"), "hold": ("Jog",)},  # what lies behind was cut from the zero that it has
 }
+HELD_AND_LOST = later(
+    "The machine's position is unknown: stop what it was doing, then home it or set the zero of all axes."
+)
 NO_HOMING = later("This machine has no homing switches set up ($22=0).")
 
 
@@ -187,6 +190,8 @@ def why_not(control: str, moment: Moment) -> str:
         return NOT_CONNECTED
     if control == "home" and moment.homing is False:
         return NO_HOMING
+    if control == "resume" and moment.position_known is False and moment.phase in STANDING and not moment.job:
+        return HELD_AND_LOST
     rule = RULES[control]
     stands = moment.machine_state in AT_A_STAND.get(moment.phase, {}).get(control, ())
     return "" if stands or moment.phase in rule.phases else rule.why_not

@@ -10,13 +10,14 @@ import subprocess
 from pathlib import Path
 from typing import Any
 
-from CNCStepper.control.belief import NOTHING_AGAINST
+from CNCStepper.control.belief import LOST
 from CNCStepper.control.belief_file import BeliefFile
-from CNCStepper.control.python_finder import command, environment, seek_python
+from CNCStepper.control.python_finder import PROOF, command, environment, seek_python
 from CNCStepper.control.session_file import LOG, session_folder
 from CNCStepper.errors import LinkError
+from CNCStepper.needs import MACHINE, modules
 
-NEEDS = ("numpy", "pydantic", "click", "serial")  # the last one is the desk's, which comes after it
+NEEDS = (*PROOF, *modules(MACHINE))  # of it, and of the desk that comes after it
 ADDRESS = re.compile(r"^virtual grbl at (\S+)\s*$", re.MULTILINE)
 
 
@@ -40,7 +41,7 @@ class VirtualMachine:
             return ""
         found = ADDRESS.search(self._told.read_text("utf-8", "replace"))
         if found:
-            BeliefFile.of_port(session_folder(), found[1]).keep(NOTHING_AGAINST)  # an older machine may have had it
+            BeliefFile.of_port(session_folder(), found[1]).keep(LOST)  # as of any machine that was just switched on
             return found[1]
         if self._process.poll() is not None:
             raise LinkError("virtual-start", "the virtual grbl ended at once", advice=f"see {self._told}")

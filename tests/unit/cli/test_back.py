@@ -102,6 +102,7 @@ def desk(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[DeskClient
         assert table.stdout
         client = DeskClient.launch(table.stdout.readline().rpartition(" ")[2].strip())
         await_desk(client, lambda: client.status.phase == "idle")
+        client.set_zero()  # a machine that was just switched on
         client.run(file, zero_confirmed=True)
         await_desk(client, lambda: (client.status.mpos_mm or (0.0,))[0] < -10.0)
         yield client
@@ -112,7 +113,9 @@ def desk(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[DeskClient
 
 def await_desk(client: DeskClient, reached: Callable[[], bool]) -> None:
     """Poll until it is reached, as a window does."""
+    end_s = time.monotonic() + 60
     while not reached():
+        assert time.monotonic() < end_s, (client.status, client.error)
         client.poll()
         assert client.phase != "gone", client.error
         time.sleep(0.02)

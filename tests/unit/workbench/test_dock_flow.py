@@ -6,6 +6,7 @@ from __future__ import annotations
 import pytest
 
 from CNCStepper.workbench.dock.flow import AWAITED, ENDS, LAST_NUMBER, OUTCOMES, STEPS, Flow, why_not_onward
+from CNCStepper.workbench.dock.state import Moment, why_not
 
 
 def flow_at(*happenings: str) -> Flow:
@@ -72,9 +73,10 @@ def test_an_outcome_of_another_job_changes_nothing() -> None:
 
 def test_the_question_waits_for_an_idle_machine() -> None:
     flow = flow_at("clean", "idle")
-    assert why_not_onward(flow, "idle") == "" and why_not_onward(flow, "alarm") and why_not_onward(flow, "jogging")
+    assert why_not_onward(flow, Moment("idle")) == ""
+    assert why_not_onward(flow, Moment("alarm")) and why_not_onward(flow, Moment("jogging"))
     connect = flow_at("clean")
-    assert why_not_onward(connect, "off") == "" and why_not_onward(connect, "connecting")
+    assert why_not_onward(connect, Moment("off")) == "" and why_not_onward(connect, Moment("connecting"))
 
 
 def test_every_step_can_be_reached_and_left() -> None:
@@ -86,7 +88,7 @@ def test_every_step_can_be_reached_and_left() -> None:
 def test_at_the_zero_the_program_may_be_checked_again() -> None:
     flow = flow_at("clean", "idle")
     flow.again = True
-    assert "checked with this work zero" in why_not_onward(flow, "idle")
+    assert "checked with this work zero" in why_not_onward(flow, Moment("idle"))
     assert not flow.happen("clean")  # the question stands
     assert flow.happen("errors") and flow.step == "refused" and not flow.again
     assert flow_at("clean", "idle", "warnings").step == "warned"
@@ -104,3 +106,17 @@ def test_who_gives_up_or_loses_the_machine_waits_for_no_check() -> None:
         flow.again = True
         end(flow)
         assert not flow.again
+
+
+@pytest.mark.parametrize("happenings", [("clean", "idle"), ("clean", "idle", "onward", "differences")])
+def test_nothing_starts_while_the_position_is_unknown(happenings) -> None:
+    flow = flow_at(*happenings)
+    assert "position is unknown" in why_not_onward(flow, Moment("idle", position_known=False))
+    assert not why_not_onward(flow, Moment("idle", position_known=True))
+    assert not why_not_onward(flow, Moment("idle"))  # nothing speaks against it
+
+
+def test_what_an_earlier_job_left_held_is_not_resumed_while_the_position_is_unknown() -> None:
+    assert "stop what it was doing" in why_not("resume", Moment("held", position_known=False))
+    assert not why_not("resume", Moment("held", job=True, position_known=False))
+    assert not why_not("resume", Moment("held"))
