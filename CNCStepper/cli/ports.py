@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 import click
 
+from CNCStepper.cli.verb import Verb
 from CNCStepper.errors import CNCStepperError
 
 if TYPE_CHECKING:
@@ -15,7 +16,7 @@ if TYPE_CHECKING:
     from CNCStepper.control.timing import Timing
 
 
-@click.command("ports")
+@click.command("ports", cls=Verb)
 @click.option("--ask", "asked", multiple=True, metavar="PORT", help="Ask what answers at this port or URL; repeatable.")
 @click.option("--baud", type=click.IntRange(min=300), default=115200, show_default=True)
 @click.pass_context

@@ -10,6 +10,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from CNCStepper.control.outcome import SenderStatus
+from CNCStepper.control.own_file import is_alive
 from CNCStepper.control.session import SessionClient
 from CNCStepper.control.session_file import desk_at, session_at
 from CNCStepper.errors import LinkError, MachineRefusal
@@ -28,7 +29,8 @@ def check_no_job(port: str, folder: Path | None = None) -> None:
         try:
             with SessionClient.attach(session) as client:
                 status = client.status() if client.outcome is None else None
-        except LinkError:  # it was killed: its journal tells of it
+        except LinkError as error:  # it was killed, and its journal tells of it, or it does not answer
+            _check_over(session, port, error)
             return
         if status:
             raise _held_by_job(session, port, status)
@@ -40,7 +42,8 @@ def _check_desk(desk: Path, port: str) -> None:
     try:
         with DeskSession.attach(desk) as client:
             status = client.status()
-    except LinkError:  # it has ended meanwhile
+    except LinkError as error:  # it has ended meanwhile, or it does not answer
+        _check_over(desk, port, error)
         return
     if status.total:
         raise _held_by_job(desk, port, status)
@@ -49,6 +52,13 @@ def _check_desk(desk: Path, port: str) -> None:
         f"{port} is held by a window or a console of yours",
         advice="disconnect there first, or send the job from there",
     )
+
+
+def _check_over(file: Path, port: str, error: LinkError) -> None:
+    """Raise MachineRefusal where the process that could not be reached lives: then it has the port."""
+    if is_alive(file):
+        what = f"{port} is held by a process of yours that does not answer"
+        raise MachineRefusal("port-held", what, advice=error.advice) from error
 
 
 def _held_by_job(file: Path, port: str, status: SenderStatus) -> MachineRefusal:

@@ -14,11 +14,13 @@ import socket
 import sys
 import time
 from collections.abc import Callable
+from contextlib import suppress
 from typing import Any
 
 from CNCStepper.control.telnet_port import TelnetPort, socket_url
 from CNCStepper.control.wire_queue import WireQueue
 from CNCStepper.errors import CNCStepperError, LinkError, MissingPackage
+from CNCStepper.printable import printable
 
 READ_BYTES = 4096
 WRITE_LIMIT_S = 1.0
@@ -41,6 +43,7 @@ class Link:
     def __init__(self, port: Any, name: str, baud: int = BAUD, clock: Callable[[], float] = time.monotonic):
         self.name = name
         self.woken = False
+        self._is_lost = False
         self._port = port
         self._queue = WireQueue(port, baud, clock)
         self.queue_bytes = self._queue.most_bytes
@@ -97,12 +100,21 @@ class Link:
     def close(self) -> None:
         """Close the port; a port that is gone already is no error."""
         try:
+            if self._is_lost:
+                self._drop_output()
             self._port.close()
         except OSError:
             pass
         finally:
             self._alarm_clock.close()
             self._bell.close()
+
+    def _drop_output(self) -> None:
+        """Drop what a blocked line has not taken, which closing would wait for."""
+        drop = getattr(self._port, "reset_output_buffer", None)
+        if drop:
+            with suppress(Exception):  # termios' own errors are no OSError; the port may be gone
+                drop()
 
     def _wait(self, wait_s: float) -> None:
         if self._descriptor is None:
@@ -127,9 +139,10 @@ class Link:
         self.woken = True
 
     def _lost(self, error: Exception) -> LinkError:
+        self._is_lost = True
         return LinkError(
             "link-lost",
-            f"the link to {self.name} broke: {error}",
+            f"the link to {self.name} broke: {printable(str(error))}",
             advice="check cable and power; home the machine or set its zero again before the next cut",
         )
 
@@ -189,6 +202,8 @@ def _send_at_once(port: Any) -> None:
     connection = getattr(port, "_socket", None)
     if connection is not None:
         connection.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+        if (connection.gettimeout() or 0.0) > WRITE_LIMIT_S:  # rfc2217 waits longer for a far end that takes nothing
+            connection.settimeout(WRITE_LIMIT_S)
 
 
 def _refusal(name: str, error: Exception) -> CNCStepperError:

@@ -8,6 +8,7 @@ from collections.abc import Iterable
 from CNCStepper.control.grbl import PLANNER_BLOCKS, Received
 from CNCStepper.control.grbl_report import Feedback, Status
 from CNCStepper.control.journal.finished import SEGMENTS
+from CNCStepper.control.report_numbers import sizes
 
 
 class Capacity:
@@ -27,9 +28,4 @@ class Capacity:
             if isinstance(report, Status) and report.buffer:
                 self._blocks = max(self._blocks, report.buffer[0])
             elif isinstance(report, Feedback) and report.tag == "OPT":
-                self._take_options(report.text)
-
-    def _take_options(self, text: str) -> None:
-        blocks = text.split(",")[1:2]
-        if blocks and blocks[0].isdecimal():
-            self._blocks = max(self._blocks, int(blocks[0]))
+                self._blocks = max(self._blocks, sizes(report.text)[0])

@@ -14,6 +14,7 @@ from CNCStepper.control.connect import Found, offsets_of
 from CNCStepper.control.grbl import Grbl
 from CNCStepper.control.journal.story import FORMAT, VERSION
 from CNCStepper.control.moment import HOMING
+from CNCStepper.control.port_identity import identify
 from CNCStepper.control.send_job import SendJob
 
 
@@ -39,6 +40,7 @@ def header_of(job: SendJob, driver: Grbl, found: Found) -> dict[str, Any]:
         "last_line": job.place(len(job.lines) - 1).line,
         "goes_back": any(map(operator.gt, job.file_lines, islice(job.file_lines, 1, None))),
         "port": job.port,
+        "port_identity": identify(job.port).to_json(),
         "baud": job.baud,
         "firmware": found.version,
         "greeted": found.greeted,

@@ -4,17 +4,14 @@
 from __future__ import annotations
 
 import os
-import time
 from collections.abc import Mapping
 from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
-from CNCStepper.control.journal.lock import take_lock
+from CNCStepper.control.journal.lock import take_lock_soon
 from CNCStepper.control.journal.records import to_line
 from CNCStepper.control.session_file import sync_folder
-
-LOCK_TRIES, LOCK_PAUSE_S = 100, 0.01  # a reader may be looking whether it is locked
 
 
 class JournalFile:
@@ -27,7 +24,7 @@ class JournalFile:
         self._count = 0
         self._end = 0  # of what is on the disk
         try:
-            self._lock()
+            take_lock_soon(self._file)
             sync_folder(path.parent)
         except OSError:
             self.close()
@@ -56,13 +53,3 @@ class JournalFile:
         while left:
             left = left[self._file.write(left) or 0 :]
         os.fsync(self._file.fileno())
-
-    def _lock(self) -> None:
-        for _ in range(LOCK_TRIES - 1):
-            try:
-                take_lock(self._file)
-            except BlockingIOError:
-                time.sleep(LOCK_PAUSE_S)
-            else:
-                return
-        take_lock(self._file)

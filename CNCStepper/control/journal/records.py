@@ -56,7 +56,7 @@ def _content(line: bytes) -> dict[str, Any] | None:
         return None
     try:
         content = json.loads(body)
-    except ValueError:
+    except (ValueError, RecursionError):
         return None
     return content if isinstance(content, dict) and isinstance(content.get(NUMBER), int) else None
 

@@ -4,17 +4,19 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import suppress
 from pathlib import Path
+from typing import Any
 
+from CNCStepper.control.journal.lock import is_locked
 from CNCStepper.control.journal.story import RUNNING, Story, read_story
+from CNCStepper.control.port_identity import THIS_COMPUTER, PortIdentity, identify, read_identity
 from CNCStepper.control.session_file import session_folder
 from CNCStepper.errors import CNCStepperError
 
 JOURNAL = ".journal"
 PROFILE = ".profile.json"  # a copy of the machine's profile, for the restart that `resume` offers
-ON_THIS_COMPUTER = "socket://127.0.0.1:"
 KEPT_JOBS = 50
 KEPT_BYTES = 50_000_000
 RECENT_S = 30 * 86_400.0  # an unfinished job is kept so long in any case
@@ -32,16 +34,19 @@ def latest_unfinished(folder: Path | None = None) -> Story | None:
 
 def unfinished_at(port: str, folder: Path | None = None) -> Story | None:
     """Return the last job of the machine at a port where it was killed or ended before its time, else None."""
-    last = next((story for story in stories(folder) if is_same_machine(story.header["port"], port)), None)
+    identity = identify(port)
+    last = next((story for story in stories(folder) if _is_of(story.header, port, identity)), None)
     return None if last is None or last.is_done or last.end == RUNNING else last
 
 
-def is_same_machine(port: str, other: str) -> bool:
-    """Return whether two ports are those of one machine, as far as their names tell.
+def _is_of(header: Mapping[str, Any], port: str, identity: PortIdentity) -> bool:
+    """Return whether a job's machine was that of a port, as far as can be known.
 
     On this computer only virtual machines listen, each start at another number.
     """
-    return port == other or (port.startswith(ON_THIS_COMPUTER) and other.startswith(ON_THIS_COMPUTER))
+    other = read_identity(header, header["port"])
+    virtual = THIS_COMPUTER in identity.names and THIS_COMPUTER in other.names
+    return header["port"] == port or virtual or identity.is_same(other)
 
 
 def stories(folder: Path | None = None) -> Iterator[Story]:
@@ -64,6 +69,8 @@ def prune(folder: Path, now_s: float | None = None) -> None:
 
 
 def _is_needed(path: Path, now_s: float) -> bool:
+    if is_locked(path):  # its job runs, whatever the clock says
+        return True
     if abs(now_s - path.stat().st_mtime) > RECENT_S:
         return False
     try:

@@ -98,6 +98,8 @@ def read_story(path: Path) -> Story:
     """Return what the journal of a file tells; raises JobError naming the file when it cannot be read."""
     try:
         is_running = is_locked(path)
+        if not path.is_file():  # of a pipe one would wait for the end
+            raise _refusal("journal-damaged", "the journal lacks its beginning, or is none", path)
         records = read_records(path.read_bytes())
     except OSError as error:
         raise _refusal("journal-unreadable", f"the journal cannot be read: {error.strerror}", path) from error

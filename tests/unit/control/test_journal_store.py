@@ -16,7 +16,6 @@ from CNCStepper.control.journal.journal_file import JournalFile
 from CNCStepper.control.journal.lock import is_locked
 from CNCStepper.control.journal.store import (
     RECENT_S,
-    is_same_machine,
     journals,
     latest_unfinished,
     prune,
@@ -82,10 +81,21 @@ def test_the_last_job_of_a_machine_is_offered_where_it_did_not_end(tmp_path):
     assert unfinished_at("COM4", tmp_path).end == KILLED
 
 
-def test_virtual_machines_are_told_by_no_number():
-    assert is_same_machine("socket://127.0.0.1:4711", "socket://127.0.0.1:4712")
-    assert not is_same_machine("socket://192.168.0.7:23", "socket://192.168.0.8:23")
-    assert is_same_machine("/dev/ttyUSB0", "/dev/ttyUSB0") and not is_same_machine("COM3", "COM33")
+@pytest.mark.parametrize(
+    ("port", "other", "same"),
+    [
+        ("socket://127.0.0.1:4711", "socket://localhost:4712", True),  # virtual machines are told by no number
+        ("socket://192.168.0.7:23", "socket://192.168.0.8:23", False),
+        ("socket://192.168.0.7:23", "telnet://192.168.0.7/", True),
+        ("/dev/ttyUSB0", "/dev/ttyUSB0", True),
+        ("COM3", "com3", True),
+        ("COM3", "COM33", False),
+    ],
+)
+def test_a_machine_is_known_by_its_port_whatever_it_is_called(tmp_path, port, other, same):
+    lost = written(tmp_path / "1.journal", port=port)
+    story = unfinished_at(other, tmp_path)
+    assert (story.path if story else None) == (lost if same else None)
 
 
 def test_a_running_job_is_told_from_a_killed_one(tmp_path):

@@ -17,7 +17,7 @@ from CNCStepper.control.connect import Found
 from CNCStepper.control.feeder import Feeder
 from CNCStepper.control.grbl import Grbl
 from CNCStepper.control.grbl_report import Status
-from CNCStepper.control.journal import journal_file
+from CNCStepper.control.journal import journal_file, lock
 from CNCStepper.control.journal.ahead import LEAST, MOST, Ahead
 from CNCStepper.control.journal.journal import MENDED, Journal
 from CNCStepper.control.journal.journal_file import JournalFile
@@ -342,10 +342,10 @@ def test_a_fault_of_the_writer_is_not_swallowed(tmp_path):
 
 
 def test_a_journal_that_cannot_be_locked_is_refused(tmp_path, monkeypatch):
-    def refuse(file):
+    def refuse(file, shared=False):
         raise OSError(errno.ENOLCK, "No locks available")
 
-    monkeypatch.setattr(journal_file, "take_lock", refuse)
+    monkeypatch.setattr(lock, "take_lock", refuse)
     with pytest.raises(JobError, match="No locks available"):
         begun(tmp_path, FakeClock(), LINES)
     assert not list(tmp_path.iterdir())

@@ -1,0 +1,260 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Which port a name means: a port has many names, and one position, one session and one journal.
+
+    /dev/ttyUSB0, /dev/serial/by-id/..., ./table -> ttyUSB0    resolved path; on USB the board and its serial number
+    COM3, com3, \\\\.\\COM3                                      COM3
+    socket://Localhost:2217/, telnet://[::1]:2217              resolved addresses and TCP port
+
+Boards of one kind without serial numbers look alike: they are told apart by the sockets that they are plugged into, and
+`may_be` says where one may have moved. Nothing here waits longer than `LOOK_UP_S`, and nothing fails without a network.
+"""
+
+from __future__ import annotations
+
+import ipaddress
+import os
+import re
+import socket
+import sys
+import threading
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import asdict, dataclass
+from typing import Any, TypeVar
+from urllib.parse import urlsplit
+
+LOOK_UP_S = 1.0
+DEFAULT_PORTS = {"telnet": 23}
+NETWORK = ("socket", "telnet", "rfc2217")
+WRAPPERS = ("spy", "alt")  # pyserial's: a name within
+THIS_COMPUTER = "localhost"
+LINKS = ("/dev/serial/by-id", "/dev/serial/by-path")
+SHORTEST_SERIAL = 6  # "0001" and the like stand in whole series of adapters
+_COM = re.compile(r"(?:[\\/]{2}[.?][\\/])?(COM\d+)", re.IGNORECASE)
+_Found = TypeVar("_Found")
+
+
+@dataclass(frozen=True)
+class PortIdentity:
+    """What is known of a port.
+
+    names: its paths, or the name and the addresses of its host. tcp_port: of a network port, else None. board: vendor
+    and product of a USB adapter, "" where it is none. serial: its serial number and interface; "" without a number that
+    no other has. location: of its USB socket, with the interface.
+    """
+
+    names: frozenset[str]
+    tcp_port: int | None = None
+    board: str = ""
+    serial: str = ""
+    location: str = ""
+
+    @property
+    def key(self) -> str:
+        """The name of its files: the same from one connection to the next, as far as that can be known."""
+        if self.board and (self.serial or self.location):
+            return f"{self.board} {self.serial or self.location}"
+        name = min(self.names, key=lambda name: (name != THIS_COMPUTER, name))
+        return name if self.tcp_port is None else f"{name}:{self.tcp_port}"
+
+    def is_same(self, other: PortIdentity) -> bool:
+        """Return whether both are one port."""
+        if self.board and other.board and self.board != other.board:
+            return False
+        if self.serial and other.serial:
+            return self.serial == other.serial
+        if self.location and other.location:
+            return self.location == other.location
+        return self.tcp_port == other.tcp_port and not self.names.isdisjoint(other.names)
+
+    def may_be(self, other: PortIdentity) -> bool:
+        """Return whether both may be one port: also two boards of a kind, one of them without a serial number."""
+        alike = self.board != "" and self.board == other.board and not (self.serial and other.serial)
+        return alike or self.is_same(other)
+
+    def to_json(self) -> dict[str, Any]:
+        """Return it as plain values."""
+        return {**asdict(self), "names": sorted(self.names)}
+
+    @classmethod
+    def from_json(cls, content: Mapping[str, Any]) -> PortIdentity:
+        """Return the identity of `to_json`; raises ValueError, KeyError or TypeError where it is none."""
+        tcp_port, names = content["tcp_port"], content["names"]
+        if not names or not isinstance(names, list) or not isinstance(tcp_port, (int, type(None))):
+            raise ValueError(f"no identity of a port: {str(content)[:80]}")
+        words = (str(content[name]) for name in ("board", "serial", "location"))
+        return cls(frozenset(map(str, names)), tcp_port, *words)
+
+
+def identify(name: str) -> PortIdentity:
+    """Return what a port's name or URL means now; a name that means nothing stands for itself."""
+    scheme, separator, rest = name.strip().partition("://")
+    scheme = scheme.lower()
+    if not separator:
+        return _device(name.strip())
+    if scheme in WRAPPERS:
+        return identify(rest.partition("?")[0])
+    if scheme == "hwgrep":
+        return _device(within(LOOK_UP_S, lambda: _first_like(rest), "") or name)
+    if scheme in NETWORK:
+        return _address(scheme, name)
+    return PortIdentity(frozenset([name]))
+
+
+def is_same_port(name: str, other: str) -> bool:
+    """Return whether two names mean one port."""
+    return name == other or identify(name).is_same(identify(other))
+
+
+def read_identity(content: Mapping[str, Any], port: object) -> PortIdentity:
+    """Return the identity that a file tells under "port_identity"; in older files that of their port's name."""
+    try:
+        return PortIdentity.from_json(content["port_identity"])
+    except (ValueError, KeyError, TypeError):
+        return identify(str(port))
+
+
+def other_names(name: str) -> Iterator[str]:
+    """Yield the spellings under which an earlier version may have kept files of a port."""
+    identity = identify(name)
+    yield name
+    if identity.tcp_port is None:
+        yield from identity.names
+        yield from (link for link in _links() if os.path.realpath(link) in identity.names)
+        return
+    hosts = identity.names - {THIS_COMPUTER}
+    if THIS_COMPUTER in identity.names:
+        hosts = hosts | {"localhost", "127.0.0.1", "::1"}
+    for host in hosts:
+        for scheme in NETWORK:
+            yield f"{scheme}://{f'[{host}]' if ':' in host else host}:{identity.tcp_port}"
+            if DEFAULT_PORTS.get(scheme) == identity.tcp_port:
+                yield f"{scheme}://{host}"
+
+
+def within(limit_s: float, function: Callable[[], _Found], otherwise: _Found) -> _Found:
+    """Return what a function returns, or `otherwise` where it takes longer or fails, as networks and drivers do."""
+    found: list[_Found] = []
+
+    def work() -> None:
+        try:
+            found.append(function())
+        except Exception:  # of the system's or pyserial's: without an answer the name alone counts
+            return
+
+    thread = threading.Thread(target=work, name="port-identity", daemon=True)
+    thread.start()
+    thread.join(limit_s)
+    return found[0] if found else otherwise
+
+
+# --- serial ports ------------------------------------------------------------------------------
+
+
+def _device(name: str) -> PortIdentity:
+    if com := _COM.fullmatch(name):
+        paths = frozenset([com[1].upper()])
+    else:
+        given = _one_of_two(os.path.normcase(os.path.abspath(name)))
+        paths = frozenset([given, _one_of_two(os.path.normcase(os.path.realpath(name)))])
+    nothing: list[Any] = []
+    ports = within(LOOK_UP_S, _ports, nothing)
+    mine = next((port for port in ports if _port_path(port) in paths), None)
+    if mine is None or mine.vid is None or mine.pid is None:
+        return PortIdentity(paths)
+    board = f"{mine.vid:04x}:{mine.pid:04x}"
+    return PortIdentity(paths, None, board, _serial(mine, ports), mine.location or "")
+
+
+def _port_path(port: Any) -> str:
+    com = _COM.fullmatch(port.device)
+    return com[1].upper() if com else _one_of_two(os.path.normcase(os.path.realpath(port.device)))
+
+
+def _one_of_two(path: str) -> str:
+    """Return a path by its one name on macOS, which has two devices for each serial port."""
+    return path.replace("/dev/tty.", "/dev/cu.", 1) if sys.platform == "darwin" else path
+
+
+def _serial(port: Any, ports: Iterable[Any]) -> str:
+    """Return what tells a USB port from all others, "" where its number may be that of others too."""
+    number, interface = port.serial_number or "", _interface(port)
+    if len(number) < SHORTEST_SERIAL or len(set(number)) < 3:
+        return ""
+    mine = (port.vid, port.pid, number, interface)
+    if sum((other.vid, other.pid, other.serial_number, _interface(other)) == mine for other in ports) > 1:
+        return ""
+    return f"{number}:{interface}"
+
+
+def _interface(port: Any) -> str:
+    """Return which of its board's ports it is: "1.0" of the location "1-4.2:1.0"."""
+    return (port.location or "").partition(":")[2] or port.interface or ""
+
+
+def _ports() -> list[Any]:
+    from serial.tools.list_ports import comports
+
+    return list(comports())
+
+
+def _first_like(expression: str) -> str:
+    from serial.tools.list_ports import grep
+
+    return next((port.device for port in grep(expression.partition("&")[0])), "")
+
+
+def _links() -> Iterator[str]:
+    for folder in LINKS:
+        if os.path.isdir(folder):
+            yield from (os.path.join(folder, link) for link in sorted(os.listdir(folder)))
+
+
+# --- network ports -----------------------------------------------------------------------------
+
+
+def _address(scheme: str, url: str) -> PortIdentity:
+    try:
+        parts = urlsplit(url.strip())
+        host, port = (parts.hostname or "").rstrip("."), parts.port or DEFAULT_PORTS.get(scheme)
+    except ValueError:
+        host, port = "", None
+    if not host or port is None:
+        return PortIdentity(frozenset([url]))
+    addresses = {_plain(found) for found in _addresses_of(host)}
+    here = {THIS_COMPUTER} if any(map(_is_here, addresses)) or host == THIS_COMPUTER else set()
+    return PortIdentity(frozenset({_plain(host), *addresses, *here}), port)
+
+
+def _addresses_of(host: str) -> list[str]:
+    try:
+        return [str(ipaddress.ip_address(host.partition("%")[0]))]
+    except ValueError:
+        return within(LOOK_UP_S, lambda: [str(found[4][0]) for found in socket.getaddrinfo(host, None)], [])
+
+
+def _plain(address: str) -> str:
+    """Return an address in its one spelling; one of IPv4 within IPv6 as that."""
+    try:
+        found = ipaddress.ip_address(address.partition("%")[0])
+    except ValueError:
+        return address
+    return str(getattr(found, "ipv4_mapped", None) or found)
+
+
+def _is_here(address: str) -> bool:
+    """Return whether an address is one of this computer's: only those can be bound to."""
+    try:
+        found = ipaddress.ip_address(address)
+    except ValueError:
+        return False
+    if found.is_loopback or found.is_unspecified:
+        return True
+    if found.is_multicast:
+        return False
+    family = socket.AF_INET if found.version == 4 else socket.AF_INET6
+    try:
+        with socket.socket(family, socket.SOCK_DGRAM) as probe:
+            probe.bind((address, 0))
+    except OSError:
+        return False
+    return True

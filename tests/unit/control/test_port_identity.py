@@ -1,0 +1,310 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A port is one port under all its names: for its position, its sessions and its journal."""
+
+from __future__ import annotations
+
+import hashlib
+import os
+import socket
+import subprocess
+import sys
+import time
+from types import SimpleNamespace
+
+import pytest
+from fake_controller import FakeServer
+
+from CNCStepper.control import port_identity
+from CNCStepper.control.belief import AT_HOME, LOST, NOTHING_AGAINST
+from CNCStepper.control.belief_file import POSITION, BeliefFile
+from CNCStepper.control.outcome import DONE, REFUSED
+from CNCStepper.control.own_file import OwnFile
+from CNCStepper.control.port_holder import check_free
+from CNCStepper.control.port_identity import LOOK_UP_S, PortIdentity, identify, is_same_port
+from CNCStepper.control.send_job import SendJob
+from CNCStepper.control.session import SessionClient
+from CNCStepper.control.session_file import desk_at, session_at, write_private
+from CNCStepper.errors import MachineRefusal
+
+FROM_HERE = LOST._replace(counts_from_here=True)
+
+
+def usb(device: str, serial: str | None = None, location: str | None = None, board=(0x1A86, 0x7523)) -> SimpleNamespace:
+    return SimpleNamespace(
+        device=device, vid=board[0], pid=board[1], serial_number=serial, location=location, interface=None
+    )
+
+
+@pytest.fixture
+def plugged(monkeypatch):
+    """What is plugged in, as pyserial lists it; empty at first."""
+    ports = []
+    monkeypatch.setattr("serial.tools.list_ports.comports", lambda: list(ports))
+    return ports
+
+
+def kept(folder, port: str) -> BeliefFile:
+    return BeliefFile.of_port(folder, port)
+
+
+# --- names ---------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("name", "other"),
+    [
+        ("socket://localhost:2217", "socket://127.0.0.1:2217"),
+        ("socket://LOCALHOST:2217/", "socket://[::1]:2217"),
+        ("SOCKET://127.0.0.1:2217", "socket://127.0.0.1:2217?logging=debug"),
+        ("socket://127.0.0.1:2217", "socket://127.0.1.1:2217"),
+        ("socket://0.0.0.0:2217", "rfc2217://localhost:2217"),
+        ("telnet://192.0.2.7", "telnet://192.0.2.7:23/"),
+        ("telnet://192.0.2.7", "socket://192.0.2.7:23"),
+        ("socket://[2001:DB8::0:1]:23", "socket://[2001:db8:0::1]:23"),
+        ("socket://[::ffff:192.0.2.7]:23", "socket://192.0.2.7:23"),
+        ("COM3", "com3"),
+        ("COM3", "\\\\.\\COM3"),
+        ("COM3", "//./com3"),
+        ("spy://COM3?file=x.txt", "alt://COM3?class=PosixPollSerial"),
+        ("spy:///dev/ttyUSB7", "/dev/../dev/ttyUSB7"),
+        ("loop://", "loop://"),
+    ],
+)
+def test_one_port_under_two_names(name, other, plugged):
+    assert is_same_port(name, other) and is_same_port(other, name)
+    assert identify(name).key == identify(other).key
+
+
+@pytest.mark.parametrize(
+    ("name", "other"),
+    [
+        ("socket://127.0.0.1:2217", "socket://127.0.0.1:2218"),
+        ("socket://192.0.2.7:23", "socket://192.0.2.8:23"),
+        ("COM3", "COM33"),
+        ("/dev/ttyUSB0", "/dev/ttyUSB1"),
+        ("COM3", "socket://COM3:23"),
+        ("socket://", "telnet://"),
+        ("socket://a:b", "socket://a:c"),
+        ("", "/dev/ttyUSB0"),
+    ],
+)
+def test_other_ports_stay_apart(name, other, plugged):
+    assert not is_same_port(name, other) and not identify(name).may_be(identify(other))
+
+
+def test_a_host_is_known_by_its_name_and_by_its_addresses(monkeypatch):
+    found = {"table.local": "192.0.2.7", "fraese": "192.0.2.7", "other": "192.0.2.8"}
+
+    def look_up(host, *_):
+        if host not in found:
+            raise socket.gaierror("offline")
+        return [(0, 0, 0, "", (found[host], 0))]
+
+    monkeypatch.setattr(socket, "getaddrinfo", look_up)
+    known = identify("socket://table.local:23")
+    assert known.is_same(identify("socket://Table.Local.:23")) and known.is_same(identify("socket://fraese:23"))
+    assert known.is_same(identify("socket://192.0.2.7:23")) and not known.is_same(identify("socket://other:23"))
+    found.clear()  # offline, or at another address since
+    assert known.is_same(identify("socket://table.local:23"))
+
+
+def test_a_look_up_that_hangs_is_not_waited_for(monkeypatch):
+    monkeypatch.setattr(port_identity, "LOOK_UP_S", 0.1)
+    monkeypatch.setattr(socket, "getaddrinfo", lambda *_: time.sleep(60))
+    monkeypatch.setattr("serial.tools.list_ports.comports", lambda: time.sleep(60))
+    begin_s = time.monotonic()
+    assert is_same_port("socket://slow:23", "socket://SLOW:23") and is_same_port("/dev/ttyUSB0", "/dev//ttyUSB0")
+    assert time.monotonic() - begin_s < LOOK_UP_S
+
+
+def test_a_broken_list_of_ports_leaves_the_names(monkeypatch):
+    def broken():
+        raise RuntimeError("no registry")
+
+    monkeypatch.setattr("serial.tools.list_ports.comports", broken)
+    assert is_same_port("COM3", "com3") and not is_same_port("COM3", "COM4")
+
+
+@pytest.mark.skipif(os.name != "posix", reason="symbolic links to devices")
+def test_links_and_relative_names_lead_to_the_device(tmp_path, monkeypatch, plugged):
+    device, folder = tmp_path / "ttyUSB0", tmp_path / "peça 1"
+    device.touch()
+    folder.mkdir()
+    (folder / "table").symlink_to(device)
+    monkeypatch.chdir(folder)
+    assert is_same_port("table", str(device)) and is_same_port("../peça 1/table", str(device))
+    told = PortIdentity.from_json(identify("table").to_json())
+    (folder / "table").unlink()
+    (folder / "table").symlink_to(tmp_path / "ttyUSB1")  # as udev does when it is plugged in again
+    assert identify("table").is_same(told)
+
+
+# --- USB -----------------------------------------------------------------------------------------
+
+
+def test_a_board_with_a_serial_number_is_the_same_at_another_name(tmp_path, plugged):
+    plugged[:] = [usb("/dev/ttyUSB0", "AB12CD34", "1-1:1.0")]
+    kept(tmp_path, "/dev/ttyUSB0").keep(LOST)
+    plugged[:] = [usb("/dev/ttyUSB1", "AB12CD34", "1-7:1.0"), usb("/dev/ttyUSB0", "EF56AB78", "1-1:1.0")]
+    assert kept(tmp_path, "/dev/ttyUSB1").belief == LOST
+    assert kept(tmp_path, "/dev/ttyUSB0").belief == NOTHING_AGAINST  # another board has that name now
+    kept(tmp_path, "/dev/ttyUSB1").keep(AT_HOME)
+    assert not list(tmp_path.glob(f"*{POSITION}"))
+
+
+def test_two_interfaces_of_one_board_are_two_ports(plugged):
+    plugged[:] = [usb("/dev/ttyUSB0", "AB12CD34", "1-1:1.0"), usb("/dev/ttyUSB1", "AB12CD34", "1-1:1.1")]
+    assert not is_same_port("/dev/ttyUSB0", "/dev/ttyUSB1")
+
+
+@pytest.mark.parametrize("serial", [None, "", "0001", "000000000", "AB12CD34"])
+def test_boards_that_look_alike_are_never_mixed_up(tmp_path, plugged, serial):
+    """Without a number of its own, or with one that two of them have."""
+    first, second = usb("/dev/ttyUSB0", serial, "1-1:1.0"), usb("/dev/ttyUSB1", serial, "1-2:1.0")
+    plugged[:] = [first, second]
+    assert not is_same_port("/dev/ttyUSB0", "/dev/ttyUSB1")
+    kept(tmp_path, "/dev/ttyUSB0").keep(FROM_HERE)
+    assert kept(tmp_path, "/dev/ttyUSB0").belief == FROM_HERE
+    assert kept(tmp_path, "/dev/ttyUSB1").belief == LOST  # it may be the one, moved; its zero is not the other's
+    kept(tmp_path, "/dev/ttyUSB1").keep(AT_HOME)
+    assert kept(tmp_path, "/dev/ttyUSB1").belief == NOTHING_AGAINST
+    assert kept(tmp_path, "/dev/ttyUSB0").belief == FROM_HERE  # that one was not homed
+    first.device, second.device = "/dev/ttyUSB1", "/dev/ttyUSB0"  # the computer has started anew
+    assert kept(tmp_path, "/dev/ttyUSB1").belief == FROM_HERE
+    assert kept(tmp_path, "/dev/ttyUSB0").belief == NOTHING_AGAINST
+    plugged[:] = [usb("/dev/ttyUSB2", serial, "1-9:1.0")] * 2
+    assert kept(tmp_path, "/dev/ttyUSB2").belief == LOST  # moved to where none was homed since
+
+
+def test_a_board_of_another_kind_at_the_same_name_is_another(tmp_path, plugged):
+    plugged[:] = [usb("/dev/ttyUSB0", None, "1-1:1.0")]
+    kept(tmp_path, "/dev/ttyUSB0").keep(LOST)
+    plugged[:] = [usb("/dev/ttyUSB0", None, "1-1:1.0", board=(0x2341, 0x0043))]
+    assert kept(tmp_path, "/dev/ttyUSB0").belief == NOTHING_AGAINST
+
+
+def test_a_serial_number_that_is_not_read_this_time_changes_nothing(tmp_path, plugged):
+    plugged[:] = [usb("COM3", "AB12CD34", None)]
+    kept(tmp_path, "COM3").keep(LOST)
+    plugged.clear()
+    assert kept(tmp_path, "com3").belief == LOST
+
+
+# --- files ---------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("old", "new"),
+    [
+        ("socket://localhost:2217", "socket://127.0.0.1:2217"),
+        ("socket://127.0.0.1:2217", "socket://[::1]:2217/"),
+        ("telnet://192.0.2.7", "socket://192.0.2.7:23"),
+        ("COM3", "\\\\.\\com3"),
+        ("/dev/ttyUSB0", "/dev/../dev/ttyUSB0"),
+    ],
+)
+def test_files_of_earlier_versions_are_found_under_other_names(tmp_path, plugged, old, new):
+    digest = hashlib.sha256(old.encode("utf-8")).hexdigest()[:16]
+    write_private(tmp_path / f"old-{digest}{POSITION}", {"counts_from_here": False, "zeroed": "XY"})
+    (tmp_path / f"old-{digest}{POSITION}").rename(tmp_path / _old_name(old, digest))
+    assert kept(tmp_path, new).belief == LOST._replace(zeroed=frozenset("XY"))
+    assert kept(tmp_path, "socket://192.0.2.99:4").belief == NOTHING_AGAINST
+    kept(tmp_path, new).keep(AT_HOME)
+    assert not list(tmp_path.iterdir())
+
+
+def _old_name(port: str, digest: str) -> str:
+    readable = "".join(character if character.isalnum() and character.isascii() else "-" for character in port)
+    while "--" in readable:
+        readable = readable.replace("--", "-")
+    return f"{readable.strip('-')[:40]}-{digest}{POSITION}"
+
+
+def test_what_was_lost_under_several_names_is_known_under_all(tmp_path, plugged):
+    for name in ("socket://localhost:2217", "socket://127.0.0.1:2217"):
+        kept(tmp_path, name).keep(LOST)
+    kept(tmp_path, "telnet://[::1]:2217").keep(AT_HOME)
+    assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize("known_at", [1, None, ["x"], [{}], {}])
+def test_a_damaged_list_of_boards_homed_since_says_nothing(tmp_path, plugged, known_at):
+    plugged[:] = [usb("/dev/ttyUSB0", None, "1-1:1.0"), usb("/dev/ttyUSB1", None, "1-2:1.0")]
+    kept(tmp_path, "/dev/ttyUSB0").keep(LOST)
+    (path,) = tmp_path.iterdir()
+    path.unlink()
+    content = {"port_identity": identify("/dev/ttyUSB0").to_json(), "counts_from_here": False, "zeroed": ""}
+    write_private(path, content | {"known_at": known_at})
+    assert kept(tmp_path, "/dev/ttyUSB1").belief == LOST
+    kept(tmp_path, "/dev/ttyUSB1").keep(AT_HOME)
+    assert kept(tmp_path, "/dev/ttyUSB1").belief == NOTHING_AGAINST
+
+
+@pytest.mark.parametrize(
+    ("folder", "find"), [("one.session", session_at), ("one.desk", desk_at)], ids=["session", "desk"]
+)
+def test_sessions_and_desks_are_found_by_any_name(tmp_path, folder, find, plugged):
+    running = OwnFile(tmp_path / folder)
+    running.write({"machine_port": "socket://localhost:2217", "port": 9, "token": ""})
+    assert find("socket://127.0.0.1:2217", tmp_path) == tmp_path / folder
+    assert find("socket://127.0.0.1:2218", tmp_path) is None
+    identity = PortIdentity(frozenset(["/dev/ttyUSB0"]), None, "1a86:7523", "AB12CD34:1.0").to_json()
+    running.remove()
+    running = OwnFile(tmp_path / folder)
+    running.write({"machine_port": "/dev/ttyUSB0", "port_identity": identity})
+    plugged[:] = [usb("/dev/ttyUSB3", "AB12CD34", "1-1:1.0")]
+    assert find("/dev/ttyUSB3", tmp_path) == tmp_path / folder
+    running.remove()
+
+
+# --- real processes ------------------------------------------------------------------------------
+
+
+def send(folder, port: str, lines=("G1X1F600", "G1X2")) -> SessionClient:
+    return SessionClient.start(SendJob(port, list(lines), zero_confirmed=True), python=sys.executable, folder=folder)
+
+
+def test_what_one_name_has_lost_is_refused_at_another_name(tmp_path):
+    with FakeServer() as server:
+        server.controller.on_line = {0: "ALARM:1"}
+        assert send(tmp_path, server.url).wait(limit_s=20).position_known is False
+        server.controller.state, server.controller.on_line = "Idle", {}
+        other = server.url.replace("127.0.0.1", "LocalHost") + "/"
+        outcome = send(tmp_path, other).wait(limit_s=20)
+        assert outcome.kind == REFUSED and outcome.error.code == "position-unknown"
+        kept(tmp_path, server.url.replace("127.0.0.1", "[::1]")).keep(AT_HOME)
+        assert send(tmp_path, server.url).wait(limit_s=20).kind == DONE
+
+
+def test_a_job_is_found_and_held_under_another_name_of_its_port(tmp_path):
+    with FakeServer() as server:
+        client = send(tmp_path, server.url, ["G1X1F600", "M0", "G1X2"])
+        other = server.url.replace("127.0.0.1", "localhost")
+        try:
+            with pytest.raises(MachineRefusal, match="held by a job of yours"):
+                check_free(other, tmp_path)
+            with SessionClient.attach(session_at(other, tmp_path)) as second:
+                second.stop()
+                second.wait(limit_s=20)
+        finally:
+            client._process.terminate()
+            client._process.wait()
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(os.name != "posix", reason="pseudo-terminals")
+def test_a_machine_that_is_lost_at_its_link_is_lost_at_its_device(tmp_path):
+    link = tmp_path / "table ç"
+    words = ["-m", "CNCStepper.cli", "virtual", "grbl", "--pty", str(link), "--speed", "5"]
+    with subprocess.Popen([sys.executable, *words], stdout=subprocess.DEVNULL) as machine:
+        try:
+            end_s = time.monotonic() + 60
+            while not link.exists() and time.monotonic() < end_s:
+                time.sleep(0.05)
+            kept(tmp_path, os.path.relpath(link)).keep(LOST)
+            outcome = send(tmp_path, os.path.realpath(link)).wait(limit_s=30)
+            assert outcome.kind == REFUSED and outcome.error.code == "position-unknown"
+            kept(tmp_path, os.path.realpath(link)).keep(AT_HOME)
+            assert send(tmp_path, str(link)).wait(limit_s=30).kind == DONE
+        finally:
+            machine.terminate()
