@@ -15,6 +15,7 @@ from CNCStepper.cli.live import overrides_in_words
 from CNCStepper.cli.overheard import Overheard
 from CNCStepper.cli.override_words import read_override
 from CNCStepper.cli.talk import Talk, place, port_options
+from CNCStepper.cli.verb import Verb
 from CNCStepper.errors import CNCStepperError, LinkError
 
 PROMPT = "> "
@@ -35,7 +36,7 @@ G0 X10, M3 S1000 ...   any line that the controller knows, while its position is
 history  help  quit    (Ctrl-D quits; Ctrl-C holds a move)"""
 
 
-@click.command("console")
+@click.command("console", cls=Verb)
 @port_options
 def command(port: str, baud: int) -> None:
     """Type lines to the controller at --port; each is done, with the machine at rest, before the next is asked for.

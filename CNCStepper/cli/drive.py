@@ -17,6 +17,7 @@ from CNCStepper.cli.options import (
     read_program,
 )
 from CNCStepper.cli.start import Given, start_options
+from CNCStepper.cli.verb import OutputPath, Verb
 from CNCStepper.errors import MachineRefusal
 from CNCStepper.machine.profile import Machine
 
@@ -29,12 +30,12 @@ if TYPE_CHECKING:
 HOLD, RESUME = "!", "~"  # as grbl knows them
 
 
-@click.command("drive")
+@click.command("drive", cls=Verb)
 @program_argument
 @machine_option(required=True)
 @click.option(
     "--port",
-    type=click.Path(dir_okay=False, path_type=Path),
+    type=OutputPath("pulses"),
     required=True,
     help="The device file of a parallel port (/dev/parport0), or a file that records each write and when it was.",
 )

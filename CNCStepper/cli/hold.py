@@ -6,9 +6,10 @@ from __future__ import annotations
 import click
 
 from CNCStepper.cli.running_job import follow, session_file, session_option
+from CNCStepper.cli.verb import Verb
 
 
-@click.command("hold")
+@click.command("hold", cls=Verb)
 @session_option
 def command(session: str | None) -> None:
     """Hold the job that runs: the machine slows down and stands, nothing is lost, the spindle goes on turning.

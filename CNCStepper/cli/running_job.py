@@ -24,10 +24,11 @@ session_option = click.option("--session", help="Which job, by its session's nam
 def session_file(name: str | None) -> Path:
     """Return the file of the session or desk meant; raises JobError where it is not clear which."""
     from CNCStepper.control.desk_session import jobs_running
+    from CNCStepper.control.session_file import running_desks, sessions
 
     if name and Path(name).suffix:
         return Path(name)
-    running = [path for path in jobs_running() if not name or path.stem == name]
+    running = [path for path in sessions() + running_desks() if path.stem == name] if name else jobs_running()
     if len(running) == 1:
         return running[0]
     if not running:

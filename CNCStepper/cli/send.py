@@ -27,6 +27,7 @@ from CNCStepper.cli.options import (
 from CNCStepper.cli.program_file import ProgramFile
 from CNCStepper.cli.show import show_findings
 from CNCStepper.cli.start import Given, start_options
+from CNCStepper.cli.verb import Verb
 from CNCStepper.errors import JobError
 from CNCStepper.machine.profile import Machine
 from CNCStepper.machine.tool import Tool
@@ -43,7 +44,7 @@ if TYPE_CHECKING:
     from CNCStepper.toolpath import Toolpath
 
 
-@click.command("send")
+@click.command("send", cls=Verb)
 @program_argument
 @click.option("--port", required=True, help="A serial port (COM3, /dev/ttyUSB0) or a URL (socket://127.0.0.1:2217).")
 @click.option("--certificate", type=FilePath, help="What `check` or `run` wrote for it; other bytes are refused.")

@@ -6,9 +6,10 @@ from __future__ import annotations
 import click
 
 from CNCStepper.cli.running_job import follow, session_file, session_option
+from CNCStepper.cli.verb import Verb
 
 
-@click.command("stop")
+@click.command("stop", cls=Verb)
 @session_option
 def command(session: str | None) -> None:
     """End the job that runs: hold, standstill, reset; spindle, torch, laser and coolant off, the position kept.

@@ -10,19 +10,20 @@ from typing import TYPE_CHECKING
 import click
 
 from CNCStepper.cli.options import FilePath, machine_option
+from CNCStepper.cli.verb import InputPath, OutputPath, Verbs
 from CNCStepper.machine.profile import Machine, load_machine
 
 if TYPE_CHECKING:
     from CNCStepper.virtual.grbl.machine import Grbl
 
 
-@click.group("virtual")
+@click.group("virtual", cls=Verbs)
 def command() -> None:
     """Be a controller without hardware: it answers and moves as the real one does."""
 
 
 @command.command("grbl")
-@click.option("--pty", type=click.Path(), help="Make this path a link to a pseudo-terminal (not on Windows).")
+@click.option("--pty", type=OutputPath(""), help="Make this path a link to a pseudo-terminal (not on Windows).")
 @click.option("--tcp", metavar="HOST:PORT", help="Listen there, for example 127.0.0.1:2217; port 0 picks a free one.")
 @click.option(
     "--speed",
@@ -34,7 +35,7 @@ def command() -> None:
 @click.option(
     "--baud", type=click.IntRange(min=300), default=115200, show_default=True, help="Rate of its serial link."
 )
-@click.option("--trace", type=click.Path(path_type=Path), help="Save the path of the axes: t_s,x_mm,y_mm,z_mm.")
+@click.option("--trace", type=OutputPath("path"), help="Save the path of the axes: t_s,x_mm,y_mm,z_mm.")
 @click.option("--homing", is_flag=True, help="Start in alarm until homed, as with $22=1.")
 @click.option(
     "--firmware",
@@ -46,7 +47,7 @@ def command() -> None:
 @click.option("--until-left", is_flag=True, help="End when its client has left, or when none has come within 30 s.")
 @click.option(
     "--faults",
-    type=click.Path(path_type=Path),
+    type=InputPath(exists=False),
     help="Let go wrong what this TOML or JSON file says, and tell of each fault; see docs/control/faults.md.",
 )
 @click.option("--press", type=FilePath, help="Press its input pins when this TOML file says so.")

@@ -15,7 +15,6 @@ import secrets
 import subprocess
 import time
 from concurrent.futures import Future
-from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
@@ -23,7 +22,10 @@ from CNCStepper.control import desk_launch
 from CNCStepper.control.desk_launch import Launched
 from CNCStepper.control.line_socket import LineSocket
 from CNCStepper.control.outcome import Outcome, SenderStatus, error_from_json, take_refusal
-from CNCStepper.control.session_file import LOG, OUTCOME, is_fresh, read_private, running_desks
+from CNCStepper.control.own_file import is_alive
+from CNCStepper.control.session_file import LOG, OUTCOME, read_private, running_desks
+from CNCStepper.control.session_socket import Address
+from CNCStepper.control.silent import garbled, silent, unreadable
 from CNCStepper.errors import CNCStepperError, LinkError
 
 __all__ = ["DeskClient", "running_desks"]
@@ -48,13 +50,13 @@ class DeskClient:
         self.outcome: Outcome | None = None
         self.error: CNCStepperError | None = None
         self._launched = launched
-        self._begin_s = time.monotonic()
+        self._begin_s = time.monotonic()  # of the way to a connection
         self._process: subprocess.Popen | None = None
         self._socket: LineSocket | None = None
         self._token = ""
         self._caught_up = False
         self._press = secrets.token_hex(4)
-        self._waiting: list[dict[str, Any]] = []  # asked before there is a connection
+        self._waiting: list[dict[str, Any]] = []  # asked before the desk has let this client in
         self._told_phase = "starting"
 
     @classmethod
@@ -65,7 +67,14 @@ class DeskClient:
     @classmethod
     def attach(cls, session_file: Path) -> DeskClient:
         """Attach to a desk of `running_desks`; one that has ended meanwhile is "gone"."""
-        return cls((read_private(session_file) or {}).get("machine_port", ""), session_file=session_file)
+        client = cls("", session_file=session_file)
+        client._read_address(session_file)
+        return client
+
+    @property
+    def is_caught_up(self) -> bool:
+        """Whether the desk's present has been heard since the client came."""
+        return self._caught_up
 
     @property
     def started_desk(self) -> bool:
@@ -82,9 +91,7 @@ class DeskClient:
         """
         events: list[dict[str, Any]] = []
         if self._socket:
-            events = [event for event in self._socket.receive() if self._take(event)]
-            if self._socket.closed:
-                self._lost()
+            events = self._receive(self._socket)
         elif self.phase == "starting":
             self._start()
         if self.phase != self._told_phase:
@@ -152,7 +159,8 @@ class DeskClient:
 
     def leave(self) -> None:
         """Detach for good: the desk ends as soon as no job runs and nothing moves."""
-        self.ask("leave")
+        if self._socket:
+            self._socket.send({"token": self._token, "command": "leave"})
         self.detach()
 
     def detach(self) -> None:
@@ -165,9 +173,9 @@ class DeskClient:
     def ask(self, command: str, **values: Any) -> None:
         """Ask for any command of the desk, or its "status"; what is refused comes as an event "refused"."""
         request = {"command": command, **values}
-        if self._socket:
+        if self._socket and self._caught_up:
             self._socket.send({"token": self._token, **request})
-        elif self.phase == "starting" and not command.startswith("jog"):
+        elif self.phase in ("starting", "connecting") and not command.startswith("jog"):
             self._waiting.append(request)
 
     # --- inside --------------------------------------------------------------------------------
@@ -178,7 +186,19 @@ class DeskClient:
             self._take_launch(self._launched)
         if self.session_file and self.phase == "starting":
             self._connect(self.session_file)
-        if self.phase == "starting" and time.monotonic() - self._begin_s > START_LIMIT_S:
+        if self.phase == "starting":
+            self._check_patience()
+
+    def _check_patience(self) -> None:
+        """Give up a desk that does not come up, or that lives and does not let this client in."""
+        if self._caught_up or time.monotonic() - self._begin_s < START_LIMIT_S:
+            return
+        if self._socket:
+            self._socket.close()
+            self._socket = None
+        if self.session_file and is_alive(self.session_file):
+            self._end(silent(self.session_file))
+        else:
             self._end(LinkError("desk-start", "the desk's process does not come up", advice="see " + self._log()))
 
     def _take_launch(self, launched: Future[Launched]) -> None:
@@ -189,18 +209,40 @@ class DeskClient:
             self._end(error)
 
     def _connect(self, path: Path) -> None:
-        address = read_private(path)
+        if self._has_ended(path):  # and whoever listens now where it did is another one
+            self._end(self._cause(path))
+            return
+        address = self._read_address(path)
         if address is None:
-            if self._has_ended(path):
-                self._end(self._cause(path))
             return
         self.phase, self._caught_up = "connecting", False
-        self._token = address["token"]
-        self._socket = LineSocket(address["host"], address["port"])
-        self.ask("attach")
-        for request in self._waiting:
-            self._socket.send({"token": self._token, **request})
-        self._waiting.clear()
+        self._token = address.token
+        self._socket = LineSocket(address)
+        self._socket.send({"token": self._token, "command": "attach"})
+
+    def _read_address(self, path: Path) -> Address | None:
+        """Return where the desk listens, None while its file does not say so."""
+        try:
+            content = read_private(path) or {}
+            address = Address.of(content)
+        except (OSError, ValueError):  # not yet written, or damaged: a desk that lives writes it again
+            return None
+        self.port = self.port or str(content.get("machine_port", ""))
+        return address
+
+    def _receive(self, line: LineSocket) -> list[dict[str, Any]]:
+        try:
+            events = [event for event in line.receive() if self._take(event)]
+        except (ValueError, TypeError, KeyError, RecursionError):
+            line.close()
+            self._socket = None
+            self._end(garbled(self.session_file or Path()))
+            return []
+        if line.closed:
+            self._lost()
+        else:
+            self._check_patience()
+        return events
 
     def _take(self, event: dict[str, Any]) -> bool:
         """Take one event over; return whether the window wants to hear of it."""
@@ -208,7 +250,7 @@ class DeskClient:
         if not self._caught_up:
             event["past"] = True
         if kind == "status":
-            self._caught_up = True
+            self._catch_up()
             self.status = SenderStatus.from_json(event["status"])
             self.phase = "connecting" if self.status.phase == "connecting" else "connected"
         elif kind == "job":
@@ -219,27 +261,39 @@ class DeskClient:
             take_refusal(event)
         return kind != "accepted"
 
+    def _catch_up(self) -> None:
+        """Ask at last what was asked before the desk has let this client in: from now on it drops it no more."""
+        if self._caught_up or not self._socket:
+            return
+        self._caught_up = True
+        for request in self._waiting:
+            self._socket.send({"token": self._token, **request})
+        self._waiting.clear()
+
     def _lost(self) -> None:
-        """The connection is over: the desk has ended, or it lost patience with a window that did not read."""
+        """The connection is over: the desk has ended, or it had no room for one more that it did not know."""
         self._socket = None
         path = self.session_file
         assert path
-        if not self._has_ended(path):
-            self.phase, self._begin_s = "starting", time.monotonic()
-        else:
+        if self._has_ended(path):
             self._end(self._cause(path))
+            return
+        self.phase = "starting"
+        if self._caught_up:
+            self._caught_up, self._begin_s = False, time.monotonic()
 
     def _has_ended(self, path: Path) -> bool:
-        runs = self._process.poll() is None if self._process else is_fresh(path)
-        return not runs or path.with_suffix(OUTCOME).exists()
+        runs = self._process.poll() is None if self._process else is_alive(path)
+        return not runs or path.with_suffix(OUTCOME).is_file()
 
     def _cause(self, path: Path) -> CNCStepperError | None:
         """Return why the desk has ended; one that left no word was killed."""
-        content = read_private(path.with_suffix(OUTCOME))
-        if content is not None:
-            return error_from_json(content["error"]) if content["error"] else None
-        with suppress(OSError):
-            path.unlink(missing_ok=True)
+        try:
+            content = read_private(path.with_suffix(OUTCOME))
+            if content is not None:
+                return error_from_json(content["error"]) if content["error"] else None
+        except (OSError, ValueError, KeyError) as error:
+            return unreadable(path, str(error))
         return LinkError(
             "desk-lost",
             f"the desk of {self.port} is not there, or was killed",

@@ -4,28 +4,36 @@
 from __future__ import annotations
 
 import time
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 from CNCStepper.control.desk_client import DeskClient
 from CNCStepper.control.outcome import Outcome, SenderStatus
+from CNCStepper.control.own_file import is_alive
 from CNCStepper.control.session import ANSWER_LIMIT_S, LOOK_EVERY_S, SessionClient
 from CNCStepper.control.session_file import DESK, running_desks, sessions
+from CNCStepper.control.silent import silent
 from CNCStepper.errors import LinkError
+
+LOOK_LIMIT_S = 3.0  # whether a job runs in a desk
 
 
 class DeskSession:
     """One more client of a desk, as a `SessionClient` is one of a session; the desk goes on when it closes."""
 
-    def __init__(self, client: DeskClient):
+    def __init__(self, client: DeskClient, limit_s: float = ANSWER_LIMIT_S):
         self._client = client
-        while client.phase != "connected":
-            self.poll(LOOK_EVERY_S)
+        try:
+            self._until(lambda events: client.is_caught_up, limit_s)
+        except LinkError:
+            client.detach()
+            raise
 
     @classmethod
-    def attach(cls, session_file: Path) -> DeskSession:
-        """Attach to a desk that runs; raises LinkError when it has ended."""
-        return cls(DeskClient.attach(session_file))
+    def attach(cls, session_file: Path, limit_s: float = ANSWER_LIMIT_S) -> DeskSession:
+        """Attach to a desk that runs; raises LinkError when it has ended, or does not answer within `limit_s`."""
+        return cls(DeskClient.attach(session_file), limit_s)
 
     @property
     def outcome(self) -> Outcome | None:
@@ -35,10 +43,7 @@ class DeskSession:
     def status(self) -> SenderStatus:
         """Return this moment of the desk."""
         self._client.ask("status")
-        end_s = time.monotonic() + ANSWER_LIMIT_S
-        while all(event["event"] != "status" for event in self.poll(LOOK_EVERY_S)):
-            if time.monotonic() > end_s:
-                raise LinkError("sender-silent", "the desk does not answer", advice="look at the machine")
+        self._until(lambda events: any(event["event"] == "status" for event in events), ANSWER_LIMIT_S)
         return self._client.status
 
     def hold(self) -> None:
@@ -62,6 +67,13 @@ class DeskSession:
             time.sleep(wait_s)
         return events
 
+    def _until(self, reached: Callable[[list[dict[str, Any]]], bool], limit_s: float) -> None:
+        """Look at the desk until its events reach something; raises LinkError where that is not so in `limit_s`."""
+        end_s = time.monotonic() + limit_s
+        while not reached(self.poll(LOOK_EVERY_S)):
+            if time.monotonic() > end_s:
+                raise silent(self._client.session_file or Path())
+
     def close(self) -> None:
         """Detach; the desk goes on."""
         self._client.detach()
@@ -79,13 +91,19 @@ def attach(file: Path) -> SessionClient | DeskSession:
 
 
 def jobs_running(folder: Path | None = None) -> list[Path]:
-    """Return the files of the sessions, and of the desks in which a job runs, oldest first."""
-    return sorted([*sessions(folder), *filter(_runs_a_job, running_desks(folder))], key=lambda path: path.name)
+    """Return the files of the sessions, and of the desks in which a job runs, oldest first.
+
+    Where there are none, those of the desks that live and do not answer: a job may run in each.
+    """
+    running, silent_desks = sessions(folder), []
+    for desk in running_desks(folder):
+        try:
+            running += [desk] if _runs_a_job(desk) else []
+        except LinkError:
+            silent_desks += [desk] if is_alive(desk) else []  # else it has ended meanwhile
+    return sorted(running or silent_desks, key=lambda path: path.name)
 
 
 def _runs_a_job(desk: Path) -> bool:
-    try:
-        with DeskSession.attach(desk) as session:
-            return session.status().total > 0
-    except LinkError:  # it has ended meanwhile
-        return False
+    with DeskSession.attach(desk, LOOK_LIMIT_S) as session:
+        return session.status().total > 0

@@ -17,6 +17,7 @@ from CNCStepper.control.belief_file import BeliefFile
 from CNCStepper.control.desk import Desk
 from CNCStepper.control.outcome import error_to_json
 from CNCStepper.control.own_process import stop_on_signals
+from CNCStepper.control.port_identity import identify
 from CNCStepper.control.session_file import OUTCOME, WIRE, DeskFile, write_private
 from CNCStepper.control.session_server import SessionServer
 from CNCStepper.control.worker import SWITCH_S
@@ -28,7 +29,7 @@ def main(arguments: list[str]) -> int:
     sys.setswitchinterval(SWITCH_S)
     path, port, baud = Path(arguments[0]), arguments[1], int(arguments[2])
     desk_file = DeskFile(path)
-    server = SessionServer(each_turn=desk_file.keep_fresh)
+    server = SessionServer(path, each_turn=desk_file.keep)
     desk = Desk(
         port,
         baud,
@@ -42,7 +43,7 @@ def main(arguments: list[str]) -> int:
         during_job=partial(awake, partial(server.tell, "warning")),
     )
     stop_on_signals(desk.stop)
-    desk_file.write(server.address(port))
+    desk_file.write(server.address(port) | {"port_identity": identify(port).to_json()})
     server.start(desk)
     error = _run(desk, desk_file)
     write_private(path.with_suffix(OUTCOME), {"error": error_to_json(error) if error else None})

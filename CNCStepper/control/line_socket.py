@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Lines of JSON over a loopback socket, without ever waiting: for a thread that draws windows."""
+"""Lines of JSON over the socket of a session, without ever waiting: for a thread that draws windows."""
 
 from __future__ import annotations
 
@@ -10,6 +10,8 @@ from collections.abc import Mapping
 from contextlib import suppress
 from typing import Any
 
+from CNCStepper.control.session_socket import Address, is_own_peer
+
 READ_BYTES = 262_144  # in one look, so that a flood does not keep the window
 OUTBOX_LIMIT_BYTES = 100_000
 
@@ -17,20 +19,18 @@ OUTBOX_LIMIT_BYTES = 100_000
 class LineSocket:
     """A connection that is being made, made, or `closed`; nothing here waits and nothing raises when it breaks."""
 
-    def __init__(self, host: str, port: int):
+    def __init__(self, address: Address):
         self.closed = False
-        self._socket = socket.socket(socket.AF_INET, socket.SOCK_STREAM)
-        self._socket.setblocking(False)
-        self._socket.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
         self._made = False
-        self._outbox = b""
-        self._tail = b""
+        self._outbox = bytearray()
+        self._tail = bytearray()
         try:
-            self._socket.connect((host, port))
-        except BlockingIOError:
-            pass
-        except OSError:
-            self.close()
+            self._socket = address.new_socket()
+        except OSError:  # none of that kind on this system
+            self.closed = True
+            return
+        self._socket.setblocking(False)
+        self._connect(address)
 
     def send(self, content: Mapping[str, Any]) -> None:
         """Send a line now, or as soon as the other side takes it."""
@@ -38,7 +38,7 @@ class LineSocket:
         self._write()
 
     def receive(self) -> list[dict[str, Any]]:
-        """Return the lines that have come."""
+        """Return the lines that have come; raises ValueError for what is no line of JSON."""
         self._write()
         if self.closed or not self._made:
             return []
@@ -50,11 +50,14 @@ class LineSocket:
             data = b""
         if not data:
             self.close()
-        *lines, self._tail = (self._tail + data).split(b"\n")
+        self._tail += data
+        *lines, self._tail = self._tail.split(b"\n")
         return [json.loads(line) for line in lines]
 
     def close(self) -> None:
         """Close it; what was written before still arrives."""
+        if self.closed:
+            return
         self.closed = True
         with suppress(OSError):  # nothing left to read, or no connection
             self._socket.shutdown(socket.SHUT_WR)
@@ -62,11 +65,24 @@ class LineSocket:
                 pass
         self._socket.close()
 
+    def _connect(self, address: Address) -> None:
+        try:
+            self._socket.connect(address.target)
+            self._made = is_own_peer(self._socket)
+            if not self._made:
+                self.close()
+        except BlockingIOError:
+            if address.path:  # a Unix socket is connected at once, or has no room
+                self.close()
+        except OSError:
+            self.close()
+
     def _write(self) -> None:
         if self.closed or not self._is_made():
             return
         try:
-            self._outbox = self._outbox[self._socket.send(self._outbox) :] if self._outbox else b""
+            while self._outbox:
+                del self._outbox[: self._socket.send(self._outbox)]
         except BlockingIOError:
             if len(self._outbox) > OUTBOX_LIMIT_BYTES:  # nobody reads there any more
                 self.close()

@@ -19,14 +19,14 @@ from pathlib import Path
 from CNCStepper.control.background import in_background
 from CNCStepper.control.started import BEHIND, python_version
 from CNCStepper.errors import MissingPackage
+from CNCStepper.needs import pip_names
 
 VARIABLE = "CNCSTEPPER_PYTHON"
 OLDEST = (3, 11)
 CHECK_LIMIT_S = 20.0
 PACKAGE_ROOT = Path(__file__).absolute().parents[2]  # as imported, links and all: numba's cache goes by that path
 SENDER = ("serial",)
-PROOF = ("numpy", "shapely", "pydantic")
-PIP_NAMES = {"serial": "pyserial"}  # where it is not the module's own
+PROOF = ("numpy", "shapely", "pydantic", "platformdirs")
 # It prints its own path: a launcher such as Windows' `py` is left out of what is started later.
 CHECK = (
     "import sys\n"
@@ -55,7 +55,7 @@ def find_python(needs: tuple[str, ...] = SENDER, version: str = "") -> str:
             if path:
                 return path
             tried[candidate] = lack
-    packages = " ".join(PIP_NAMES.get(name, name) for name in needs)
+    packages = " ".join(pip_names(needs))
     raise MissingPackage(
         "python-missing",
         f"no Python has {packages}: " + "; ".join(f"{name}: {lack}" for name, lack in tried.items()),

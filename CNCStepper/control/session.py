@@ -13,16 +13,21 @@ from pathlib import Path
 from typing import Any
 
 from CNCStepper.control.outcome import Outcome, SenderStatus, take_refusal
+from CNCStepper.control.own_file import is_alive
 from CNCStepper.control.own_process import start
 from CNCStepper.control.python_finder import find_python
 from CNCStepper.control.send_job import SendJob
 from CNCStepper.control.session_file import LOG, OUTCOME, WIRE, new_session, read_private
+from CNCStepper.control.session_socket import Address
+from CNCStepper.control.silent import GARBLED, garbled, lost, silent, unreadable
 from CNCStepper.control.spool import write_spool
 from CNCStepper.errors import LinkError
 
 WORKER = "CNCStepper.control.worker"
 START_LIMIT_S = 30.0
+READ_BYTES = 65_536
 ANSWER_LIMIT_S = 10.0
+WELCOME_LIMIT_S = 3.0  # from a connection to the first word on it; where it is not let in, it tries again
 LOOK_EVERY_S = 0.02
 
 
@@ -38,7 +43,8 @@ class SessionClient:
         self._process = process
         self._connection: socket.socket | None = None
         self._token = ""
-        self._tail = b""
+        self._tail = bytearray()
+        self._early: list[dict[str, Any]] = []  # events that came with the welcome
         self._status: SenderStatus | None = None
 
     @classmethod
@@ -56,7 +62,10 @@ class SessionClient:
 
     @classmethod
     def attach(cls, session_file: Path) -> SessionClient:
-        """Attach to a running session, or to the outcome of one; raises LinkError when there is none."""
+        """Attach to a running session, or to the outcome of one.
+
+        Raises LinkError: "session-lost" when there is none, "session-silent" when its process does not answer.
+        """
         client = cls(Path(session_file))
         client._connect()
         return client
@@ -69,7 +78,7 @@ class SessionClient:
         while self._status is None:
             self.poll(LOOK_EVERY_S)
             if time.monotonic() > end_s:
-                raise LinkError("sender-silent", "the sender's process does not answer", advice="see " + self._log())
+                raise silent(self.session_file)
         return self._status
 
     def hold(self) -> None:
@@ -90,18 +99,15 @@ class SessionClient:
 
     def poll(self, wait_s: float = 0.0) -> list[dict[str, Any]]:
         """Return the events that came, waiting up to `wait_s` for the first; [] also after the end."""
+        if self._early:
+            early, self._early = self._early, []
+            return early
         if self._connection is None or not select.select([self._connection], [], [], wait_s)[0]:
             return []
-        try:
-            data = self._connection.recv(65_536)
-        except ConnectionError:
-            data = b""
-        *lines, self._tail = (self._tail + data).split(b"\n")
-        events = [json.loads(line) for line in lines]
-        for event in events:
-            self._take(event)
-        if not data:
+        events = self._receive(self._connection)
+        if events is None:
             self._ended()
+            return self.poll()
         return events
 
     def wait(
@@ -129,6 +135,7 @@ class SessionClient:
 
     def close(self) -> None:
         """Detach; the session goes on."""
+        self._early = []
         if self._connection:
             self._connection.close()
             self._connection = None
@@ -144,7 +151,7 @@ class SessionClient:
     def _await_start(self) -> None:
         assert self._process
         end_s = time.monotonic() + START_LIMIT_S
-        while not self.session_file.exists() and not self._outcome_file().exists():
+        while not is_alive(self.session_file) and not self._outcome_file().exists():
             if self._process.poll() is not None and not self._outcome_file().exists():
                 raise LinkError("sender-start", "the sender's process ended at once", advice="see " + self._log())
             if time.monotonic() > end_s:
@@ -153,18 +160,62 @@ class SessionClient:
             time.sleep(LOOK_EVERY_S)
 
     def _connect(self) -> None:
-        address = read_private(self.session_file)
-        if address is None:
-            self._ended()
-            return
-        self._token = address["token"]
+        """Attach, or take the outcome of a session that has ended; tries again while its process lives."""
+        end_s = time.monotonic() + ANSWER_LIMIT_S
+        why = ""
+        while self.outcome is None and self._connection is None:
+            is_over = not is_alive(self.session_file)  # looked at first: the outcome is written before the end
+            if self._has_outcome(is_over):
+                return
+            if is_over:
+                raise lost(self.session_file)
+            if time.monotonic() > end_s:
+                raise silent(self.session_file, why)
+            try:
+                self._welcome(self._address())
+            except (OSError, ValueError) as error:
+                self.close()
+                if getattr(error, "code", "") == GARBLED:
+                    raise
+                why = str(error)
+                time.sleep(LOOK_EVERY_S)
+
+    def _address(self) -> Address:
+        content = read_private(self.session_file)
+        if content is None:
+            raise FileNotFoundError("it removed its file")
+        return Address.of(content)
+
+    def _welcome(self, address: Address) -> None:
+        """Connect and show the token; raises OSError where nothing is heard of the session then."""
+        self._token, self._tail = address.token, bytearray()
+        self._connection = connection = address.connect(WELCOME_LIMIT_S)
+        connection.settimeout(ANSWER_LIMIT_S)
+        self._write(connection, json.dumps({"token": self._token, "command": "attach"}))
+        end_s = time.monotonic() + WELCOME_LIMIT_S
+        while not self._early:
+            if not select.select([connection], [], [], max(0.0, end_s - time.monotonic()))[0]:
+                raise TimeoutError("it says nothing")
+            events = self._receive(connection)
+            if events is None:
+                raise ConnectionError("it closed the connection")
+            self._early = events
+
+    def _receive(self, connection: socket.socket) -> list[dict[str, Any]] | None:
+        """Return the events that have come, None at the connection's end."""
         try:
-            self._connection = socket.create_connection((address["host"], address["port"]), ANSWER_LIMIT_S)
+            data = connection.recv(READ_BYTES)
         except OSError:
-            self._ended()
-            return
-        self._connection.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
-        self._send("attach")
+            return None
+        self._tail += data
+        *lines, self._tail = self._tail.split(b"\n")
+        try:
+            events = [json.loads(line) for line in lines]
+            for event in events:
+                self._take(event)
+        except (ValueError, TypeError, KeyError, RecursionError) as error:
+            raise garbled(self.session_file) from error
+        return events if data or events else None
 
     def _send(self, command: str, **values: Any) -> None:
         if self.outcome is not None:
@@ -172,13 +223,23 @@ class SessionClient:
         elif self._connection is None:
             raise LinkError("session-detached", "this client is detached", advice="attach to the session again")
         else:
-            self._write(self._connection, json.dumps({"token": self._token, "command": command, **values}))
+            text = json.dumps({"token": self._token, "command": command, **values})
+            try:
+                self._write(self._connection, text)
+            except OSError:
+                self._ended()
+                self._send_again(text)
+
+    def _send_again(self, text: str) -> None:
+        """Ask on the new connection, unless the session is over."""
+        try:
+            if self._connection:
+                self._write(self._connection, text)
+        except OSError as error:
+            raise silent(self.session_file, str(error)) from error
 
     def _write(self, connection: socket.socket, text: str) -> None:
-        try:
-            connection.sendall(text.encode("ascii") + b"\n")
-        except OSError:
-            self._ended()
+        connection.sendall(text.encode("ascii") + b"\n")
 
     def _take(self, event: dict[str, Any]) -> None:
         if event["event"] == "status":
@@ -192,18 +253,24 @@ class SessionClient:
             take_refusal(event)
 
     def _ended(self) -> None:
-        """The connection is over: take the outcome, which was written before; raises LinkError when it was not."""
+        """The connection is over: take the outcome, or attach again; raises LinkError when neither can be."""
         self.close()
-        content = read_private(self._outcome_file())
-        if content is None:
-            self.session_file.unlink(missing_ok=True)
-            raise LinkError(
-                "session-lost",
-                f"the session {self.session_file.stem} is not there, or was killed",
-                advice="if it was cutting, the position is unknown: look at the machine, then see " + self._log(),
-            )
-        self.outcome = self.outcome or Outcome.from_json(content)
+        self._connect()
+
+    def _has_outcome(self, is_over: bool) -> bool:
+        """Take the outcome where it is written; one that cannot be read counts only where the session is over."""
+        try:
+            content = read_private(self._outcome_file())
+            found = Outcome.from_json(content) if content is not None else None
+        except (OSError, ValueError) as error:
+            if is_over:
+                raise unreadable(self.session_file, str(error)) from error
+            return False
+        if found is None:
+            return False
+        self.outcome = self.outcome or found
         self._status = self.outcome.status
+        return True
 
     def _reap(self) -> None:
         """Let the process that we started go; it ends right after its outcome."""

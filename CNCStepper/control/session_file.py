@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The files of a session, readable by their owner only: how to reach it, how it ended, what it logged.
 
-NAME.session   port, token and process, while it runs       NAME.outcome   afterwards       NAME.log
+NAME.session   address, token and process, locked while it runs     NAME.outcome   afterwards       NAME.log
+NAME.desk      the same of a desk                                   NAME.sock      where it listens
 NAME.wire      the lines to send, while it runs; of a desk, those of its last job
-NAME.desk      the same of a desk, touched every second     (one that nobody touches is a killed desk's)
+
+Nobody but its own process removes what belongs to a living one; whether it lives says its lock (`own_file`).
 """
 
 from __future__ import annotations
@@ -11,6 +13,7 @@ from __future__ import annotations
 import json
 import os
 import secrets
+import stat
 import time
 from collections.abc import Iterable, Mapping
 from contextlib import suppress
@@ -18,15 +21,23 @@ from pathlib import Path
 from typing import Any, TextIO
 
 from CNCStepper.control.long_json import pieces
-from CNCStepper.errors import MissingPackage
+from CNCStepper.control.own_file import LOOK_EVERY_S, OwnFile, is_alive
+from CNCStepper.control.port_identity import identify, read_identity
+from CNCStepper.control.session_socket import is_abandoned, make_private, socket_paths
+from CNCStepper.errors import JobError, LinkError, MissingPackage
 
 KEPT = 20  # sessions whose outcome and log are kept
+RECENT_S = 600.0  # what is younger is kept in any case: somebody may be about to read it
 SESSION, DESK, OUTCOME, LOG, WIRE = ".session", ".desk", ".outcome", ".log", ".wire"
-FRESH_S, TOUCH_S = 10.0, 1.0
+LARGEST_BYTES = 10_000_000  # of a file of `write_private` that is read whole
+MEND_LIMIT_S = 3 * LOOK_EVERY_S  # within which a living process has mended its file
 
 
 def session_folder() -> Path:
-    """Return the user's folder of sessions, made when it is not there; raises MissingPackage without platformdirs."""
+    """Return the user's folder of sessions, made when it is not there, and closed to other users.
+
+    Raises MissingPackage without platformdirs, JobError for a folder that cannot be used.
+    """
     try:
         from platformdirs import user_state_path
     except ImportError as error:
@@ -36,7 +47,16 @@ def session_folder() -> Path:
             advice="install it: python -m pip install platformdirs",
         ) from error
     folder = user_state_path("cncstepper", appauthor=False) / "sessions"
-    folder.mkdir(mode=0o700, parents=True, exist_ok=True)
+    try:
+        folder.parent.mkdir(parents=True, exist_ok=True)
+        make_private(folder)
+    except OSError as error:
+        raise JobError(
+            "session-folder",
+            f"the folder of sessions cannot be used: {error.strerror or error}",
+            value=str(folder),
+            advice="see that it is a folder, that it is yours, and that you may write there",
+        ) from error
     return folder
 
 
@@ -48,8 +68,8 @@ def new_session(folder: Path | None = None, kind: str = SESSION) -> Path:
 
 
 def sessions(folder: Path | None = None) -> list[Path]:
-    """Return the files of the sessions that run, oldest first; one may have been killed."""
-    return sorted((folder or session_folder()).glob(f"*{SESSION}"))
+    """Return the files of the sessions that run, oldest first."""
+    return _alive(folder, SESSION)
 
 
 def session_at(machine_port: str, folder: Path | None = None) -> Path | None:
@@ -59,7 +79,7 @@ def session_at(machine_port: str, folder: Path | None = None) -> Path | None:
 
 def running_desks(folder: Path | None = None) -> list[Path]:
     """Return the files of the desks that run, oldest first."""
-    return [path for path in sorted((folder or session_folder()).glob(f"*{DESK}")) if is_fresh(path)]
+    return _alive(folder, DESK)
 
 
 def desk_at(machine_port: str, folder: Path | None = None) -> Path | None:
@@ -67,48 +87,15 @@ def desk_at(machine_port: str, folder: Path | None = None) -> Path | None:
     return _having(machine_port, running_desks(folder))
 
 
-def is_fresh(path: Path) -> bool:
-    """Return whether the desk of this file runs, to judge by when it last touched it."""
-    try:
-        return abs(time.time() - path.stat().st_mtime) < FRESH_S
-    except OSError:
-        return False
-
-
-class DeskFile:
+class DeskFile(OwnFile):
     """The file of a desk, in the hands of its own process."""
-
-    def __init__(self, path: Path):
-        self._path = path
-        self._content: Mapping[str, Any] = {}
-        self._touched_s = 0.0
-
-    def write(self, content: Mapping[str, Any]) -> None:
-        """Write it for the first time."""
-        self._content = content
-        self._touched_s = time.monotonic()
-        write_private(self._path, content)
-
-    def keep_fresh(self) -> None:
-        """Touch it when that is due; one that was taken for a killed desk's and removed is written again."""
-        if time.monotonic() - self._touched_s < TOUCH_S:
-            return
-        self._touched_s = time.monotonic()
-        try:
-            os.utime(self._path)
-        except OSError:
-            write_private(self._path, self._content)
 
     def elder(self, machine_port: str) -> Path | None:
         """Return the file of a desk that was before this one at the same port."""
         for path in running_desks(self._path.parent):
-            if path.name < self._path.name and (read_private(path) or {}).get("machine_port") == machine_port:
+            if path.name < self._path.name and _having(machine_port, [path]):
                 return path
         return None
-
-    def remove(self) -> None:
-        """Remove it: the desk has ended."""
-        self._path.unlink(missing_ok=True)
 
 
 def write_private(path: Path, content: Mapping[str, Any]) -> None:
@@ -146,15 +133,71 @@ def sync_folder(folder: Path) -> None:
 
 
 def read_private(path: Path) -> dict[str, Any] | None:
-    """Return the JSON of `write_private`, or None when there is no such file."""
+    """Return the JSON of `write_private`, or None when there is no such file; never waits for what is no file.
+
+    Raises ValueError, with words, for what `write_private` has not written, OSError when it cannot be read.
+    """
     try:
-        return json.loads(path.read_text("utf-8"))
+        text = _read_regular(path)
     except FileNotFoundError:
         return None
+    try:
+        content = json.loads(text)
+    except RecursionError as error:
+        raise ValueError("nested too deeply") from error
+    if not isinstance(content, dict):
+        raise ValueError("not an object of JSON")
+    return content
+
+
+def _read_regular(path: Path) -> bytes:
+    descriptor = os.open(path, os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0))
+    try:
+        if not stat.S_ISREG(os.fstat(descriptor).st_mode):
+            raise ValueError("not a file")
+        with open(descriptor, "rb", closefd=False) as file:
+            text = file.read(LARGEST_BYTES + 1)
+    finally:
+        os.close(descriptor)
+    if len(text) > LARGEST_BYTES:
+        raise ValueError(f"larger than {LARGEST_BYTES // 1_000_000} MB")
+    return text
+
+
+def _alive(folder: Path | None, kind: str) -> list[Path]:
+    return sorted(filter(is_alive, (folder or session_folder()).glob(f"*{kind}")))
 
 
 def _having(machine_port: str, files: Iterable[Path]) -> Path | None:
-    return next((path for path in files if (read_private(path) or {}).get("machine_port") == machine_port), None)
+    return next((path for path in files if _is_at(machine_port, _address_in(path))), None)
+
+
+def _is_at(machine_port: str, content: Mapping[str, Any]) -> bool:
+    """Return whether a session's or desk's port is this one, whatever it is called."""
+    port = str(content.get("machine_port", ""))
+    return port == machine_port or (port != "" and read_identity(content, port).is_same(identify(machine_port)))
+
+
+def _address_in(path: Path) -> Mapping[str, Any]:
+    """Return what the file of a running session or desk says, nothing where it has ended meanwhile.
+
+    Raises LinkError where its process lives and does not mend its file.
+    """
+    end_s = time.monotonic() + MEND_LIMIT_S
+    while True:
+        try:
+            content = read_private(path) or {}
+            return {**content, "machine_port": str(content["machine_port"])}
+        except (OSError, ValueError, KeyError) as error:
+            if not is_alive(path):
+                return {}
+            if time.monotonic() > end_s:
+                raise LinkError(
+                    "session-damaged",
+                    f"a process of ours has a machine's port, but its file {path.name} cannot be read: {error}",
+                    advice="look which machine moves, and stop it there",
+                ) from error
+        time.sleep(MEND_LIMIT_S / 100)
 
 
 def _draft_of(path: Path) -> Path:
@@ -166,11 +209,27 @@ def _new_private(path: Path) -> TextIO:
 
 
 def _prune(folder: Path) -> None:
+    """Remove what sessions have left that do not live any more: all that none needs, of the rest the oldest."""
+    for kind in (SESSION, DESK):
+        for path in folder.glob(f"*{kind}"):
+            if not is_alive(path):
+                _remove(path, *filter(is_abandoned, socket_paths(path)))
+    alive = {path.stem for path in (*sessions(folder), *running_desks(folder))}
     for kind in (OUTCOME, LOG, WIRE):
         for old in sorted(folder.glob(f"*{kind}"))[:-KEPT]:
-            with suppress(OSError):  # another program prunes too
-                old.unlink()
-    for killed in folder.glob(f"*{DESK}"):
-        if not is_fresh(killed):
-            with suppress(OSError):
-                killed.unlink()
+            if old.stem not in alive and not _is_recent(old):
+                _remove(old)
+
+
+def _remove(*paths: Path) -> None:
+    for path in paths:
+        with suppress(OSError):  # another program prunes too
+            path.unlink()
+
+
+def _is_recent(path: Path) -> bool:
+    """Return whether a file is young, whichever way the clock was changed since it was written."""
+    try:
+        return abs(time.time() - path.stat().st_mtime) < RECENT_S
+    except OSError:
+        return False

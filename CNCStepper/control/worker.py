@@ -16,7 +16,9 @@ from CNCStepper.control.awake import awake
 from CNCStepper.control.belief_file import BeliefFile
 from CNCStepper.control.journal.journal import Journal
 from CNCStepper.control.outcome import FAILED, Outcome
+from CNCStepper.control.own_file import OwnFile
 from CNCStepper.control.own_process import stop_on_signals
+from CNCStepper.control.port_identity import identify
 from CNCStepper.control.run import LOST
 from CNCStepper.control.send_job import SendJob
 from CNCStepper.control.sender import Sender
@@ -34,22 +36,26 @@ def main(arguments: list[str]) -> int:
     session = Path(arguments[0])
     wire = session.with_suffix(WIRE)
     job = read_spool(wire, SendJob.from_json(sys.stdin.buffer.read().decode("utf-8")))
-    server = SessionServer()
+    own_file = OwnFile(session)
+    server = SessionServer(session, each_turn=own_file.keep)
+    identity = {"port_identity": identify(job.port).to_json()}  # whatever its name will mean while the job runs
     kept = BeliefFile.of_port(session.parent, job.port)
     sender = Sender(job, tell=server.tell, refuse=server.refuse, journal=Journal(session.parent), kept=kept)
     stop_on_signals(sender.stop)
     server.start(sender)
-    write_private(session, server.address(job.port, job.file))
+    own_file.write(server.address(job.port, job.file) | identity)
     outcome = _fault(sender)
     try:
         with awake(partial(server.tell, "warning")):
             outcome = sender.run()
     finally:
-        write_private(session.with_suffix(OUTCOME), outcome.to_json())
-        for path in (session, wire):
-            path.unlink(missing_ok=True)
-        server.tell_outcome(outcome)
-        server.finish()
+        try:
+            write_private(session.with_suffix(OUTCOME), outcome.to_json())
+        finally:  # who listens hears it, also where the disk takes nothing any more
+            own_file.remove()
+            wire.unlink(missing_ok=True)
+            server.tell_outcome(outcome)
+            server.finish()
     return 0 if outcome.done else 1
 
 

@@ -19,9 +19,10 @@ from CNCStepper.control import own_process, python_finder
 from CNCStepper.control.desk_client import DeskClient, running_desks
 from CNCStepper.control.desk_launch import WORKER
 from CNCStepper.control.outcome import DONE, STOPPED
+from CNCStepper.control.own_file import OwnFile
 from CNCStepper.control.port_list import PortChoice, port_list
 from CNCStepper.control.send_job import SendJob
-from CNCStepper.control.session_file import DESK, FRESH_S, LOG, OUTCOME, desk_at, new_session
+from CNCStepper.control.session_file import DESK, LOG, OUTCOME, desk_at, new_session
 from CNCStepper.errors import CNCStepperError, MissingPackage
 
 LIMIT_S = 40.0
@@ -321,24 +322,29 @@ def test_desk_that_nobody_visits_ends_by_itself(table, tmp_path):
     assert 9.0 < time.monotonic() - begin_s < 20.0
 
 
-def test_file_that_nobody_touches_is_no_running_desk(tmp_path):
+def test_file_that_nobody_holds_is_no_running_desk(tmp_path):
     path = new_session(tmp_path, DESK)
-    path.write_text("{}")
+    owner = OwnFile(path)
+    owner.write({})
     assert running_desks(tmp_path) == [path]
-    old_s = time.time() - FRESH_S - 1
-    os.utime(path, (old_s, old_s))
+    owner._file.close()  # as when its process is killed
     assert running_desks(tmp_path) == []
     client = DeskClient.attach(path)
+    client.poll()
+    assert client.phase == "gone" and client.error.code == "desk-lost" and path.exists()
     new_session(tmp_path, DESK)
     assert not path.exists()
-    client.poll()
-    assert client.phase == "gone" and client.error.code == "desk-lost"
 
 
 def test_desk_is_found_by_its_port(tmp_path):
-    (tmp_path / f"a{DESK}").write_text('{"machine_port": "COM3"}')
-    assert desk_at("COM3", tmp_path) == tmp_path / f"a{DESK}"
+    path = tmp_path / f"a{DESK}"
+    owner = OwnFile(path)
+    owner.write({"machine_port": "COM3"})
+    (tmp_path / f"b{DESK}").write_text('{"machine_port": "COM4"}')  # of a killed one
+    assert desk_at("COM3", tmp_path) == path
     assert desk_at("COM4", tmp_path) is None
+    owner.remove()
+    assert desk_at("COM3", tmp_path) is None
 
 
 def test_ports_are_named_for_people(monkeypatch):

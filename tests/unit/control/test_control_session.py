@@ -23,7 +23,8 @@ from CNCStepper.control.port_holder import check_free
 from CNCStepper.control.python_finder import candidates, checked, find_python, seek_python
 from CNCStepper.control.send_job import SendJob
 from CNCStepper.control.session import WORKER, SessionClient
-from CNCStepper.control.session_file import OUTCOME, new_session, sessions, write_private
+from CNCStepper.control.session_file import OUTCOME, RECENT_S, new_session, sessions, write_private
+from CNCStepper.control.session_socket import Address
 from CNCStepper.control.started import BEHIND, python_version, see_packages
 from CNCStepper.errors import LinkError, MachineRefusal, MissingPackage
 
@@ -67,6 +68,11 @@ def untouched(tmp_path_factory):
     """One session for all tests that must not change it."""
     with paused(tmp_path_factory.mktemp("sessions")) as session:
         yield session
+
+
+def peer_of(client: SessionClient) -> socket.socket:
+    """One more connection to a client's session, which has shown no token yet."""
+    return Address.of(json.loads(client.session_file.read_text())).connect(5.0)
 
 
 def test_a_port_that_ones_own_job_has_is_refused_with_its_name(untouched, tmp_path):
@@ -134,9 +140,13 @@ def test_answer_to_another_stand_is_refused_with_its_error(held):
 def test_session_file_and_its_outcome_are_the_users_own(held):
     _, client = held
     content = json.loads(client.session_file.read_text())
-    assert content["host"] == "127.0.0.1" and len(content["token"]) >= 32
+    assert len(content["token"]) >= 32
     if os.name == "posix":
         assert client.session_file.stat().st_mode & 0o777 == 0o600
+        assert Path(content["socket"]).stat().st_mode & 0o777 == 0o600
+        assert Path(content["socket"]).parent.stat().st_mode & 0o777 == 0o700
+    else:
+        assert content["host"] == "127.0.0.1"
     client.stop()
     assert client.wait(limit_s=LIMIT_S).kind == STOPPED
     if os.name == "posix":
@@ -159,8 +169,7 @@ def test_session_file_and_its_outcome_are_the_users_own(held):
 )
 def test_peer_without_the_token_is_refused_and_changes_nothing(untouched, request_text):
     server, client = untouched
-    address = json.loads(client.session_file.read_text())
-    with socket.create_connection((address["host"], address["port"]), 5) as peer:
+    with peer_of(client) as peer:
         peer.sendall(request_text.encode("latin-1") + b"\n")
         said = b""
         while data := peer.recv(4096):
@@ -171,8 +180,7 @@ def test_peer_without_the_token_is_refused_and_changes_nothing(untouched, reques
 
 def test_peer_that_floods_without_a_line_end_is_dropped(untouched):
     _, client = untouched
-    address = json.loads(client.session_file.read_text())
-    with socket.create_connection((address["host"], address["port"]), 5) as peer, pytest.raises(OSError):
+    with peer_of(client) as peer, pytest.raises(OSError):
         for _ in range(1000):
             peer.sendall(b"x" * 10_000)
             time.sleep(0.001)
@@ -269,8 +277,10 @@ def test_python_that_was_asked_for_and_does_not_serve_is_named(monkeypatch):
 
 
 def test_old_outcomes_are_pruned(tmp_path):
+    old_s = time.time() - RECENT_S - 1
     for number in range(50):
         (tmp_path / f"{number:03}{OUTCOME}").write_text("{}")
+        os.utime(tmp_path / f"{number:03}{OUTCOME}", (old_s, old_s))
     new_session(tmp_path)
     assert len(list(tmp_path.glob(f"*{OUTCOME}"))) == 20 and (tmp_path / f"049{OUTCOME}").exists()
 
