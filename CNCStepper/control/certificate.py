@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import hashlib
 import json
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from contextlib import ExitStack
 from dataclasses import dataclass
 from functools import cached_property
@@ -101,8 +101,16 @@ class Certificate:
 
     def to_json(self) -> str:
         """Return the certificate as strict JSON, with the fingerprint of all of it."""
+        return "".join(self.json_pieces())
+
+    def json_pieces(self) -> Iterator[str]:
+        """Yield the text of `to_json`; lines that are in a spool are never held whole."""
         content = dict(self.content) | {"sha256": self.sha256}
-        return json.dumps(content, indent=1, allow_nan=False) + "\n"
+        if isinstance(self.content["send"]["lines"], list):
+            yield json.dumps(content, indent=1, allow_nan=False)
+        else:
+            yield from pieces(content, json.JSONEncoder(allow_nan=False))
+        yield "\n"
 
     @cached_property
     def sha256(self) -> str:

@@ -12,6 +12,7 @@ from typing import Any
 
 from CNCStepper.control.transport import Link
 
+STOPS = ("stop", "end")
 _NUMBER = (int, float)
 _STAND = (int, type(None))  # the number of the stand that is answered to; None: whichever there is
 _WAY = {"x_mm": _NUMBER, "y_mm": _NUMBER, "z_mm": _NUMBER, "feed_mm_min": _NUMBER}
@@ -68,9 +69,17 @@ def read_command(request: Mapping[str, Any], known: tuple[str, ...]) -> Command:
 
 def _value(value: Any, kind: Any, key: str) -> Any:
     boolean = isinstance(value, bool)
-    if not isinstance(value, kind) or boolean != (kind is bool) or (isinstance(value, float) and math.isnan(value)):
+    if not isinstance(value, kind) or boolean != (kind is bool) or not _is_number(value):
         raise ValueError(f"'{key}' cannot be {str(value)[:40]!r}")
     return value
+
+
+def _is_number(value: Any) -> bool:
+    """Return False for a number that is none, or too large to compute with; True for all that is no number."""
+    try:
+        return not (isinstance(value, _NUMBER) and math.isnan(value))
+    except OverflowError:
+        return False
 
 
 class Inbox:
@@ -79,10 +88,13 @@ class Inbox:
     def __init__(self, clock: Callable[[], float] = time.monotonic) -> None:
         self.link: Link | None = None
         self._clock = clock
+        self.wants_stop = False  # whether one of those that wait ends all work
         self._commands: SimpleQueue[Command] = SimpleQueue()
 
     def put(self, command: Command) -> None:
         """Leave a command; it is taken within the link's next turn."""
+        if command.name in STOPS:  # before it can be taken
+            self.wants_stop = True
         self._commands.put(replace(command, asked_s=self._clock()))
         if self.link:
             self.link.wake()
@@ -90,4 +102,7 @@ class Inbox:
     def take(self) -> Iterator[Command]:
         """Yield the commands that wait, oldest first."""
         while not self._commands.empty():
-            yield self._commands.get()
+            command = self._commands.get()
+            if command.name in STOPS:
+                self.wants_stop = False
+            yield command

@@ -9,14 +9,15 @@ from dataclasses import dataclass, field
 
 from CNCStepper.control.firmware import GRBL, Firmware
 from CNCStepper.control.grbl import REPORT_INCHES, Answered, Grbl, Received
-from CNCStepper.control.grbl_report import Alarm, Feedback, Greeting, NamedSetting, Vector, vector
+from CNCStepper.control.grbl_report import Alarm, Feedback, Greeting, NamedSetting, Unknown, Vector
 from CNCStepper.control.readiness import check_state
+from CNCStepper.control.report_numbers import vector
 from CNCStepper.control.timing import Timing
 from CNCStepper.errors import LinkError, MachineRefusal
 
 ASK_AGAIN_S = 0.25
 OFFSETS = ("G54", "G55", "G56", "G57", "G58", "G59", "G59.1", "G59.2", "G59.3", "G28", "G30", "G92", "TLO")
-MODE = re.compile(r"[A-Z](?:\d+\.?\d*|\.\d+)")
+MODE = re.compile(r"[A-Z](?:[0-9]{1,9}\.?[0-9]{0,9}|\.[0-9]{1,9})")
 RESTARTED = "controller-restarted"
 OLD_VERSIONS = ("0.", "1.0")
 
@@ -88,9 +89,10 @@ def check_units(driver: Grbl) -> None:
 
 def read_offsets(driver: Grbl, timing: Timing) -> dict[str, Vector]:
     """Return the offsets of `$#` by name, in the controller's own units; raises LinkError on a damaged one."""
+    said = ask(driver, "$#", timing)
     try:
-        said = _feedback(ask(driver, "$#", timing))
-        return {report.tag: vector(report.text) for report in said if report.tag in OFFSETS}
+        _check_whole(said)
+        return {report.tag: vector(report.text) for report in _feedback(said) if report.tag in OFFSETS}
     except ValueError as error:
         raise LinkError("link-noise", f"an offset came damaged: {error}", advice="check cable and baud rate") from error
 
@@ -226,6 +228,12 @@ def _units_unknown() -> MachineRefusal:
         "the controller does not say whether it reports in mm or in inches",
         advice="update its firmware",
     )
+
+
+def _check_whole(said: Sequence[Received]) -> None:
+    """Raise ValueError where a line `[...` has lost its end: an offset that is not read would count as not reported."""
+    if broken := [report.text for report in said if isinstance(report, Unknown) and report.text.startswith("[")]:
+        raise ValueError(broken[0][:80])
 
 
 def _feedback(said: Sequence[Received]) -> list[Feedback]:

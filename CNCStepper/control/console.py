@@ -37,11 +37,11 @@ class Console:
         """How long the line under way may keep its answer back on purpose."""
         return dwell_s(self._sent.text) if self._sent else 0.0
 
-    def send(self, text: str, kind: str, position_known: bool | None) -> None:
+    def send(self, text: str, kind: str) -> None:
         """Send a line; raises MachineRefusal or ProgramError when it may not go now."""
         if self.active:
             raise MachineRefusal("console-busy", "the line before is not done yet", advice="wait, hold or stop it")
-        check_typed(text, kind, position_known, self._driver.firmware, self._driver.window)
+        check_typed(text, self._driver.firmware, self._driver.window)
         self._driver.send(text)
         self._driver.flush()
         self._sent, self._kind, self._answered_s = self._driver.unanswered[-1], kind, None

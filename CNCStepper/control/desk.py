@@ -12,14 +12,14 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable
-from contextlib import AbstractContextManager, nullcontext
+from contextlib import AbstractContextManager, nullcontext, suppress
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 from CNCStepper.control import connect
 from CNCStepper.control.acts import fresh_status
-from CNCStepper.control.belief import LOST, Belief, check_program
+from CNCStepper.control.belief import LOST, Belief, check_program, is_lost
 from CNCStepper.control.belief_file import BeliefFile
 from CNCStepper.control.button import buttons_of
 from CNCStepper.control.buttons import Buttons
@@ -29,6 +29,8 @@ from CNCStepper.control.grbl_report import Vector
 from CNCStepper.control.idle import Idle, is_fatal
 from CNCStepper.control.journal.journal import Journal
 from CNCStepper.control.moment import tell_words
+from CNCStepper.control.motion_interlock import MotionInterlock
+from CNCStepper.control.opening import open_unless
 from CNCStepper.control.outcome import REFUSED, Outcome, SenderStatus
 from CNCStepper.control.readiness import check_state
 from CNCStepper.control.run import MAY_HAVE_RESTARTED, JobRun, Refuse, Stopped, Tell
@@ -95,6 +97,7 @@ class Desk:
         self._zero_is_old = False
         self._zero: dict[str, Any] = {}  # work system and offsets, as `SenderStatus` has them
         self._ending = False
+        self._may_stop = True  # until it comes to rest
         self._phase = "connecting"  # last told
 
     def ask(self, command: Command) -> None:
@@ -118,9 +121,12 @@ class Desk:
 
     def run(self) -> None:
         """Connect and serve until told to end, or left alone; raises LinkError when the link breaks."""
-        self._inbox.link = link = self._opener(self.port, self._baud)
+        link = open_unless(lambda: self._ending, self._opener, self.port, self._baud)
+        if link is None:
+            return
+        self._inbox.link = link
         try:
-            self._driver = driver = Grbl(link, self._clock, self._listen)
+            self._driver = driver = Grbl(link, self._clock, self._listen, MotionInterlock(self._is_lost))
             self._idle = Idle(driver, self._timing, self._tell, self._refuse)
             self._connect(driver, self._idle)
             self._serve(driver, self._idle)
@@ -129,6 +135,12 @@ class Desk:
         finally:
             self._buttons.close()
             link.close()
+
+    def _is_lost(self) -> bool:
+        """Return whether the position is lost now; before the machine was met nothing may move it."""
+        if self._idle is None or not self._connected:
+            return True
+        return is_lost(self._belief if self._run and self._belief else self._idle.belief)
 
     # --- the loop ------------------------------------------------------------------------------
 
@@ -143,10 +155,12 @@ class Desk:
     def _serve(self, driver: Grbl, idle: Idle) -> None:
         """Be there until the end; a machine of which the link or this program loses sight has lost its position."""
         try:
-            while not self._over(idle):
-                self._turn(driver, idle)
-                self._keep_belief(idle)
-            self._come_to_rest(idle)
+            with suppress(Stopped):
+                while not self._over(idle):
+                    self._turn(driver, idle)
+                    self._keep_belief(idle)
+            self._may_stop = False
+            self._come_to_rest(driver, idle)
         except Exception:
             idle.lose_position()
             raise
@@ -220,7 +234,8 @@ class Desk:
         self._buttons.hear(said)
         if connect.greeted(said):
             self._zero_is_old = True  # a reset takes G92 and the tool's length away
-        if self._ending and not self._connected:
+        is_stopping = self._driver is not None and self._driver.is_stopping
+        if self._ending and self._may_stop and self._run is None and not is_stopping:
             raise Stopped
 
     def _tell_phase(self, phase: str) -> None:
@@ -289,17 +304,18 @@ class Desk:
         found = connect.learn(self._driver, self._timing)
         self._take_zero(found.offsets, found.modes)
         self._kept.keep(LOST)  # until the job has ended well
-        return replace(found, greeted=self._idle.position_known is False)
+        return found
 
     # --- the end -------------------------------------------------------------------------------
 
     def _over(self, idle: Idle) -> bool:
         return self._ending or (self._alone_s() > self._timing.alone_s and not idle.busy)
 
-    def _come_to_rest(self, idle: Idle) -> None:
-        """Stop a jog or a homing that is still under way; a job has ended already."""
-        if idle.phase in ("jogging", "homing"):
+    def _come_to_rest(self, driver: Grbl, idle: Idle) -> None:
+        """Stop a jog, a homing or a typed line that is still under way; a job has ended already."""
+        if idle.phase in ("jogging", "homing", "busy"):
             idle.stop()
+        idle.turn()  # is the machine still there?
         end_s = self._clock() + self._timing.hold_s
-        while idle.busy and self._clock() < end_s:
+        while idle.busy and self._clock() < end_s and (driver.question_age_s() or 0.0) < self._timing.silent_s:
             idle.turn()

@@ -21,9 +21,13 @@ from dataclasses import dataclass
 
 from CNCStepper.control import grbl_report
 from CNCStepper.control.firmware import GRBL, Firmware, greeted_by, told_by
-from CNCStepper.control.grbl_report import Answer, Feedback, Greeting, Report, Setting, Status, Vector
+from CNCStepper.control.flood import Flood
+from CNCStepper.control.grbl_report import Answer, Damaged, Feedback, Greeting, Report, Setting, Status, Vector
+from CNCStepper.control.motion_interlock import MotionInterlock
+from CNCStepper.control.report_numbers import sizes
 from CNCStepper.control.transport import Link
 from CNCStepper.errors import LinkError
+from CNCStepper.printable import printable
 from CNCStepper.units import mm_from_inch
 
 HOLD, RESUME, RESET, STATUS, JOG_CANCEL = b"!", b"~", b"\x18", b"?", b"\x85"
@@ -57,12 +61,14 @@ class Grbl:
     """A conversation with one controller over `link`.
 
     listen: called after every `receive` with what came, on the same thread.
+    interlock: asked before whatever may move the machine is written; the one of the default lets nothing pass.
     firmware: what answers there, grbl until it is known better; window: of its receive buffer one byte stays free.
     status: the last answer to `?`. status_asked_s: when it was asked for, by `clock`; a status may
     have been on its way before whatever was written later. mpos_mm, wpos_mm: None until reported, and
     until the controller has said whether it reports in mm or in inches.
     overrides: feed, rapid and spindle in percent, as last reported since the controller started.
     outputs: what was on then, as `Status` has it. planner_blocks: moves that it plans ahead.
+    is_stopping: noise, floods and stray answers raise nothing, since they must not disturb the stopping.
     """
 
     def __init__(
@@ -70,6 +76,7 @@ class Grbl:
         link: Link,
         clock: Callable[[], float] = time.monotonic,
         listen: Callable[[list[Received]], None] = lambda received: None,
+        interlock: MotionInterlock | None = None,
     ):
         self.link = link
         self.clock = clock
@@ -82,7 +89,12 @@ class Grbl:
         self.settings: dict[int, float] = {}
         self.overrides: tuple[int, ...] | None = None
         self.outputs: str | None = None
+        self.is_stopping = False
         self._listen = listen
+        self._flood = Flood(clock)
+        self._questions = 0  # `?` written and not answered
+        self._damaged_s: float | None = None  # when the first status came damaged of which no whole one followed
+        self._interlock = interlock or MotionInterlock()
         self._bytes_under_way = 0
         self._to_write = bytearray()
         self._tail = b""
@@ -100,7 +112,11 @@ class Grbl:
         return self._bytes_under_way + len(text) + 1 <= self.window
 
     def send(self, text: str, index: int = -1) -> None:
-        """Count a line and queue it for `flush`; the caller has asked `fits`."""
+        """Count a line and queue it for `flush`; the caller has asked `fits`.
+
+        Raises MachineRefusal for one that moves a machine whose position is lost.
+        """
+        self._interlock.check_line(text)
         self._spoken = True
         self.unanswered.append(Sent(text, index))
         self._bytes_under_way += len(text) + 1
@@ -113,7 +129,11 @@ class Grbl:
             del self._to_write[:room]
 
     def realtime(self, byte: bytes) -> None:
-        """Write a real-time byte now, before anything queued."""
+        """Write a real-time byte now, before anything queued.
+
+        Raises MachineRefusal for a cycle start of a machine whose position is lost.
+        """
+        self._interlock.check_realtime(byte)
         self.link.write(byte)
 
     def reset(self) -> None:
@@ -125,6 +145,7 @@ class Grbl:
     def ask_status(self) -> None:
         """Write `?`."""
         self.realtime(STATUS)
+        self._questions += 1
         if self._asked_s is None:
             self._asked_s = self.clock()
 
@@ -137,11 +158,17 @@ class Grbl:
     def receive(self, wait_s: float) -> list[Received]:
         """Return what the controller said, waiting up to `wait_s` for the first byte of it.
 
-        Raises LinkError when the link broke or an answer comes to which there is no line.
+        Raises LinkError when the link broke, an answer comes to which there is no line, or nobody asked for so much.
         """
+        questions = self._questions
         received = [self._taken(report) for report in map(grbl_report.parse, self._lines(self._read(wait_s)))]
         self._listen(received)
+        self._check_flood(received, questions - self._questions)
         return received
+
+    def damaged_s(self) -> float:
+        """Return how long every status that came was damaged, in s; 0 where the last one was whole."""
+        return 0.0 if self._damaged_s is None else self.clock() - self._damaged_s
 
     @property
     def mpos_mm(self) -> Vector | None:
@@ -152,6 +179,11 @@ class Grbl:
     def wpos_mm(self) -> Vector | None:
         """The work position last reported: machine position minus the offset last reported."""
         return self.mm(self._wpos or _sum(self._mpos, self._wco, -1))
+
+    @property
+    def wco_mm(self) -> Vector | None:
+        """The offset of the work zero last reported."""
+        return self.mm(self._wco)
 
     @property
     def feed_mm_min(self) -> float | None:
@@ -203,14 +235,15 @@ class Grbl:
         return 2 * self.link.filling_bytes
 
     def _lines(self, data: bytes) -> list[str]:
+        """Return the whole lines that have come, safe to show: nothing behind this needs to know what came."""
         *lines, self._tail = (self._tail + data).replace(b"\r", b"\n").split(b"\n")
         if len(self._tail) > NOISE_LIMIT_BYTES:
             self._tail = b""
-            raise LinkError(
-                "link-noise", f"{self.link.name} sends no line ends", advice="check the baud rate and what is connected"
-            )
+            if not self.is_stopping:
+                advice = "check the baud rate and what is connected"
+                raise LinkError("link-noise", f"{self.link.name} sends no line ends", advice=advice)
         texts = b"\n".join(lines).decode("ascii", "replace").split("\n")
-        return list(filter(None, map(str.strip, texts)))
+        return [printable(text) for text in (text.strip(" \t") for text in texts) if text]
 
     def _taken(self, report: Report) -> Received:
         if isinstance(report, Answer):
@@ -226,7 +259,16 @@ class Grbl:
             self._recognise(greeted_by(report.text))
         elif isinstance(report, Feedback):
             self._take_feedback(report)
+        elif isinstance(report, Damaged) and self._damaged_s is None:
+            self._damaged_s = self.clock()
         return report
+
+    def _check_flood(self, received: list[Received], asked: int) -> None:
+        """Raise LinkError where much more comes than the answers to lines and questions."""
+        unasked = len(received) - asked - sum(isinstance(report, Answered) for report in received)
+        if unasked > 0 and not self.is_stopping:
+            is_asked = bool(self.unanswered) and self.unanswered[0].text.startswith("$")
+            self._flood.check(unasked, is_asked, self.link.name)
 
     def _take_feedback(self, report: Feedback) -> None:
         if firmware := told_by(report.tag, report.text):
@@ -243,7 +285,9 @@ class Grbl:
         if not self._spoken:  # to a line of an earlier sender, or of before a reset
             return answer
         if not self.unanswered:
-            self._spoken = False  # said once: what follows must not disturb the stopping
+            self._spoken = False  # said once
+            if self.is_stopping:
+                return answer
             raise LinkError(
                 "answer-stray",
                 f"{self.link.name} answered '{answer.text}' to no line",
@@ -255,7 +299,8 @@ class Grbl:
         return Answered(sent, error)
 
     def _take_status(self, status: Status) -> None:
-        self.status = status
+        self.status, self._damaged_s = status, None
+        self._questions = max(0, self._questions - 1)
         if self._asked_s is not None:
             self.status_asked_s, self._asked_s = self._asked_s, None
         self._mpos, self._wpos = status.mpos, status.wpos
@@ -271,17 +316,15 @@ class Grbl:
 
     def _take_options(self, text: str) -> None:
         """Take the sizes of planner and receive buffer from `[OPT:letters,blocks,bytes]`."""
-        blocks = text.split(",")[1:2]
-        if blocks and blocks[0].isdecimal():
-            self.planner_blocks = int(blocks[0])
-        size = text.split(",")[2:3]
-        if size and size[0].isdecimal() and int(size[0]) > 1:
-            self.window = max(int(size[0]), self._free_bytes) - 1
+        blocks, size = sizes(text)
+        self.planner_blocks = blocks or self.planner_blocks
+        if size > 1:
+            self.window = max(size, self._free_bytes) - 1
 
     def _forget_lines(self) -> None:
         self.unanswered.clear()
         self._to_write.clear()
-        self._bytes_under_way = 0
+        self._bytes_under_way = self._questions = 0
         self._asked_s = None
 
     def _length_mm(self, length: float) -> float:

@@ -6,17 +6,23 @@
     >line:ok · Grbl 1.1h [...]      a start-up line and its result; the greeting after a reset
     <State:sub|Field:values|...>    the answer to `?`, its fields in any order
 
-A line that is none of these is `Unknown`: noise on the link must never look like an answer.
+A line that is none of these is `Unknown`, a status with a state or a number that no firmware writes is `Damaged`:
+noise on the link must never look like an answer.
 """
 
 from __future__ import annotations
 
-import math
 import re
 from dataclasses import dataclass
 
+from CNCStepper.control.report_numbers import code, count, decimal, vector
+
 Vector = tuple[float, ...]
 AXES = 3  # at least
+STATES = (
+    *("Idle", "Run", "Hold", "Jog", "Alarm", "Door", "Check", "Home", "Sleep"),  # of grbl
+    *("Tool", "Starting", "ConfigAlarm", "Critical"),  # of grblHAL and FluidNC
+)
 
 
 @dataclass(frozen=True)
@@ -107,14 +113,19 @@ class Unknown:
     text: str
 
 
+@dataclass(frozen=True)
+class Damaged(Unknown):
+    """A status that was damaged on its way or invented: nothing in it is believed."""
+
+
 Report = Answer | Alarm | Greeting | Feedback | Setting | NamedSetting | StartupLine | Status | Unknown
 
 OK = Answer()
 _GREETING = re.compile(r"Grbl(?:HAL)?\s+(\S+)", re.IGNORECASE)
 _FEEDBACK = re.compile(r"\[([A-Za-z0-9.]+(?: [A-Z]+)*):?(.*)\]")
-_SETTING = re.compile(r"\$(\d+)=\s*([-+.\d]+)")
+_SETTING = re.compile(r"\$([0-9]+)=\s*([-+.0-9]+)")
 _NAMED_SETTING = re.compile(r"\$(N\d+|[A-Za-z]*/[\w/]+)=(.*)")
-_STATE = re.compile(r"([A-Z][A-Za-z]+)(?::(\d+))?")
+_STATE = re.compile(r"([A-Z][A-Za-z]+)(?::([0-9]{1,3}))?")
 
 
 def parse(line: str) -> Report:
@@ -124,20 +135,12 @@ def parse(line: str) -> Report:
     if line.startswith("<"):
         return _status(line)
     if line.startswith("error:"):
-        return Answer(_number(line[6:]), line)
+        return Answer(code(line[6:]), line)
     if line.startswith("ALARM:"):
-        return Alarm(_number(line[6:]))
+        return Alarm(code(line[6:]))
     if line.startswith(">"):
         return StartupLine(line[1:])
     return _other(line)
-
-
-def vector(text: str) -> Vector:
-    """Return comma-separated finite numbers; raises ValueError."""
-    numbers = tuple(float(part) for part in text.split(","))
-    if not all(math.isfinite(number) for number in numbers):
-        raise ValueError(f"not finite: {text}")
-    return numbers
 
 
 def _place(text: str) -> Vector:
@@ -154,34 +157,30 @@ def _other(line: str) -> Report:
     if feedback := _FEEDBACK.fullmatch(line):
         return Feedback(feedback[1], feedback[2])
     if setting := _SETTING.match(line):
-        return _setting(line, int(setting[1]), setting[2])
+        return _setting(line, setting[1], setting[2])
     if named := _NAMED_SETTING.fullmatch(line):
         return NamedSetting(named[1], named[2])
     return Unknown(line)
 
 
-def _setting(line: str, number: int, text: str) -> Report:
+def _setting(line: str, number: str, value: str) -> Report:
     try:
-        return Setting(number, float(text))
+        return Setting(count(number), decimal(value))
     except ValueError:
         return Unknown(line)
-
-
-def _number(text: str) -> int:
-    return int(text) if text.strip().isdecimal() else -1
 
 
 def _status(line: str) -> Report:
     state, *fields = line[1:-1].split("|")
     found = _STATE.fullmatch(state)
-    if found is None or not line.endswith(">"):
-        return Unknown(line)
+    if found is None or found[1] not in STATES or not line.endswith(">"):
+        return Damaged(line)
     try:
         values = _fields(fields)
     except ValueError:  # a byte was lost on the way: half a position is worse than none
-        return Unknown(line)
+        return Damaged(line)
     if not values.keys() & {"mpos", "wpos"}:
-        return Unknown(line)
+        return Damaged(line)
     return Status(found[1], int(found[2]) if found[2] else None, **values)
 
 
@@ -193,12 +192,12 @@ def _fields(fields: list[str]) -> dict:
         if name in ("MPos", "WPos", "WCO"):
             values[name.lower()] = _place(text)
         elif name == "Bf":
-            blocks, size = (int(part) for part in text.split(","))
+            blocks, size = map(count, text.split(","))
             values["buffer"] = (blocks, size)
         elif name in ("FS", "F"):
             values.update(zip(("feed", "spindle"), vector(text), strict=False))
         elif name == "Ov":
-            values["overrides"] = tuple(int(part) for part in text.split(","))
+            values["overrides"] = tuple(map(count, text.split(",")))
             values.setdefault("outputs", "")
         elif name == "A":
             values["outputs"] = text

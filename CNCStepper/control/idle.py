@@ -7,7 +7,7 @@ from collections.abc import Callable
 from dataclasses import replace
 
 from CNCStepper.control import acts, connect, halt
-from CNCStepper.control.belief import Belief, check_program, met
+from CNCStepper.control.belief import Belief, met
 from CNCStepper.control.command import Command
 from CNCStepper.control.console import Console
 from CNCStepper.control.firmware import TOOL_CHANGED
@@ -210,8 +210,6 @@ class Idle:
     def _resume(self) -> None:
         if self.phase not in ("held", "door"):
             raise MachineRefusal("nothing-to-resume", "the machine is not held", advice="there is nothing to resume")
-        if self.phase == "held":  # what a job has left there would go on
-            check_program(self.belief)
         status = self._driver.status
         if status and status.name == "Hold:1":  # in which grbl forgets a cycle start
             advice = "resume once it stands"
@@ -255,7 +253,7 @@ class Idle:
         else:
             if kind in MOVING_KINDS:
                 check_state(self._driver.status)
-            self._console.send(text, kind, self.position_known)
+            self._console.send(text, kind)
 
     def _home(self) -> None:
         self.check_at_rest()

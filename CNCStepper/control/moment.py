@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 
 from CNCStepper.control.grbl import Grbl, Received
-from CNCStepper.control.grbl_report import Feedback, Unknown
+from CNCStepper.control.grbl_report import Damaged, Feedback, Unknown
 from CNCStepper.control.outcome import SenderStatus
 
 HOMING = 22  # the setting that switches homing on
@@ -38,5 +38,7 @@ def tell_words(received: Iterable[Received], tell: Callable[[str, str], None]) -
     for report in received:
         if isinstance(report, Feedback) and report.tag in ("MSG", "echo"):
             tell("message", report.text)
+        elif isinstance(report, Damaged):
+            tell("warning", f"a report of the controller is damaged and was not believed: {report.text}")
         elif isinstance(report, Unknown):
             tell("warning", f"the controller said: {report.text}")

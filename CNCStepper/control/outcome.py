@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, fields
 from typing import Any
 
 from CNCStepper import errors
@@ -12,6 +12,8 @@ from CNCStepper.errors import CNCStepperError, LinkError, Place
 
 TUPLES = ("mpos_mm", "wpos_mm", "overrides", "buffer")
 DONE, STOPPED, REFUSED, FAILED = "done", "stopped", "refused", "failed"
+ENDS = (DONE, STOPPED, REFUSED, FAILED)
+WORDS = ("code", "what", "advice", "value", "limit")  # of an error
 
 
 @dataclass(frozen=True)
@@ -71,11 +73,37 @@ class SenderStatus:
 
     @classmethod
     def from_json(cls, content: dict[str, Any]) -> SenderStatus:
-        """Return the status of `to_json`, after its way through JSON."""
-        vectors = {key: tuple(content[key]) if content[key] else None for key in TUPLES}
-        offsets = content["work_offsets_mm"]
-        named = {name: tuple(offset) for name, offset in offsets.items()} if offsets else None
-        return cls(**(content | vectors | {"work_offsets_mm": named}))
+        """Return the status of `to_json`, after its way through JSON; raises ValueError for what is none."""
+        try:
+            vectors = {key: _vector(content[key]) if content[key] else None for key in TUPLES}
+            offsets = content["work_offsets_mm"]
+            named = {str(name): _vector(offset) for name, offset in offsets.items()} if offsets else None
+            status = cls(**(content | vectors | {"work_offsets_mm": named}))
+        except (TypeError, KeyError, AttributeError) as error:
+            raise ValueError(f"not a status: {error}") from error
+        for name, kinds in _KINDS.items():
+            if type(getattr(status, name)) not in kinds:
+                raise ValueError(f"not a status: its {name} is no {kinds[0].__name__}")
+        return status
+
+
+_TYPES: dict[str, tuple[type, ...]] = {  # of the annotations above, what JSON makes of them
+    "str": (str,),
+    "int": (int,),
+    "bool": (bool,),
+    "float": (float, int),
+    "float | None": (float, int, type(None)),
+    "bool | None": (bool, type(None)),
+    "str | None": (str, type(None)),
+}
+_KINDS = {field.name: _TYPES[str(field.type)] for field in fields(SenderStatus) if field.type in _TYPES}
+
+
+def _vector(values: Any) -> Any:
+    """Return numbers as a tuple; raises ValueError for anything else."""
+    if not isinstance(values, (list, tuple)) or not all(type(value) in (float, int) for value in values):
+        raise ValueError("not a status: a vector has other things in it than numbers")
+    return tuple(values)
 
 
 @dataclass(frozen=True)
@@ -115,30 +143,38 @@ class Outcome:
 
     @classmethod
     def from_json(cls, content: dict[str, Any]) -> Outcome:
-        """Return the outcome of `to_json`."""
-        return cls(
-            content["kind"],
-            content["text"],
-            content["position_known"],
-            SenderStatus.from_json(content["status"]),
-            error_from_json(content["error"]) if content["error"] else None,
-        )
+        """Return the outcome of `to_json`; raises ValueError for what is none."""
+        try:
+            kind, text, known = content["kind"], content["text"], content["position_known"]
+            status, error = content["status"], content["error"]
+        except (TypeError, KeyError) as fault:
+            raise ValueError(f"not an outcome: {fault}") from fault
+        if kind not in ENDS or not isinstance(text, str) or not isinstance(known, bool):
+            raise ValueError("not an outcome: it does not say how it ended")
+        return cls(kind, text, known, SenderStatus.from_json(status), error_from_json(error) if error else None)
 
 
 def error_to_json(error: CNCStepperError) -> dict[str, Any]:
     """Return an error of ours as plain values."""
     place = asdict(error.place) if error.place else None
-    words = {name: getattr(error, name) for name in ("code", "what", "advice", "value", "limit")}
+    words = {name: getattr(error, name) for name in WORDS}
     return {"type": type(error).__name__, "place": place, **words}
 
 
 def error_from_json(content: dict[str, Any]) -> CNCStepperError:
-    """Return the error of `error_to_json`, of the same class."""
-    words = dict(content)
-    kind = getattr(errors, words.pop("type"), LinkError)
-    place = words.pop("place")
-    code, what = words.pop("code"), words.pop("what")
-    return kind(code, what, place=Place(**place) if place else None, **words)
+    """Return the error of `error_to_json`, of the same class; raises ValueError for what is none."""
+    try:
+        kind = getattr(errors, content["type"], None)
+        place = Place(**content["place"]) if content["place"] else None
+        words = [content[name] for name in WORDS]
+    except (TypeError, KeyError) as error:
+        raise ValueError(f"not an error: {error}") from error
+    if not all(isinstance(word, str) for word in words):
+        raise ValueError("not an error: its words are none")
+    if not (isinstance(kind, type) and issubclass(kind, CNCStepperError)):
+        kind = LinkError
+    code, what, advice, value, limit = words
+    return kind(code, what, place=place, advice=advice, value=value, limit=limit)
 
 
 def take_refusal(event: dict[str, Any]) -> None:

@@ -18,9 +18,10 @@ from CNCStepper.control.grbl import Grbl
 from CNCStepper.control.grbl_report import Status, Vector
 from CNCStepper.control.journal.finished import SEGMENTS, finished_lines, longest_step_mm
 from CNCStepper.control.lines import ARCS
+from CNCStepper.control.offset_watch import OffsetWatch, zero_changed
 from CNCStepper.control.readiness import CHECK, STEPS_PER_MM, state_refusal
 from CNCStepper.control.send_job import SendJob
-from CNCStepper.errors import MachineRefusal
+from CNCStepper.errors import MachineRefusal, Place
 from CNCStepper.state import WORK_SYSTEMS, Start
 
 if TYPE_CHECKING:
@@ -64,6 +65,7 @@ class PathWatch:
         self._gaps = gaps
         self._told = False  # that the path is not known
         self._path = self._planned(found)
+        self._offsets = OffsetWatch(job.lines, driver.wco_mm)
         axes = (driver.settings.get(STEPS_PER_MM + axis, 1 / STEP_MM) for axis in range(3))
         self._step_mm = longest_step_mm(driver.settings)
         self._near_mm = tuple(STEPS / max(steps, 1.0) + ROUNDING_MM for steps in axes)
@@ -77,6 +79,8 @@ class PathWatch:
         """Compare a report; acknowledged: lines that were answered before it. sent: lines sent by now."""
         if status.state == CHECK:
             self.excursion = self.excursion or state_refusal(status)
+        if changed := self._offsets.take(self._driver.mm(status.wco), acknowledged, sent):
+            self.excursion = self.excursion or zero_changed(*changed, self._place())
         place = self._driver.mm(status.mpos) or self._driver.mpos_mm
         if place is None or self._path is None or self.excursion or status.state not in STANDING:
             return
@@ -100,6 +104,7 @@ class PathWatch:
 
     def begin_anew(self, found: Found, sent: int) -> None:
         """Compare from here on: the machine stands, all lines sent are cut, and its zero may be another one."""
+        self._offsets = OffsetWatch(self._job.lines)
         if self._path and not self._told:
             self._path = self._planned(found, sent)
 
@@ -158,8 +163,12 @@ class PathWatch:
             value=",".join(f"{value:.3f}" for value in place or ()) + " mm",
             limit=f"{STEPS:g} steps",
             advice="look at cable, shielding and grounding; the part may be cut where it should not be",
-            place=self._job.place(max(self._path.line, 0) if self._path else 0),
+            place=self._place(),
         )
+
+    def _place(self) -> Place:
+        """Return where the machine is in the program, as far as it was seen there."""
+        return self._job.place(max(self._path.line, 0) if self._path else 0)
 
 
 def start_of(driver: Grbl, found: Found) -> Start:

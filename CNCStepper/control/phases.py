@@ -27,7 +27,8 @@ from CNCStepper.errors import MachineRefusal
 
 CHANGE_TOOL = "change the tool, then resume"
 STANDING = ("held", "paused", "door")
-CUTS_NOTHING = ("Sleep", CHECK)
+CUTS_NOTHING = ("Sleep", CHECK, "Starting", "ConfigAlarm", "Critical")
+MOVES_OTHERWISE = ("Jog", "Home")  # than the program says, unless the program homes, or somebody jogs at a stand
 FEEDING = ("running", "finishing")
 DOOR_RETURNS = 3  # the substate in which a machine that goes on switches its outputs on again
 RETREATED = "retreated"  # between two ways along the cut: idle, after a reset
@@ -98,7 +99,7 @@ class Phases:
         assert status
         if status.state == "Alarm":
             raise alarm_refusal(Alarm(-1), driver.firmware)
-        if status.state in CUTS_NOTHING:
+        if status.state in CUTS_NOTHING or (status.state in MOVES_OTHERWISE and self._cuts(driver)):
             raise state_refusal(status)
         if driver.status_asked_s <= self.changed_s:
             return
@@ -110,6 +111,11 @@ class Phases:
             self._at_tool_change(driver, feeder)
         elif not self.stands:
             self._moving(driver)
+
+    def _cuts(self, driver: Grbl) -> bool:
+        """Return whether nothing but the program's lines can move the machine, none of which is a `$` command."""
+        under_way = bool(driver.unanswered) and driver.unanswered[0].text.startswith("$")
+        return self.feeding and not self.stands and not under_way
 
     def _in_hold(self, status: Status, driver: Grbl, feeder: Feeder) -> None:
         still = status.substate in (0, None)

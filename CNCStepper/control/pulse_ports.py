@@ -15,6 +15,7 @@ from pathlib import Path
 from typing import BinaryIO, Protocol
 
 from CNCStepper.errors import LinkError
+from CNCStepper.whole_file import followed
 
 WRITE_DATA, WRITE_CONTROL, DATA_DIRECTION = 0x40017086, 0x40017084, 0x40047090  # of Linux's ppdev.h
 CLAIM, RELEASE = 0x0000708B, 0x0000708C
@@ -112,9 +113,9 @@ def read_recording(path: Path) -> list[tuple[int, int, int]]:
 def _recording(path: Path) -> BinaryIO:
     """Open a file to record in, empty; raises LinkError where it holds something else, which is left as it is."""
     try:
-        if not path.exists():
-            path.touch()
-        file = path.open("r+b", buffering=1 << 20)
+        target = followed(path)
+        target.touch()
+        file = target.open("r+b", buffering=1 << 20)
     except OSError as error:
         raise LinkError("pulse-port", f"{path} cannot be written: {error}") from error
     begin = file.read(len(MAGIC))

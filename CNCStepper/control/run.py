@@ -23,7 +23,7 @@ from pathlib import Path
 from CNCStepper.control import connect, halt
 from CNCStepper.control.belief import counts_steps
 from CNCStepper.control.buttons import quicker
-from CNCStepper.control.command import Command, Inbox
+from CNCStepper.control.command import STOPS, Command, Inbox
 from CNCStepper.control.feeder import Feeder
 from CNCStepper.control.found import check_found
 from CNCStepper.control.gaps import Gaps, gaps_of
@@ -32,13 +32,13 @@ from CNCStepper.control.grbl_report import Alarm, Greeting, Status
 from CNCStepper.control.journal.kept import Journals, Keeping, NoJournal, check_not_held
 from CNCStepper.control.journal.led import Led
 from CNCStepper.control.moment import moment
+from CNCStepper.control.motion_interlock import UNKNOWN
 from CNCStepper.control.outcome import DONE, FAILED, REFUSED, STOPPED, Outcome, SenderStatus
 from CNCStepper.control.overrides import NORMAL, override_byte, restore
 from CNCStepper.control.path_watch import PathWatch
 from CNCStepper.control.phases import RETREATED, Phases, check_no_tool_change
 from CNCStepper.control.readiness import check_zero
 from CNCStepper.control.remaining import Remaining
-from CNCStepper.control.restarted import UNKNOWN
 from CNCStepper.control.retrace import LAST, STANDS, Retrace, check_place, stand_reset
 from CNCStepper.control.send_job import SendJob
 from CNCStepper.control.stand import Stand
@@ -106,6 +106,7 @@ class JobRun:
         self._idle_reports = 0
         self._done = 0  # lines that are surely cut
         self._trouble: list[Received] = []  # the alarm or greeting that ended the job
+        self._may_stop = True  # until the machine is brought to rest
 
     def status(self) -> SenderStatus:
         """Return this moment."""
@@ -139,6 +140,17 @@ class JobRun:
                 self._trouble.append(report)  # also one that comes while a zero is set
             elif isinstance(report, Status) and self._path and not self._stand.is_off_path:
                 self._path.take(report, self._feeder.acknowledged, self._feeder.sent)
+        if self._may_stop and self._inbox.wants_stop:
+            self._stop_now(received)
+
+    def _stop_now(self, received: list[Received]) -> None:
+        """Leave whatever is waited for: a stop is asked for."""
+        self._may_stop = False
+        self._trouble += (report for report in received if isinstance(report, (Alarm, Greeting)))
+        for command in self._inbox.take():  # what was asked for before it does not count any more
+            if command.name in STOPS:
+                break
+        raise Stopped
 
     def run(self, connected: Callable[[], connect.Found]) -> Outcome:
         """Send the job and return how it ended; refusals and failures are in the outcome, not raised.
@@ -147,6 +159,7 @@ class JobRun:
         itself is found good. It may raise `Stopped` or any error of ours.
         """
         outcome = self._begun(connected) or self._streamed()
+        self._may_stop = False
         if self._path and (left_line := self._path.left_line) is not None:
             self._journal.doubt(left_line)
         self._warn(self._journal.end(outcome))
@@ -296,7 +309,7 @@ class JobRun:
 
     def _obey(self, driver: Grbl) -> None:
         for command in self._inbox.take():
-            if command.name in ("stop", "end"):
+            if command.name in STOPS:
                 raise Stopped
             try:
                 self._do(command, driver)
@@ -390,6 +403,7 @@ class JobRun:
 
     def _rest(self, driver: Grbl) -> tuple[bool, LinkError | None]:
         """Return whether the position is kept, and the error when the link broke on the way."""
+        self._may_stop = False
         self._phases.set("stopping")
         try:
             if self._trouble:

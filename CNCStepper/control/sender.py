@@ -8,7 +8,7 @@ from collections.abc import Callable
 from dataclasses import replace
 
 from CNCStepper.control import connect
-from CNCStepper.control.belief import AT_HOME, LOST, check_program, met
+from CNCStepper.control.belief import AT_HOME, LOST, check_program, is_lost, met
 from CNCStepper.control.belief_file import BeliefFile
 from CNCStepper.control.button import buttons_of
 from CNCStepper.control.buttons import Buttons
@@ -17,6 +17,8 @@ from CNCStepper.control.grbl import Answered, Grbl, Received
 from CNCStepper.control.home_first import home
 from CNCStepper.control.journal.kept import Journals
 from CNCStepper.control.moment import tell_words
+from CNCStepper.control.motion_interlock import MotionInterlock
+from CNCStepper.control.opening import open_unless
 from CNCStepper.control.outcome import REFUSED, Outcome, SenderStatus
 from CNCStepper.control.restarted import check_counts_from_here
 from CNCStepper.control.run import JobRun, Refuse, Stopped, Tell
@@ -99,20 +101,27 @@ class Sender:
                 self._inbox.link.close()
 
     def _connected(self) -> connect.Found:
-        self._inbox.link = self._opener(self.job.port, self.job.baud)
-        self._run.driver = driver = Grbl(self._inbox.link, self._clock, self._listen)
+        link = open_unless(lambda: self._inbox.wants_stop, self._opener, self.job.port, self.job.baud)
+        if link is None:
+            raise Stopped
+        self._inbox.link = link
+        self._run.driver = driver = Grbl(link, self._clock, self._listen, MotionInterlock(self._is_lost))
         found = self._homed(driver) if self.job.home_first else connect.meet(driver, self._timing)
         self._belief = met(self._belief, driver, self._greeted)
         if self._greeted:
             self._tell("warning", "the controller restarted when its port was opened; it counts from where it stands")
             check_counts_from_here(driver)
-        check_program(self._belief)
+        check_program(self._belief, restart_counts=True)
         self._kept.keep(LOST)  # until the job has ended well
         self._buttons.wire(buttons_of(self.job.inputs))
         self._connecting = False
         for command in self._early:
             self._inbox.put(command)
         return replace(found, greeted=self._belief.position_known is False)
+
+    def _is_lost(self) -> bool:
+        """Return whether the position is lost; before the machine was met nothing may move it."""
+        return self._connecting or is_lost(self._belief, restart_counts=True)
 
     def _homed(self, driver: Grbl) -> connect.Found:
         connect.wake_up(driver, self._timing, locked=True)
@@ -139,14 +148,13 @@ class Sender:
         self._kept.keep_or_tell(belief, self._tell)
 
     def _listen(self, received: list[Received]) -> None:
-        """Count and tell what came; while connecting, obey a stop too, all else waits for the first line."""
-        self._run.count(received)
+        """Tell and count what came; a stop is done at once, while connecting all else waits for the first line."""
         if said := [report for report in received if not isinstance(report, Answered)]:
             self._buttons.hear(said)
             tell_words(said, self._tell)
         if self._connecting:
             self._greeted = self._greeted or connect.greeted(said)
+        self._run.count(received)
+        if self._connecting:
             for command in self._inbox.take():
-                if command.name == "stop":
-                    raise Stopped
                 self._early.append(command)

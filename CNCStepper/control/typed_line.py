@@ -5,7 +5,9 @@
     $  $$  $#  $G  $I  $N ...  questions, while it stands
     $J=G91G21X10F1000          a jog
     $110=500                   a setting, while it stands
-    G0 X10, M3 S1000 ...       a line of a program: only where the position is not unknown
+    G0 X10, M3 S1000 ...       a line of a program
+
+What would move a machine whose position is lost the driver refuses (`motion_interlock.py`).
 
 All else beginning with `$` is refused with its reason. Bytes that act at once are never passed on within a line.
 """
@@ -22,7 +24,7 @@ HOME, UNLOCK, QUESTION, JOG, SETTING, PROGRAM = "home", "unlock", "question", "j
 MOVING_KINDS = (JOG, PROGRAM)  # done only when the machine stands again
 STEPS_PER_MM = range(100, 110)
 _QUESTION = re.compile(r"\$|\$\$|\$#|\$G|\$I\+?|\$N|\$SS?|\$[A-Z]*/[\w/]+")
-_SETTING = re.compile(r"\$(\d+)=([-+.\d]+)")
+_SETTING = re.compile(r"\$([0-9]{1,4})=(?=.{1,16}$)([-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+))")
 _WHY_NOT = {
     "$C": "`cncstepper check` checks a program without the machine",
     "$SLP": "switch the machine off, or unlock and home it afterwards at the machine itself",
@@ -62,14 +64,7 @@ def setting_of(text: str) -> tuple[int, float]:
     return int(found[1]), float(found[2])
 
 
-def check_typed(text: str, kind: str, position_known: bool | None, firmware: Firmware, window_bytes: int) -> None:
-    """Refuse a line that may not go now; raises ProgramError for its bytes, MachineRefusal for the machine's state."""
+def check_typed(text: str, firmware: Firmware, window_bytes: int) -> None:
+    """Raise ProgramError for a line that cannot be sent as it is."""
     check_line(text)
     check_length(text, firmware, window_bytes)
-    if kind == PROGRAM and position_known is False:
-        raise MachineRefusal(
-            "position-unknown",
-            "the machine's position is unknown: only homing, jog and unlock are accepted",
-            value=text[:40],
-            advice="home the machine, or set the zero of all its axes",
-        )

@@ -11,6 +11,7 @@ from CNCStepper.errors import LinkError, Place
 
 ANSWER_MISSING = "answer-missing"
 ASK_AGAIN_S = 1.0  # a `?` may have been lost
+DAMAGED_S = 2.0  # in which only damaged reports came
 
 
 class Watch:
@@ -37,11 +38,13 @@ class Watch:
     def check(
         self, driver: Grbl, idle: bool, dwell_s: float = 0.0, place: Callable[[], Place | None] = lambda: None
     ) -> None:
-        """Raise LinkError when a `?`, or a line while the machine is idle, has no answer for too long.
+        """Raise LinkError when a `?`, or a line while the machine is idle, has no answer, or only damaged ones.
 
         dwell_s: what the oldest line may take longer. place: asked for that of the program, for the error.
         """
         limit_s = self._timing.answer_s
+        if driver.damaged_s() > DAMAGED_S:
+            raise _damaged(place())
         if (driver.question_age_s() or 0.0) > limit_s:
             raise self._silence("the controller does not answer any more", place())
         if idle and driver.unanswered and driver.clock() - self.heard_s > limit_s + dwell_s:
@@ -56,3 +59,13 @@ class Watch:
             advice="check cable, power and other programs on this port",
             place=place,
         )
+
+
+def _damaged(place: Place | None) -> LinkError:
+    return LinkError(
+        "reports-damaged",
+        "where the machine is cannot be seen: every report of the controller is damaged",
+        limit=f"{DAMAGED_S:g} s",
+        advice="check cable, grounding and baud rate, and that the firmware is one that this program knows",
+        place=place,
+    )

@@ -13,9 +13,9 @@ from CNCStepper.workbench.viewproviders import tips
 @guarded
 def first(workbench: Any) -> None:
     """Fill the workbench's toolbar and menu."""
-    names = commands.register()
-    workbench.appendToolbar(NAME, names)
-    workbench.appendMenu(NAME, names)
+    toolbar, menu = commands.register()
+    workbench.appendToolbar(NAME, toolbar)
+    workbench.appendMenu(NAME, menu)
     tips.install()
 
 

@@ -3,10 +3,12 @@
 
 from __future__ import annotations
 
+from io import TextIOWrapper
 from pathlib import Path
 
 from CNCStepper.errors import LinkError
 from CNCStepper.virtual.grbl.machine import Grbl
+from CNCStepper.whole_file import open_live
 
 HEADER = "t_s,x_mm,y_mm,z_mm\n"
 
@@ -21,7 +23,7 @@ class Trace:
 
     def __init__(self, path: str | Path, board: Grbl):
         try:
-            self._file = open(path, "w", encoding="ascii", newline="")  # noqa: SIM115
+            self._file = TextIOWrapper(open_live(Path(path)), encoding="ascii", newline="")
         except OSError as error:
             raise LinkError(
                 "trace-file", f"the trace '{path}' cannot be written: {error.strerror}", advice="give another path"

@@ -6,12 +6,15 @@ from __future__ import annotations
 import json
 from collections.abc import Callable, Iterator
 from pathlib import Path
+from unittest.mock import patch
 
 from fake_controller import FakeClock, Unqueued
+from fault_disk import AtOnce
 
 from CNCStepper.control.belief_file import BeliefFile
 from CNCStepper.control.command import Command
 from CNCStepper.control.desk import Desk
+from CNCStepper.control.journal import journal
 from CNCStepper.control.outcome import Outcome
 from CNCStepper.control.send_job import SendJob
 from CNCStepper.control.timing import Timing
@@ -134,7 +137,10 @@ class Visit:
         )
 
     def receive(self, person: Callable[[], Person]) -> None:
-        """Let a person come who, at the end, tells the desk to end."""
+        """Let a person come who, at the end, tells the desk to end.
+
+        The journal is written in this thread: a real disk takes its own time, in which simulated minutes pass.
+        """
 
         def visit() -> Person:
             yield lambda: self.phase != "connecting"
@@ -142,7 +148,8 @@ class Visit:
             self.desk.stop()
 
         self.table.person = visit()
-        self.desk.run()
+        with patch.object(journal, "ThreadPoolExecutor", lambda *_: AtOnce()):
+            self.desk.run()
 
     def ask(self, name: str, **values) -> None:
         if name == "jog":

@@ -86,7 +86,12 @@ def test_way_back_and_forward_again_is_exact_in_a_job_of_the_desk(tmp_path: Path
         yield lambda: cut.trace[-1][1] < begins_mm[1]
         yield from moved(cut, [lambda held: held.along(held.back_to_line(7)), lambda held: held.rest()])
 
-    cut.visit(lambda: cut.cut(person))
+    def zeroed() -> Person:
+        cut.sender.ask(Command("set_zero", {"axes": "XYZ"}))
+        yield lambda: cut.sender.status().position_known is True
+        yield from cut.cut(person)
+
+    cut.visit(zeroed)
     (outcome,) = cut.outcomes
     assert outcome.kind == DONE and not cut.refused, (outcome.text, cut.refused)
     assert outcome.status.total == outcome.status.acknowledged == PROGRAM.count("\n")
@@ -116,13 +121,13 @@ def test_retreat_leaves_what_the_desk_knew_of_the_position(tmp_path: Path) -> No
     assert known == [True, True, True]
 
 
-def test_job_that_was_stopped_may_run_again_where_a_person_answers_for_the_zero(tmp_path: Path) -> None:
+def test_job_that_was_stopped_may_run_again_from_the_same_zero(tmp_path: Path) -> None:
     visit = Visit(tmp_path)
     lines = ("G21G90G94", "G1X-20F1500", "G1X0")
 
     def person() -> Person:
-        for ends in (lambda: visit.ask("stop"), lambda: None):
-            visit.job(*lines, zeroed=False)
+        for ends, zeroed in ((lambda: visit.ask("stop"), True), (lambda: None, False)):
+            visit.job(*lines, zeroed=zeroed)
             yield visit.at("running")
             yield 0.5
             ends()

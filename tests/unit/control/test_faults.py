@@ -266,6 +266,12 @@ def test_check_mode_in_which_lines_are_read_and_nothing_moves_stops_the_job_and_
 # --- homing ----------------------------------------------------------------------------------------------
 
 
+def test_a_state_that_came_damaged_before_a_homing_is_asked_for_again(tmp_path):
+    fault = Fault(kind="duplicate", way="out", at_byte=56)  # <Aalarm|...
+    run, verdict = judged(FaultBench(WHOLE, FaultPlan(fault=(fault,)), switches=LOCKED, folder=tmp_path))
+    assert run.claim.declared == "" and run.claim.position_known and verdict.kind == EXACT, verdict.why
+
+
 @pytest.mark.parametrize(
     ("fault", "declared"),
     [
@@ -275,7 +281,6 @@ def test_check_mode_in_which_lines_are_read_and_nothing_moves_stops_the_job_and_
         ({"kind": "close", "at_s": 3.0}, "link-lost"),
         ({"kind": "kill", "at_s": 3.0}, "session-lost"),
         ({"kind": "withhold", "at_s": 3.0}, "answer-missing"),
-        ({"kind": "duplicate", "way": "out", "at_byte": 56}, "machine-aalarm"),
         ({"kind": "corrupt", "at_byte": len("?$\n$"), "bits": ord("H") ^ ord("X")}, "homing-not-made"),
         ({"kind": "drop", "at_byte": len("?$\n"), "count": len("$H")}, "homing-not-made"),
         ({"kind": "drop", "at_byte": len("?$\n$H")}, "answer-missing"),

@@ -170,7 +170,7 @@ def test_job_is_refused_before_its_first_line_where_the_units_of_positions_are_n
 @pytest.mark.parametrize(("key", "length", "kind"), [("grbl", 80, REFUSED), ("grblhal", 80, DONE)])
 def test_line_length_is_the_firmwares(key, length, kind):
     bench = Bench(key, rx_bytes=1024)
-    outcome = bench.send("G1X1F600", "G1X" + "1" * (length - 3))
+    outcome = bench.send("G1X1F600", "G1X1." + "1" * (length - 5))
     assert outcome.kind == kind
     if kind == REFUSED:
         assert outcome.error.code == "line-too-long" and outcome.error.place.line == 2

@@ -17,6 +17,7 @@ from hypothesis import strategies as st
 
 from CNCStepper.control.connect import meet
 from CNCStepper.control.grbl import Grbl
+from CNCStepper.control.motion_interlock import MotionInterlock
 from CNCStepper.control.telnet_port import DO, DONT, IAC, SB, SE, WILL, WONT, plain_bytes, socket_url
 from CNCStepper.control.timing import Timing
 from CNCStepper.control.transport import open_link
@@ -99,7 +100,7 @@ def talk(url: str) -> None:
     """Meet a controller, send a line and a real-time byte, and part from it."""
     link = open_link(url)
     try:
-        driver = Grbl(link)
+        driver = Grbl(link, interlock=MotionInterlock(lambda: False))
         assert meet(driver, Timing()).version == "1.1h.20190830"
         assert driver.settings[110] == 5000 and driver.mpos_mm == (-90.0, -40.0, -10.0)
         driver.send("G1X1")

@@ -334,7 +334,7 @@ def test_journal_knows_the_zero_that_was_set_at_the_pause_before_the_next_line_g
         yield from jogged(visit, z_mm=-2.0)
         if zero:
             visit.ask("set_zero", axes=zero)
-            yield lambda: any(text.startswith("zero of") for _, text in visit.told[-5:])
+            yield lambda: ("message", f"zero of {zero} set in G54") in visit.told
         (journal,) = tmp_path.glob("*.journal")
         visit.table.on_write = lambda data: seen.append(read_story(journal)) if data.startswith(b"M3") else None
         visit.ask("resume")

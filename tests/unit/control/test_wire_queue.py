@@ -12,10 +12,12 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from CNCStepper.control.grbl import Grbl
+from CNCStepper.control.motion_interlock import MotionInterlock
 from CNCStepper.control.transport import Link
 from CNCStepper.control.wire_queue import QUEUE_BYTES, WireQueue
 
 WAKING_S = 0.0003  # what a thread that is woken comes late
+UNLOCKED = MotionInterlock(lambda: False)
 
 
 class Port:
@@ -76,7 +78,7 @@ class PacedLink(Link):
 def test_few_bytes_wait_and_the_line_is_kept_busy(lengths, baud, rests):
     clock = FakeClock()
     link = PacedLink(baud, clock)
-    driver = Grbl(link, clock)
+    driver = Grbl(link, clock, interlock=UNLOCKED)
     total = sum(lengths) + len(lengths)
     least = 2 * (total - link.queue_bytes)  # a window so small that the line need not be busy begins below
     driver.window = least if rests else 4 * total
@@ -103,7 +105,7 @@ def test_test_of_the_queue_can_fail():
 def test_real_time_byte_goes_before_what_is_queued():
     clock = FakeClock()
     link = PacedLink(115_200, clock)
-    driver = Grbl(link, clock)
+    driver = Grbl(link, clock, interlock=UNLOCKED)
     driver.send("1" * 79)
     driver.flush()
     driver.realtime(b"!")
@@ -114,7 +116,7 @@ def test_real_time_byte_goes_before_what_is_queued():
 def test_answered_lines_do_not_wait_whatever_the_baud_rate_says():
     clock = FakeClock()
     link = PacedLink(300, clock)  # of a board on a network: it has answered long before
-    driver = Grbl(link, clock)
+    driver = Grbl(link, clock, interlock=UNLOCKED)
     driver.send("1" * 30)
     driver.flush()
     link.says = b"ok\r\n"
