@@ -24,7 +24,7 @@ from CNCStepper.gcode.options import WriteOptions
 from CNCStepper.gcode.same_work import require_same_work
 from CNCStepper.gcode.words import program_lines, split_line
 from CNCStepper.gcode.write import written
-from CNCStepper.state import Start, State
+from CNCStepper.state import Start, State, ToolEntry
 from CNCStepper.toolpath import Toolpath
 
 _STATES: tuple[tuple[Callable[[State], bool], str, str], ...] = (
@@ -54,6 +54,8 @@ _AFTER_STOPS = (
     "after a stop the first move names all its axes, on one straight way: let the machine stand above the work"
 )
 _BEGIN = "the program begins with the tool at the work zero: bring it there before this one is sent"
+_TOOL = re.compile(r"(?<![#<A-Z_])[TH]0*(\d{1,5})", re.IGNORECASE)
+_ROTARY = re.compile(r"(?<![#<A-Z_])([ABC])(?=[-+.\d])", re.IGNORECASE)
 _CODE = re.compile(r"G0*([0-9]+(?:\.[0-9]+)?)", re.IGNORECASE)
 STAGES = ("read", "write", "compare")  # what `tell` hears, in this order
 
@@ -80,10 +82,14 @@ def convert(
     """Return a program of the dialect `source` in the dialect `target`.
 
     The program keeps its units, its work offsets and its moves, and tools are changed by M6 where the target has it.
-    choices: fields of `WriteOptions` that are to be otherwise. tell: called with the stage that begins, one of STAGES;
+    choices: fields of `WriteOptions` that are to be otherwise; with tool_length "touch_off" the lengths of tools need
+    not be known. tell: called with the stage that begins, one of STAGES;
     share: with the share of it that is done. Raises ProgramError for what the target cannot express.
     """
-    language = dialect_named(target)
+    language, unknown = dialect_named(target), set[int]()
+    if choices.get("tool_length") == "touch_off":  # lengths are left out, so that nobody need know them
+        unknown = _tools_named(text) - set((start or Start()).tools)
+        start = replace(start or Start(), tools=(start or Start()).tools | {tool: ToolEntry(tool) for tool in unknown})
     tell("read")
     path = interpret(text, start, source, file, share)
     options = replace(default_options(path, language), **choices)
@@ -96,7 +102,14 @@ def convert(
     again = interpret(made.text, path.start, language, progress=share)  # from where the source takes itself to begin
     require_same_work(path, again, options, language, file)
     codes, read = _lines_of_codes(text), dialect_named(source)
-    notes = (*_begin(read, start), *_notes(path, codes, language), *_said(codes, read), *made.notes)
+    notes = (
+        *_begin(read, start),
+        *_notes(path, codes, language),
+        *_said(codes, read),
+        *_touched_off(codes, unknown),
+        *_axes_left_out(text, codes, language),
+        *made.notes,
+    )
     return Converted(made.text, notes, path)
 
 
@@ -135,6 +148,30 @@ def _notes(path: Toolpath, codes: dict[str, list[int]], target: Dialect) -> Iter
     if stops:
         yield Note(_AFTER_STOPS, len(stops), stops[0])
     yield from _notes_of_states(path, codes)
+
+
+def _tools_named(text: str) -> set[int]:
+    """Return the numbers of the tools and lengths (T, H) that a program names."""
+    lines = ("".join(split_line(line).code.split()) for line in program_lines(text))
+    return {int(number) for line in lines for number in _TOOL.findall(line)}
+
+
+def _touched_off(codes: dict[str, list[int]], unknown: set[int]) -> Iterator[Note]:
+    """Yield that lengths which nobody has said are the operator's."""
+    if lines := codes.get("G43") if unknown else None:
+        yield Note("left out: the lengths of tools; set the Z zero with each tool", len(lines), lines[0])
+
+
+def _axes_left_out(text: str, codes: dict[str, list[int]], target: Dialect) -> Iterator[Note]:
+    """Yield the rotary axes that the target lacks: they never move, or the program would not have been written."""
+    found: dict[str, list[int]] = {}
+    threads = set(codes.get("G76", ()))  # whose words have other meanings
+    for number, line in enumerate(program_lines(text), start=1):
+        for letter in _ROTARY.findall("".join(split_line(line).code.split())) if number not in threads else ():
+            found.setdefault(letter.upper(), []).append(number)
+    for letter, lines in sorted(found.items()):
+        if letter not in target.letters:
+            yield Note(f"left out: {letter}, which never moves; that axis stands at 0", len(lines), lines[0])
 
 
 def _notes_of_states(path: Toolpath, codes: dict[str, list[int]]) -> Iterator[Note]:

@@ -1,0 +1,20 @@
+(Two tools, as a post-processor for LinuxCNC writes them)
+G21 G90 G94 G17
+T1 M6
+S12000 M3
+G0 X0 Y0
+G0 Z5
+G1 Z-1 F200
+G2 X10 Y0 I5 J0 F600
+G0 Z5
+M5
+T2 M6
+S9000 M3
+G0 X5 Y5
+G0 Z5
+G81 X5 Y5 Z-3 R2 F120
+X15
+G80
+G0 Z10
+M5
+M30

@@ -1,0 +1,22 @@
+(Exported by a CAM program for LinuxCNC)
+G17 G54 G40 G49 G80 G90
+G21
+(Begin toolchange)
+M5
+M6 T1
+G43 H1
+M3 S12000
+G0 X5 Y5
+G0 Z5
+G1 Z-1 F200
+G1 X30 F700
+G0 Z5
+M5
+M6 T2
+G43 H2
+M3 S9000
+G0 X10 Y10
+G1 Z-1 F150
+G0 Z5
+M5
+M2
