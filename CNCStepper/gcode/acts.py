@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-from CNCStepper.gcode.codes import RS274, Code
+from CNCStepper.gcode.codes import MOTION_NAMES, RS274, Code
 from CNCStepper.gcode.compensation import COMPENSATION_ACTS, end_compensation
 from CNCStepper.gcode.offsets import OFFSET_ACTS, say_rotation, say_work_offset
 from CNCStepper.gcode.outputs import OUTPUT_ACTS
@@ -78,6 +78,9 @@ def diameter(block: Execution, code: Code) -> None:
     if on == model.diameter:
         return
     block.scale_x(0.5 if on else 2.0)
+    if on and MOTION_NAMES[block.plan.motion] == "G76":  # LinuxCNC halves its depths once more on the line of G7
+        for letter in "IJK":
+            block.scale(letter, 0.5)
     model.diameter = on
     model.look()
     block.call(f'COMMENT("interpreter: Lathe diameter mode changed to {"diameter" if on else "radius"}")')

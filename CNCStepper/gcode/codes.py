@@ -36,12 +36,13 @@ UNIT_CODES = {"mm": "G21", "inch": "G20"}
 PLANE_CODES = ("G17", "G18", "G19")  # by the plane's number in the table
 CODE_OF_PLANE = dict(zip(PLANE_NAMES, PLANE_CODES, strict=True))
 CYCLES = frozenset(MOTION_NAMES.index(name) for name in (*CYCLE_NAMES, *SPINDLE_CYCLES))
-ANY_PLANE = frozenset(map(MOTION_NAMES.index, ("G0", "G1", "G33", "G33.1", *PROBES)))  # lie in no plane
+ANY_PLANE = frozenset(map(MOTION_NAMES.index, ("G0", "G1", "G33", "G33.1", "G76", *PROBES)))  # lie in no plane
 MORE_REPEATS = frozenset(MOTION_NAMES.index(name) for name in (*SYNCHRONISED, *PROBES, "G5.2"))
 AXES = "XYZ"
 ALL_AXES = "XYZABCUVW"
 POLAR = "@^"  # distance and angle in the plane XY instead of X and Y
-ARC_WORDS = "IJKR"
+CENTRE_WORDS = "IJK"
+ARC_WORDS = CENTRE_WORDS + "R"
 SPINDLE = "$"  # the word that names a spindle
 ORDER = (
     "spindle_mode",

@@ -159,8 +159,12 @@ class Execution(Telling):
 
     def scale_x(self, factor: float) -> None:
         """Take X for something else than it says: a diameter for a radius."""
-        if "X" in self.plan.slots:
-            self.values[self.plan.slots["X"]] *= factor
+        self.scale("X", factor)
+
+    def scale(self, letter: str, factor: float) -> None:
+        """Take a word, if it is there, `factor` times as large."""
+        if letter in self.plan.slots:
+            self.values[self.plan.slots[letter]] *= factor
 
     def uncompensated(self, what: str, value: str) -> None:
         """Refuse something while the radius of the tool is compensated."""

@@ -17,17 +17,23 @@ from CNCStepper.gcode.words import words_of
 _AXIS = re.compile(f"[{ALL_AXES}]")
 
 
-def bare_first_move(lines: WireLines, dialect: Dialect) -> int | None:
-    """Return the index of the first line that moves, where no line up to it names a motion; else None."""
-    if dialect.first_motion == NO_MOTION:
+class FirstMove:
+    """Looks for the first move of a program in lines that come piece by piece."""
+
+    def __init__(self, dialect: Dialect):
+        self._dialect = dialect
+        self._is_known = dialect.first_motion == NO_MOTION
+
+    def without_motion(self, lines: WireLines) -> int | None:
+        """Return the index of the first line that moves, where no line up to it names a motion; else None."""
+        codes_of = self._dialect.codes
+        for index, line in enumerate(() if self._is_known else lines):
+            codes = [codes_of[word.name] for word in words_of(line) if word.name in codes_of]
+            names_motion = any(code.motion is not None for code in codes)
+            if names_motion or (_AXIS.search(line) and not any(code.axes for code in codes)):
+                self._is_known = True
+                return None if names_motion else index
         return None
-    for index, line in enumerate(lines):
-        codes = [dialect.codes[word.name] for word in words_of(line) if word.name in dialect.codes]
-        if any(code.motion is not None for code in codes):
-            return None
-        if _AXIS.search(line) and not any(code.axes for code in codes):
-            return index
-    return None
 
 
 def with_first_motion(lines: WireLines, index: int, dialect: Dialect) -> WireLines:

@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING
 from CNCStepper.errors import ProgramError
 from CNCStepper.gcode.bare import goes_on_at, use_system
 from CNCStepper.gcode.codes import Code
-from CNCStepper.gcode.model import Model, g92_kept
+from CNCStepper.gcode.model import Model, Point, g92_kept
 from CNCStepper.gcode.moves import end_point, further_end
 from CNCStepper.gcode.parameters import FIRST_G92, G92_IN_FORCE, WORK_SYSTEM, offset_number
 from CNCStepper.gcode.stored import ROTATION, store_point, stored_point
@@ -66,8 +66,9 @@ def set_table(block: Execution, code: Code) -> None:
     if kind not in (2, 20):
         what = "G10 is read with L1, L2, L10, L11 and L20 only"
         raise ProgramError("not-supported", what, value="L", advice="correct L")
+    others = "".join(code.takes for code in block.plan.codes if code.name != "G10")
     for letter in "IJQ" if kind == 2 else "IJQR":
-        if letter in block.plan.slots:
+        if letter in block.plan.slots and letter not in others:
             raise ProgramError("unused-word", f"{letter} says nothing with G10 L{kind}", value=letter, advice="drop it")
     block.must_have("P", "G10")
     number = block.whole("P", 0, block.dialect.work_systems, "work-system")
@@ -193,11 +194,21 @@ def go_home(block: Execution, code: Code) -> None:
     further = further_end(model, block.plan, block.values)
     block.rapid(end_point(model, block.plan, block.values), further, row=bool(named))
     home = _home(model, code)
-    end = [home[axis] if axis in named or not named else here for axis, here in enumerate(model.position)]
+    end = _towards_home(model, home, named)
     if further or any(home[3:]):
         more = model.further or (0.0,) * 6
         further = tuple(home[axis] if axis in named or not named else more[axis - 3] for axis in range(3, 9))
-    block.rapid((end[0], end[1], end[2]), further)
+    block.rapid(end, further)
+
+
+def _towards_home(model: Model, home: tuple[float, ...], named: list[int]) -> Point:
+    """Return where the named axes of a work system, or all, are at home; in a turned one they are not the machine's."""
+    if model.turn is None:
+        x, y, z = (home[axis] if axis in named or not named else here for axis, here in enumerate(model.position))
+        return x, y, z
+    there, here = model.work((home[0], home[1], home[2])), model.work(model.position)
+    x, y, z = (there[axis] if axis in named or not named else here[axis] for axis in range(3))
+    return model.machine((x, y, z))
 
 
 def _home(model: Model, code: Code) -> tuple[float, ...]:

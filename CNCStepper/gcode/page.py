@@ -41,6 +41,12 @@ class Page:
         self._feed = f"F{grid.short(dialect.default_feed_mm_min)}" if dialect.default_feed_mm_min else ""
         self._plane = XY
         self._stale: set[int] = set()  # axes whose next word is written even where nothing changes
+        self._cycle = ""
+
+    @property
+    def in_cycle(self) -> bool:
+        """Whether the last line is a block of a canned cycle."""
+        return bool(self._cycle)
 
     def text(self) -> str:
         """Return the program."""
@@ -55,6 +61,7 @@ class Page:
     def _block(self, text: str, comment: str = "") -> None:
         if not text:
             return
+        self.end_cycle()
         line = f"{self._next_number()}{text}{comment}{self.writing.block_end}"
         limit = self.dialect.line_limit
         if limit and len(line) >= limit:
@@ -78,6 +85,7 @@ class Page:
     def raw(self, comment: str) -> None:
         """Write a comment as it stands; nothing where the dialect has none."""
         if self.writing.comment:
+            self.end_cycle()
             end = self.writing.block_end
             self.lines.append(self.writing.comment.format(comment.replace("#", "No.") if end else comment) + end)
 
@@ -138,14 +146,17 @@ class Page:
     def canned(self, name: str, words: list[str], feed_mm_min: float, end: tuple[int, int, int]) -> None:
         """Write a block of the canned cycle `name`, which leads to `end`."""
         self.select_plane(XY)
-        self._motion = name
+        self._motion, self._cycle = name, ""  # this line does not leave the cycle
         self.line(*words, self._feed_word(LINE, feed_mm_min))
+        self._cycle = name
         self._arrive([*end])
 
     def end_cycle(self) -> None:
-        """Leave canned cycles."""
-        self.line("G80")
-        self._motion = ""
+        """Leave the canned cycle in force, if there is one; every other line does so before it is written."""
+        cycle, self._cycle = self._cycle, ""
+        if cycle:
+            self._motion = "" if self._motion == cycle else self._motion  # a move's line has its own word already
+            self.line("G80")
 
     def select_plane(self, plane: int) -> None:
         """Write the plane word where it is not in force."""

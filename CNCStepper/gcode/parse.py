@@ -16,6 +16,7 @@ from CNCStepper.gcode.codes import (
     ALL_AXES,
     ARC_WORDS,
     AXES,
+    CENTRE_WORDS,
     FLOW,
     MOTION_NAMES,
     NO_MOTION,
@@ -135,10 +136,26 @@ class Grammar:
                 continue
             code = self.dialect.codes.get(word.name) or self._unknown(word.name)
             if code.group in codes:
+                if self.dialect.cancel_yields and NO_MOTION in (code.motion, codes[code.group].motion):
+                    codes[code.group] = code if code.motion != NO_MOTION else codes[code.group]
+                    continue
                 what = f"{codes[code.group].name} and {code.name} may not share a line: they set the same mode"
                 raise ProgramError("modal-conflict", what, value=word.name, advice="write them on two lines")
             codes[code.group] = code
+        self._check_together([code.name for code in codes.values()])
         return list(codes.values())
+
+    def _check_together(self, names: list[str]) -> None:
+        """Refuse too many M codes, and codes that use a word in two ways."""
+        most, count = self.dialect.most_m_codes, sum(name.startswith("M") for name in names)
+        if most and count > most:
+            what = f"a line holds {count} M codes"
+            raise ProgramError("m-codes-many", what, limit=str(most), advice="write them on two lines")
+        for name in names:
+            for other in self.dialect.conflicts.get(name, ()):
+                if other in names:
+                    what = f"{name} and {other} may not share a line: they use the same word"
+                    raise ProgramError("modal-conflict", what, value=name, advice="write them on two lines")
 
     def _unknown(self, name: str) -> Code:
         """Say why a code is refused."""
@@ -159,8 +176,11 @@ class Grammar:
             raise ProgramError("axis-conflict", what, value=users[1].name, advice="write them on two lines")
         explicit = next((code for code in codes if code.motion is not None), None)
         has_axes = any(axis in slots for axis in ALL_AXES + POLAR)
-        has_centre = any(letter in slots for letter in ARC_WORDS)
+        has_centre = any(letter in slots for letter in CENTRE_WORDS)
         if users and users[0].group != "motion":
+            if has_axes and explicit and users[0].act == "tool_length" and self.dialect.cancel_takes_no_axes:
+                what = "a line with G80 takes no axis words, nor those of G43.1"
+                raise ProgramError("axis-unused", what, value=_first_axis(slots), advice="write them on two lines")
             if has_axes and self.dialect.axes_need_motion and (explicit or modal == NO_MOTION):
                 what = f"while G80 is in force {self.dialect.title} takes no axis words, nor those of {users[0].name}"
                 raise ProgramError("axis-unused", what, value=_first_axis(slots), advice="write a line G0 before it")

@@ -16,6 +16,7 @@ from CNCStepper.errors import ProgramError
 from CNCStepper.gcode import spindle_cycles
 from CNCStepper.gcode.bare import goes_on_at
 from CNCStepper.gcode.codes import ALL_AXES, AXES, CYCLES, MOTION_NAMES
+from CNCStepper.gcode.outputs import OVERRIDE_CALLS
 from CNCStepper.gcode.polar import polar_end
 from CNCStepper.gcode.spindle import STOP, need_turning, turn
 from CNCStepper.gcode.spindle_cycles import OWN, SENSE, SpindleCycle
@@ -129,10 +130,11 @@ def _spindle_stroke(block: Execution, kind: str) -> None:
     elif kind == spindle_cycles.PAUSE:
         block.event("pause")
         block.call("PROGRAM_STOP()")
-    else:
-        what = "DISABLE" if kind == spindle_cycles.LOCK else "ENABLE"
-        block.call(f"{what}_FEED_OVERRIDE()")
-        block.call(f"{what}_SPEED_OVERRIDE(0)")
+    else:  # what a program has switched off stays off
+        locks, allowed = kind == spindle_cycles.LOCK, block.model.overrides
+        for name in ("feed", "speed"):
+            if locks or name in allowed:
+                block.call(f"{'DISABLE' if locks else 'ENABLE'}_{OVERRIDE_CALLS[name]}")
 
 
 def _span_words(block: Execution, cycle: Canned, place: tuple[float, float]) -> dict[str, float]:
@@ -226,6 +228,9 @@ def _check_block(block: Execution, name: str) -> None:
         if letter in block.plan.slots:
             what = "a canned cycle moves X, Y and Z only"
             raise ProgramError("unused-word", what, value=letter, advice=f"move {letter} on a line of its own")
+    if name in ("G74", "G84") and block.model.plane_code != "G17":  # LinuxCNC 2.9 feeds to another place then
+        what = f"{name} is read in the plane XY only: LinuxCNC moves along the wrong axes in {block.model.plane_code}"
+        raise ProgramError("plane", what, value=name, advice="write G17 before, or tap with G33.1")
     _check_feed(block, name)
     block.turning = need_turning(block, name, SENSE[name]) if name in SENSE else "off"
 

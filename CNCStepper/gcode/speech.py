@@ -12,7 +12,7 @@ import re
 from CNCStepper.errors import Place, ProgramError
 from CNCStepper.gcode.expressions import EQUAL
 from CNCStepper.gcode.predefined import Known
-from CNCStepper.gcode.words import Comment
+from CNCStepper.gcode.words import Comment, small_letters
 
 _PIECE = re.compile(
     r"%(?P<whole>d)|%(?P<four>f)|%\.(?P<decimals>[0-9])f|%(?=\.)|#<(?P<name>[^>]*)>|#(?P<number>[0-9]+)"
@@ -57,7 +57,7 @@ def _value(match: re.Match[str], known: Known, decimals: int) -> str:
         if match["number"]:
             value = known.number(int(match["number"][:9]))
         else:
-            value = known.named(re.sub(r"\s", "", match["name"]).lower())
+            value = known.named(small_letters(re.sub(r"\s", "", match["name"])))
     except ProgramError:
         return _NONE
     return f"{value if abs(value) >= EQUAL else 0.0:.{decimals}f}"

@@ -40,7 +40,10 @@ def bezier(block: Execution, motion: int, before: int) -> None:
     """Execute G5 or G5.1; raises ProgramError."""
     name = MOTION_NAMES[motion]
     block.uncompensated("no spline may be cut", name)
-    check_feed(block.model, motion, block.plan, block.values)
+    _check_feed(block, motion)
+    if block.model.nurbs is not None:  # LinuxCNC 2.9 takes its control points for this curve's
+        what = f"{name} stands between G5.2 and G5.3"
+        raise ProgramError("spline-open", what, value=name, advice="write G5.3 on a line before")
     if block.model.state.plane != "XY":
         raise ProgramError("plane", "splines lie in the plane XY", value=name, advice="write G17 before")
     for letter in "ZABC":
@@ -57,6 +60,14 @@ def bezier(block: Execution, motion: int, before: int) -> None:
         points.insert(2, (end[0] + p, end[1] + q))
         block.model.spline_ij = (-p, -q)
     _cut(block, Nurbs(tuple(points), (1.0,) * len(points), len(points)), motion)
+
+
+def _check_feed(block: Execution, motion: int) -> None:
+    """Refuse a spline without a feed; in inverse time LinuxCNC 2.9 cuts it at the feed that was in force before."""
+    if block.model.state.feed_mode == "inverse_time":
+        what, name = "no spline is cut in inverse time", MOTION_NAMES[motion]
+        raise ProgramError("feed-mode", what, value=name, advice="write G94 and an F word before")
+    check_feed(block.model, motion, block.plan, block.values)
 
 
 def _first_control(block: Execution, name: str, begin: Flat) -> Flat:
@@ -80,7 +91,7 @@ def control_point(block: Execution, motion: int, before: int) -> None:
         raise ProgramError("bad-value", "a control point needs a weight P above 0", value="G5.2", advice="add P")
     if nurbs and "X" not in slots:
         raise ProgramError("missing-word", "only the first control point goes without X and Y", value="G5.2")
-    check_feed(model, motion, block.plan, block.values)
+    _check_feed(block, motion)
     if nurbs is None:
         own = weight if "X" not in slots and weight > 0 else 1.0
         nurbs = Nurbs((_ends(block)[0],), (own,))
@@ -104,6 +115,7 @@ def end_nurbs(block: Execution, code: Code) -> None:
     if len(nurbs.points) < nurbs.order:
         what = f"a NURBS of order {nurbs.order} needs as many control points"
         raise ProgramError("control-points", what, value="G5.3", limit=str(nurbs.order), advice="add control points")
+    _check_feed(block, MOTION_NAMES.index("G5.2"))
     model.nurbs = None
     model.motion = NO_MOTION
     _cut(block, nurbs, LINE)

@@ -9,6 +9,7 @@ from pathlib import Path
 from CNCStepper.errors import ProgramError
 from CNCStepper.gcode.file_form import decoded
 from CNCStepper.gcode.words import program_lines
+from CNCStepper.input_file import read_input
 from CNCStepper.state import Start
 
 SUFFIXES = (".ngc", ".nc")
@@ -54,16 +55,7 @@ class Library:
         return self._read[path]
 
     def _text(self, path: Path) -> str:
-        try:
-            size = path.stat().st_size
-            if size > self.largest_bytes:
-                what = f"the subroutine's file {path.name} is too large"
-                raise ProgramError("file-too-large", what, value=f"{size} bytes", limit=f"{self.largest_bytes} bytes")
-            data = path.read_bytes()
-        except OSError as error:
-            what = f"the subroutine's file {path.name} cannot be read: {error.strerror}"
-            raise ProgramError("file", what, advice="check the file") from None
-        return decoded(data)[0]
+        return decoded(read_input(path, self.largest_bytes, refusal=ProgramError))[0]
 
 
 def library_of(file: str, start: Start | None = None) -> Library:

@@ -152,6 +152,9 @@ def _given_offset(block: Execution) -> tuple[float, ...]:
 def _more_offset(block: Execution) -> tuple[float, ...]:
     """G43.2: the offset of the tool H comes on top of what is in force."""
     block.must_have("H", "G43.2")
+    if block.axis_words():
+        what = "G43.2 takes H, and a line with it takes no axis words"
+        raise ProgramError("axis-conflict", what, value="G43.2", advice="write them on two lines")
     tool = block.whole("H", 0, block.dialect.largest_tool)
     more = entry_of(block, tool, "H").offset_mm if tool else ZERO9
     return tuple(old + added for old, added in zip(block.model.tool_offset, more, strict=True))

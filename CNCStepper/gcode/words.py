@@ -8,6 +8,7 @@ column; who reads a whole program adds file and line.
 from __future__ import annotations
 
 import re
+from string import ascii_lowercase, ascii_uppercase
 from typing import NamedTuple
 
 from CNCStepper.errors import Place, ProgramError
@@ -16,6 +17,8 @@ NUMBER = r"[+-]?(?:[0-9]{1,15}(?:\.[0-9]*)?|\.[0-9]+)(?![0-9])"
 SIGNS = "@^$"  # polar distance and angle, and the number of a spindle, are words too
 _WORD = re.compile(rf"([A-Z@^]|(?<!^)\$)({NUMBER})")  # a line that begins with $ is no program's
 _BLANKS = " \t\r\n"
+_CAPITALS = str.maketrans(ascii_lowercase, ascii_uppercase)
+_SMALL = str.maketrans(ascii_uppercase, ascii_lowercase)
 _RUN = re.compile(r"[^A-Z]?[^A-Z]*")  # what stands up to the next letter
 
 _COMPUTED = {
@@ -104,10 +107,15 @@ def is_tape_mark(text: str) -> bool:
 
 
 def pack(code: str) -> tuple[str, list[int]]:
-    """Return a line without its blanks, in capitals, and the column of each character left."""
+    """Return a line without its blanks, its ASCII letters in capitals, and the column of each character left."""
     columns = [column for column, character in enumerate(code, 1) if character not in _BLANKS]
     packed = "".join(character for character in code if character not in _BLANKS)
-    return packed.upper() if packed.isascii() else packed, columns
+    return packed.translate(_CAPITALS), columns
+
+
+def small_letters(name: str) -> str:
+    """Return a name with its ASCII letters small; LinuxCNC tells others apart, as in "ç" and "Ç"."""
+    return name.translate(_SMALL)
 
 
 def words_of(code: str) -> list[Word]:
@@ -132,12 +140,21 @@ def _without_comments(text: str, strict: bool) -> tuple[str, list[Comment]]:
         begin = min((at for at in (text.find("(", position), text.find(";", position)) if at >= 0), default=-1)
         if begin < 0:
             break
+        if strict and _is_in_name(text, position, begin):  # without it two names would be one
+            what = "the name of a parameter holds a comment"
+            raise _error("comment", what, begin + 1, text[begin], "take it out of the name")
         end = _comment_end(text, begin, strict)
         if end > begin + 1:
             comments.append(_comment(text[begin + 1 : end], begin + 1, text[begin] == ";"))
         code += text[position:begin] + " " * (min(end + 1, len(text)) - begin)
         position = end + 1
     return code + text[position:], comments
+
+
+def _is_in_name(text: str, position: int, at: int) -> bool:
+    """Whether a place lies in the name of a parameter, #<...>, that begins from `position` on."""
+    opened = text.rfind("<", position, at)
+    return opened >= 0 and text[:opened].rstrip(_BLANKS).endswith("#") and text.find(">", opened, at) < 0
 
 
 def _comment_end(text: str, begin: int, strict: bool) -> int:

@@ -18,6 +18,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from CNCStepper.checkpoint import checkpoint
 from CNCStepper.errors import Place, ProgramError
 from CNCStepper.gcode.ascii import ascii_text
 from CNCStepper.gcode.dialects import Dialect, dialect_named
@@ -160,9 +161,8 @@ class _Writer:
         row = first
         try:
             while row < last:
+                checkpoint()
                 changes = row == first or row_states[row] != row_states[row - 1]
-                if ends[row] or events[row] or begins[row] or changes:
-                    self.cycles.end()
                 self._finish(ends[row])
                 if events[row] or changes:
                     self._happen(events[row], self.states[row_states[row]], row)
@@ -175,9 +175,9 @@ class _Writer:
             if error.place or not line:
                 raise
             raise error.at(Place("", line)) from error
-        self.cycles.end()
         self._finish(ends[last])
         self._at_end(events[last], last)
+        self.page.end_cycle()
         return self.page.text()
 
     def _row(self, row: int, last: int) -> int:

@@ -7,6 +7,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 from CNCStepper.errors import CNCStepperError, ProgramError
+from CNCStepper.gcode import foreign
 from CNCStepper.gcode.edit import compact, feeds, geometry, renumber, reverse
 from CNCStepper.job.check_edit import EditCheck
 
@@ -15,6 +16,7 @@ if TYPE_CHECKING:
     from CNCStepper.machine.profile import Machine
     from CNCStepper.state import Start
 
+CONVERT = "convert"  # what another controller's program needs for this machine
 VERBS: dict[str, Callable[..., Edited]] = {
     "offset": geometry.offset,
     "scale": geometry.scale,
@@ -26,6 +28,7 @@ VERBS: dict[str, Callable[..., Edited]] = {
     "without_numbers": renumber.without_numbers,
     "reverse": reverse.reverse,
     "compact": compact.compact,
+    CONVERT: foreign.converted,
 }
 
 
@@ -44,7 +47,11 @@ def edited(
     """
     if verb not in VERBS:
         raise CNCStepperError("verb-unknown", "there is no such verb", value=verb, limit=", ".join(VERBS))
+    if verb == CONVERT and machine is not None:
+        values = {"tool_change": machine.tool_change, "tool_length": machine.tool_length} | values
     result = VERBS[verb](text, **values, dialect=dialect, start=start, file=file)
+    if verb == CONVERT:  # of the old program, which could not be read, no errors are known to compare with
+        return result
     errors = EditCheck(dialect, start, file, machine).new_errors(text, result.text)
     if errors:
         worst = errors[0]

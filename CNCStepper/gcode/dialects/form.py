@@ -114,6 +114,10 @@ class Dialect:
     feed_mode_clears_feed: bool = False  # G94 always forgets F, not only after G93
     suspend_g92: bool = False
     tool_offsets_sideways: bool = False  # G43.1 takes all axes, not only Z
+    most_m_codes: int = 0  # on one line; 0 is "no limit"
+    conflicts: Mapping[str, tuple[str, ...]] = field(default_factory=dict)  # beside those of one modal group
+    cancel_yields: bool = False  # G80 may share a line with another motion, which counts
+    cancel_takes_no_axes: bool = False  # beside G80 on the line, not even those of G43.1
     # motion
     takes_up_play: bool = False  # the controller knows the backlash of its axes, so that a sender leaves it alone
     first_motion: int = NO_MOTION

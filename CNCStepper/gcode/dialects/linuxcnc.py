@@ -45,4 +45,8 @@ LINUXCNC = Dialect(
     suspend_g92=True,
     centre_repeats_arc=True,
     tool_offsets_sideways=True,
+    most_m_codes=4,
+    conflicts={"G4": ("G2", "G3")},
+    cancel_yields=True,
+    cancel_takes_no_axes=True,
 )

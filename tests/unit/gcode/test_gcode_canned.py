@@ -59,6 +59,12 @@ def rs274_path(text: str, folder: Path) -> list[str]:
     return motion_calls(calls)
 
 
+def rs274_way(text: str, folder: Path) -> str:
+    """Return the straight moves that LinuxCNC makes of a text from its third on, without those that go nowhere."""
+    moves = [call for call in rs274_path(text, folder) if call.startswith("STRAIGHT")]
+    return "\n".join([call for call, before in zip(moves[2:], moves[1:], strict=False) if call != before])
+
+
 def cycles(path: Toolpath) -> list[Span]:
     return [span for span in path.spans if span.kind == "cycle"]
 
@@ -141,6 +147,36 @@ def test_a_pause_ends_the_run():
     written = write(path, "linuxcnc").splitlines()
     pause = written.index("M0")
     assert written[pause - 1] == "G80" and written[pause + 1].startswith("G98 G81 X3.000")
+
+
+def test_a_run_goes_on_over_lines_that_move_nothing(tmp_path):
+    text = "G21 G90\nG0 X0 Y0 Z9.5\nG98 G83 X1 Y2 Z-8 R6 Q20 F100\nG80\nG0 Z9.5\nG98 G73 X-4 Z-2 R2 Q1\nG80\nM2\n"
+    written = write(interpret(text, HERE, "linuxcnc"), "linuxcnc")
+    lines = written.splitlines()
+    first = lines.index("G98 G83 X1.000 Y2.000 Z-8.000 R6.000 Q20.000 F100")
+    assert lines[first + 1 : first + 3] == ["G73 X-4.000 Z-2.000 R2.000 Q1.000", "G80"]
+    assert rs274_way(text, tmp_path) in rs274_way(written, tmp_path)
+
+
+def test_a_block_takes_the_rapid_up_to_its_retract_plane(tmp_path):
+    text = "G21 G90\nG0 X0 Y0 Z10\nF100\nG98 G81 X1 Y2 Z-1 R11\nX5 R4\nG99 X7\nG80\nM2\n"
+    path = interpret(text, HERE, "linuxcnc")
+    written = write(path, "linuxcnc")
+    lines = written.splitlines()
+    first = lines.index("G98 G81 X1.000 Y2.000 Z-1.000 R11.000 F100")
+    assert lines[first - 1] == "X0.000 Y0.000"
+    assert lines[first + 1 : first + 4] == ["X5.000 R4.000", "G99 X7.000", "G80"]
+    assert rs274_way(text, tmp_path) in rs274_way(written, tmp_path)
+
+
+@pytest.mark.parametrize("words", ["R10.086 Q0.1", "R10.020 Q1"])
+def test_many_pecks_move_no_retract_plane(words):
+    text = f"G21 G90\nG0 X0 Y0 Z10\nF100\nG98 G73 X1 Z-8.8 {words}\nX2 R4\nM2\n"
+    path = interpret(text, HERE, "linuxcnc")
+    read = interpret(write(path, "linuxcnc", WriteOptions(retract=False)), HERE, "linuxcnc")
+    last = 30  # rows: behind the last of them Z is where the run began
+    assert np.allclose(read.table().end[-last:], path.table().end[-last:], atol=1e-9)
+    assert path.table().end[-1, 2] == 10.0
 
 
 def test_grbl_refuses_them_with_its_own_answer():

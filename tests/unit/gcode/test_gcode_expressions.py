@@ -6,7 +6,7 @@ from __future__ import annotations
 from random import Random
 
 import pytest
-from rs274_runs import rs274_calls
+from rs274_runs import rs274_calls, run_rs274, same_call
 
 from CNCStepper.errors import ProgramError
 from CNCStepper.gcode.dialects import dialect
@@ -161,3 +161,68 @@ def test_words_and_values_mix_on_a_line():
     table = interpret("g[1] x-[2] y+sqrt[9]z.5 f[100]\nM2", ZERO, "linuxcnc").table()
     assert table.end[0, :3].tolist() == [-2, 3, 0.5]
     assert table.feed[0] == 100
+
+
+WORDS_AS_NAMES = (
+    *("sub", "endsub", "call", "do", "while", "repeat", "if", "elseif", "else", "endif", "break", "continue", "return"),
+    *("and", "or", "xor", "mod", "eq", "ne", "gt", "ge", "lt", "le", "sin", "atan", "exists", "fix", "ln", "round"),
+    *(
+        "o100",
+        "g1",
+        "m98",
+        "x",
+        "100",
+        "1x",
+        "a-b",
+        "a+b",
+        "a*b",
+        "a=b",
+        "a.b",
+        "a,b",
+        "a#b",
+        "#1",
+        "[1]",
+        "%",
+        "$",
+        "@",
+    ),
+    *("@", "!", "?", "&", "'", "_", "__x", "_sub", "<a", "ç", "Ç", "_Ç", "coração"),
+)
+NAMES_WITH_BLANKS = ["a b", "A B", "aB", " a", "a\tb "]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "".join(f"#<{name}>={k}\nG0 X#<{name}>\n" for k, name in enumerate([*WORDS_AS_NAMES, *NAMES_WITH_BLANKS])),
+        "".join(f"G0 X[EXISTS[#<{name}>]]\n" for name in WORDS_AS_NAMES),
+        "".join(f"#<k>=7\n# < {name} > = 4 (c)\nG0 Y # <{name}> ; c\n" for name in WORDS_AS_NAMES),
+        "".join(f"#<{name}>=2\n(debug, #<{name}>)\n" for name in ["sub", "while", "AND", "Ç", "ç", "a-b"]),
+        "".join(
+            f"o<{name}> if [1]\nG0 X{k}\nO<{name}> EndIf\n" for k, name in enumerate(("sub", "if", "ç", "Ç", "a-b"))
+        ),
+        "o<corte ção> sub\nG0 X3\no<corte ção> endsub\no<corteção> call\n",
+    ],
+    ids=["set", "exists", "blanks", "spoken", "labels", "subroutine"],
+)
+def test_names_are_read_as_rs274_reads_them(text, tmp_path):
+    (tmp_path / "program.ngc").write_text(text + "M2\n", "utf-8")
+    run = run_rs274(tmp_path, "program.ngc")
+    assert run.returncode == 0, run.stderr
+    real = [line.rstrip() for line in run.stdout.splitlines() if line.strip()]
+    ours = [call.rstrip() for call in canonical_calls(text + "M2\n") if call.strip()]
+    assert [mine for mine, call in zip(ours, real, strict=True) if not same_call(mine, call)] == []
+
+
+@pytest.mark.parametrize(("line", "column"), [("#<a(x)>=1 #<a(y)>=2", 4), ("G0 X1 (c) Y# < b;c>", 17)])
+def test_a_comment_in_a_name_is_refused(line, column):
+    with pytest.raises(ProgramError) as caught:
+        interpret(f"{line}\nM2\n", ZERO, "linuxcnc")
+    assert (caught.value.code, caught.value.place.column) == ("comment", column)
+
+
+def test_letters_beyond_ascii_are_told_apart_by_their_case(tmp_path):
+    text = "o<Ção> sub\nG0 X1\no<Ção> endsub\no<ção> call\nM2\n"
+    assert not rs274_calls(text, tmp_path)[1]
+    with pytest.raises(ProgramError):
+        list(canonical_calls(text))

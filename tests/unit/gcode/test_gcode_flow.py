@@ -78,7 +78,7 @@ def test_a_file_may_not_be_too_large(tmp_path):
     reader = Interpreter(ZERO, "linuxcnc")
     with pytest.raises(ProgramError) as caught:
         list(run(reader, "o<big> call\nM2", Library((tmp_path,), largest_bytes=500)))
-    assert (caught.value.code, caught.value.limit, caught.value.place.line) == ("file-too-large", "500 bytes", 1)
+    assert (caught.value.code, caught.value.limit, caught.value.place.line) == ("input-large", "0.0005 MB", 1)
 
 
 def test_endless_programs_stop_at_the_limit():
