@@ -172,18 +172,26 @@ def tool_moves(path: Toolpath, play: Play) -> Toolpath:
     """
     if not play:
         return path
-    pushed_up, pushed_down = (
-        np.array([play.ahead_mm(axis, sense) for axis in range(len(play.backlash_mm))]) for sense in (1, -1)
-    )
-    tool = np.array(path.start.position_mm, float)
-    chunks = []
-    for chunk in path.chunks:
+    tool = ToolMoves(play, path.start.position_mm)
+    return replace(path, chunks=[tool.moved(chunk) for chunk in path.chunks])
+
+
+class ToolMoves:
+    """Where the tool goes while the motors go along chunks, one after the other; as `tool_moves` has it."""
+
+    def __init__(self, play: Play, start_mm: tuple[float, ...]):
+        self._pushed_up, self._pushed_down = (
+            np.array([play.ahead_mm(axis, sense) for axis in range(len(play.backlash_mm))]) for sense in (1, -1)
+        )
+        self._tool = np.array(start_mm, float)
+
+    def moved(self, chunk: Chunk) -> Chunk:
+        """Return the tool's rows of the motors' next chunk."""
         end = np.empty_like(chunk.end)
-        _push(chunk.end, pushed_up, pushed_down, tool, end)
+        _push(chunk.end, self._pushed_up, self._pushed_down, self._tool, end)
         shift = np.nan_to_num(end - chunk.end)
         centre = chunk.centre + np.where((chunk.kind > LINE)[:, None], shift, 0.0)
-        chunks.append(replace(chunk, end=end, centre=centre))
-    return replace(path, chunks=chunks)
+        return replace(chunk, end=end, centre=centre)
 
 
 @njit

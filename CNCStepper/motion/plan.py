@@ -8,8 +8,10 @@ the moment at which the first move begins.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator
+from collections import deque
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
+from itertools import chain, islice
 from typing import NamedTuple
 
 import numpy as np
@@ -34,7 +36,18 @@ def times_s(
 
     progress: called with the share that is planned, from 0 to 1.
     """
-    return Run(toolpath, machine).times_s(progress)
+    return times_and_whole_s(toolpath, machine, progress)[0]
+
+
+def times_and_whole_s(
+    toolpath: Toolpath, machine: Machine | Limits, progress: Callable[[float], None] = lambda share: None
+) -> tuple[np.ndarray, float]:
+    """Return what `times_s` and what `duration_s` do, from one pass: the dwells behind the last row are in the second.
+
+    progress: called with the share that is planned, from 0 to 1.
+    """
+    run = Run(toolpath, machine)
+    return run.times_s(progress), run.clock / TICKS_PER_S
 
 
 def duration_s(
@@ -53,13 +66,7 @@ def duration_s(
 def top_speeds_mm_s(toolpath: Toolpath, machine: Machine | Limits) -> np.ndarray:
     """Return the greatest speed that each axis reaches on every row, float64[n, axes]."""
     run = Run(toolpath, machine)
-    steps_per_mm = np.array(run.limits.steps_per_mm)
-    fastest = np.zeros((len(toolpath), run.limits.axes))
-    for segments in run.segments():
-        events_per_s = segments.unit / EIGHTHS * TICKS_PER_S / segments.cycles
-        share = np.abs(segments.steps) / np.maximum(segments.events, 1)[:, None]
-        np.maximum.at(fastest, segments.tag - run.first, share * events_per_s[:, None] / steps_per_mm)
-    return fastest
+    return np.concatenate([np.zeros((0, run.limits.axes)), *run.row_speeds_mm_s()])
 
 
 def sample(toolpath: Toolpath, machine: Machine | Limits, times_s: np.ndarray) -> np.ndarray:
@@ -86,11 +93,39 @@ def step_events(toolpath: Toolpath, machine: Machine | Limits) -> Iterator[tuple
 
 
 def begun(toolpath: Toolpath) -> Toolpath:
-    """Return the table begun at the work zero on the axes whose position is unknown, so that it has a duration."""
-    require_straight_axes(toolpath)
-    pairs = zip(toolpath.start.position_mm, toolpath.states[0].offset_mm, strict=True)
-    position = tuple(zero if math.isnan(known) else known for known, zero in pairs)
-    return replace(toolpath, start=replace(toolpath.start, position_mm=position))
+    """Return the table begun at the work zero on the axes whose position is unknown, so that it has a duration.
+
+    Such an axis stands there until its first move, which is a way like any other then.
+    """
+    path, chunks = begun_chunks(require_straight_axes(toolpath), toolpath.chunks)
+    return replace(path, chunks=list(chunks))
+
+
+def begun_chunks(path: Toolpath, chunks: Iterable[Chunk]) -> tuple[Toolpath, Iterator[Chunk]]:
+    """Return a table that is being read, and its chunks as they come, both as `begun` makes them of a whole one."""
+    coming, before_mm = iter(chunks), path.start.position_mm
+    first = list(islice(coming, 1))  # with it comes the first state
+    zeros_mm = path.states[0].offset_mm if path.states else (0.0,) * len(before_mm)
+    pairs = zip(before_mm, zeros_mm, strict=True)
+    position_mm = tuple(zero if math.isnan(known) else known for known, zero in pairs)
+    unknown = [axis for axis, place_mm in enumerate(before_mm) if math.isnan(place_mm)]
+    start = replace(path.start, position_mm=position_mm)
+    return Toolpath(start, [], path.states, path.events, path.spans), _known_chunks(
+        chain(first, coming), unknown, position_mm
+    )
+
+
+def _known_chunks(chunks: Iterable[Chunk], unknown: list[int], position_mm: tuple[float, ...]) -> Iterator[Chunk]:
+    """Yield chunks in which the axes that are unknown before them stand at `position_mm` until they are known."""
+    for chunk in chunks:
+        if unknown:
+            end = chunk.end.copy()
+            counts = {axis: int(np.logical_and.accumulate(np.isnan(end[:, axis])).sum()) for axis in unknown}
+            for axis, count in counts.items():
+                end[:count, axis] = position_mm[axis]
+            unknown = [axis for axis in unknown if counts[axis] == len(chunk)]
+            chunk = replace(chunk, end=end)
+        yield chunk
 
 
 def _without_empty_chunks(toolpath: Toolpath) -> Toolpath:
@@ -110,6 +145,30 @@ class Mark(NamedTuple):
     memory: list[np.ndarray]
 
 
+class _RowValues:
+    """A value for each row of a chunk: the greatest of its segments' so far.
+
+    not_before: ticks, the standstill before each row, once all of them are planned.
+    """
+
+    def __init__(self, rows: Rows, shape: tuple[int, ...]):
+        self.first = rows.first
+        self.greatest = np.zeros((len(rows.kind), *shape), np.float64 if shape else np.int64)
+        self.not_before = rows.not_before
+
+
+def _ends_ticks(segments: np.recarray) -> np.ndarray:
+    """Return when each segment ends, int64[n], ticks."""
+    return segments.start + segments.ticks * segments.cycles  # type: ignore[no-any-return]
+
+
+def _speeds_mm_s(segments: np.recarray, steps_per_mm: np.ndarray) -> np.ndarray:
+    """Return how fast each axis goes in each segment, float64[n, axes]."""
+    events_per_s = segments.unit / EIGHTHS * TICKS_PER_S / segments.cycles
+    share = np.abs(segments.steps) / np.maximum(segments.events, 1)[:, None]
+    return share * events_per_s[:, None] / steps_per_mm  # type: ignore[no-any-return]
+
+
 class Run:
     """One pass through a table, piece by piece."""
 
@@ -121,7 +180,8 @@ class Run:
         self.course: Course = new_course(new_planner(self.limits, start_mm), start_mm, idle_ticks)
         self.table = new_segments(SEGMENT_ROWS, self.limits.axes)
         self.stops = Stops(toolpath.states, toolpath.events, self.limits.laser)
-        self.ends: np.ndarray | None = None  # ticks, kept only where the end of every row is asked for
+        self._waiting: deque[_RowValues] | None = None  # chunks whose rows are not all planned, where that is asked for
+        self._value_shape: tuple[int, ...] = ()  # of each of those rows' values
         self._chunk = 0
         self._rows: Rows | None = None  # of the chunk in hand
         self._stops_before = self.stops.place  # that chunk
@@ -151,9 +211,6 @@ class Run:
             while cursor.row < len(rows.kind):
                 if count := run_rows(self.course, rows, self.table):
                     return self.table[:count].view(np.recarray)
-            if self.ends is not None:
-                ends = self.ends[rows.first - self.first :][: len(rows.kind)]
-                np.maximum(ends, rows.not_before, out=ends)
             self._chunk, self._rows = self._chunk + 1, None
         return self.table[: run_empty(self.course, self.table, 0)].view(np.recarray)
 
@@ -176,17 +233,44 @@ class Run:
 
     def times_s(self, progress: Callable[[float], None] = lambda share: None) -> np.ndarray:
         """Return the end time of every row in s; progress: called with the share that is planned."""
-        self.ends = np.zeros(len(self.toolpath), np.int64)
-        for segments in self.segments():
-            ends = segments.start + segments.ticks * segments.cycles
-            np.maximum.at(self.ends, segments.tag - self.first, ends)
-            progress(self.share)
-        return np.maximum.accumulate(self.ends) / TICKS_PER_S
+        return np.concatenate([np.zeros(0), *self.row_ends_s(progress)])
 
-    @property
-    def first(self) -> int:
-        """The execution index of the first row."""
-        return self.toolpath.chunks[0].first if self.toolpath.chunks else 0
+    def row_ends_s(self, progress: Callable[[float], None] = lambda share: None) -> Iterator[np.ndarray]:
+        """Yield the end times in s of each chunk's rows, float64[n], once no later move can change them."""
+        latest = 0
+        for ended in self._by_row(_ends_ticks, (), progress):
+            ends = np.maximum.accumulate(np.maximum(ended.greatest, ended.not_before))
+            np.maximum(ends, latest, out=ends)
+            latest = int(ends[-1])
+            yield ends / TICKS_PER_S
+
+    def row_speeds_mm_s(self) -> Iterator[np.ndarray]:
+        """Yield the greatest speed of each axis on each chunk's rows, float64[n, axes], as `row_ends_s` does."""
+        steps_per_mm = np.array(self.limits.steps_per_mm)
+        for ended in self._by_row(lambda segments: _speeds_mm_s(segments, steps_per_mm), (self.limits.axes,)):
+            yield ended.greatest
+
+    def _by_row(
+        self,
+        value_of: Callable[[np.recarray], np.ndarray],
+        shape: tuple[int, ...],
+        progress: Callable[[float], None] = lambda share: None,
+    ) -> Iterator[_RowValues]:
+        """Yield for each chunk the greatest value that its rows' segments have.
+
+        A chunk is done once a segment of a later chunk was planned: segments come in the order of the rows.
+        """
+        waiting = self._waiting = deque()
+        self._value_shape = shape
+        for segments in self.segments():
+            values, rows = value_of(segments), segments.tag
+            for one in waiting:
+                low, high = np.searchsorted(rows, (one.first, one.first + len(one.greatest)))
+                np.maximum.at(one.greatest, rows[low:high] - one.first, values[low:high])
+            while waiting[0].first + len(waiting[0].greatest) <= rows[-1]:
+                yield waiting.popleft()
+            progress(self.share)
+        yield from waiting
 
     @property
     def _memory(self) -> list[np.ndarray]:
@@ -201,6 +285,8 @@ class Run:
             self._stops_before = self.stops.place
             self._rows = self._rows_of(self.toolpath.chunks[self._chunk])
             self.course.cursor[0].row = 0
+            if self._waiting is not None:
+                self._waiting.append(_RowValues(self._rows, self._value_shape))
         return self._rows
 
     def _rows_of(self, chunk: Chunk) -> Rows:

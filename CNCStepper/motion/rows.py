@@ -9,6 +9,9 @@ processor: it takes no longer to plan again.
     processor  ─ line ─┬ segments ┬─ line ─┬ segments ┬── waits for a free place ──┬ segment ┬─ line ─
     step interrupt     └─ runs up to SEGMENT_PLACES segments behind ──────────────────────────────────
 
+From rest the firmware starts its cycle when a line is done or its buffer is full, not between the chords of an arc:
+an arc that begins at rest is queued whole, as far as the buffer holds, before its first step.
+
 The kernel stops wherever the table of segments is full and goes on from there, also from one chunk of
 rows to the next; memory does not grow with the job.
 """
@@ -26,7 +29,7 @@ from CNCStepper.motion.corners import next_corner_point, start_corner
 from CNCStepper.motion.memory import SEGMENT_PLACES, TICKS_PER_S, Planner, copy_axes
 from CNCStepper.motion.planner import push_line
 from CNCStepper.motion.ramp import next_segment
-from CNCStepper.motion.ring import is_full, places_from
+from CNCStepper.motion.ring import count_blocks, is_full, places_from
 from CNCStepper.toolpath import ARC_CW, RAPID
 
 LINE_TICKS = round(0.0031 * TICKS_PER_S)  # to read and queue a line, fitted to the recording with a dwell
@@ -111,11 +114,21 @@ def run_rows(course, rows, segments):
         if rows.reach[row] > 0.0 and not cursor.inside:
             start_corner(course, rows, row)
             cursor.inside = True
-        count = _make_room(course, segments, count)
+        if not (cursor.inside and _awaits_cycle_start(course, rows, row)):
+            count = _make_room(course, segments, count)
         if is_full(course.planner) or count == len(segments):
             return count
         _queue_next(course, rows, row)
     return count
+
+
+@njit_inline
+def _awaits_cycle_start(course, rows, row):
+    """Return whether the axes stand until more of the arc in hand is queued; corners are no arcs of the program."""
+    cursor = course.cursor[0]
+    if course.arc[0].done == 0 or rows.reach[row] > 0.0 or (cursor.moved and cursor.clock >= cursor.processor):
+        return False
+    return not is_full(course.planner) and count_blocks(course.planner) < LOOK_AHEAD_BLOCKS
 
 
 @njit_inline

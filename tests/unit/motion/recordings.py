@@ -23,6 +23,13 @@ def recording(name: str) -> dict:
     return json.loads((FOLDER / f"{name}.json").read_text("ascii"))
 
 
+def end_steps(recorded: dict) -> list[int]:
+    """Return where a recording ends; an older one has it in mm."""
+    steps_per_mm = [recorded["settings"][f"${100 + axis}"] for axis in range(3)]
+    in_mm = [round(mm * steps) for mm, steps in zip(recorded["end_mpos_mm"], steps_per_mm, strict=True)]
+    return recorded.get("end_steps", in_mm)
+
+
 def limits_of(settings: dict[str, float]) -> Limits:
     """Return the limits that grbl's settings state."""
     steps, rates, accelerations = (tuple(settings[f"${base + i}"] for i in range(3)) for base in (100, 110, 120))
