@@ -14,7 +14,7 @@ help:
 	@echo "make matrix  the tests inside FreeCAD 0.20.2, 1.0.0 and 1.1.3, with and without a window (sets them up; as root)"
 	@echo "make quick   the tests that take under 60 s together and need no FreeCAD"
 	@echo "make soak    the random cases of every cycle, 500 each in place of 25, and 5000 sends under faults (hours); RUNS=n takes another number"
-	@echo "make fuzz    100 000 hostile programs for the reader (CASES=n), then atheris looks for more for FUZZ_S=300 seconds"
+	@echo "make fuzz    100 000 hostile programs for the reader (CASES=n), $(FILES) mutated jobs, a quarter of it profiles, tool files and drawings (FILES=n), then atheris looks for more for FUZZ_S=300 seconds"
 	@echo "make bench   measure speed, beside the programs we compare ourselves with"
 	@echo "make lint    style and types only"
 	@echo "make translations   collect the texts that a person sees, and compile their Portuguese"
@@ -50,10 +50,12 @@ soak:
 		.venv/bin/python -m pytest -n 2 --dist worksteal
 
 CASES := 100000
+FILES := 2000
 FUZZ_S := 300
 fuzz:
 	@tools/setup.sh python
 	@CNCSTEPPER_FUZZ=$(CASES) .venv/bin/python -m pytest -q -n 2 tests/unit/gcode/test_gcode_fuzz.py
+	@CNCSTEPPER_FILE_FUZZ=$(FILES) .venv/bin/python -m pytest -q -n 2 -s tests/unit/job/test_file_fuzz.py
 	@.venv/bin/python -c "import atheris" 2>/dev/null || .venv/bin/python -m pip install -q atheris || \
 		{ echo "fuzz: atheris cannot be installed on this Python, so there is no coverage-guided run" >&2; exit 1; }
 	@mkdir -p build/fuzz

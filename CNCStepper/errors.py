@@ -3,7 +3,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
+
+from CNCStepper.printable import printable
+
+MOST_CHARACTERS = 4000  # of a part of a sentence: what a file or a library says may be of any length
 
 
 @dataclass(frozen=True)
@@ -15,7 +21,7 @@ class Place:
     column: int = 0
 
     def __str__(self) -> str:
-        parts = [self.file or "<text>"]
+        parts = [printable(self.file) or "<text>"]
         if self.line:
             parts.append(str(self.line))
             if self.column:
@@ -27,7 +33,7 @@ class CNCStepperError(Exception):
     """The root of all errors of this project.
 
     `what` is one sentence without a full stop; `advice` says what to change. `value` and `limit`
-    already carry their units, as in "12.5 mm".
+    already carry their units, as in "12.5 mm". What came into them from outside is made printable.
     """
 
     def __init__(
@@ -41,10 +47,10 @@ class CNCStepperError(Exception):
         place: Place | None = None,
     ):
         self.code = code
-        self.what = what
-        self.advice = advice
-        self.value = value
-        self.limit = limit
+        self.what = printable(what, MOST_CHARACTERS)
+        self.advice = printable(advice, MOST_CHARACTERS)
+        self.value = printable(value, MOST_CHARACTERS)
+        self.limit = printable(limit, MOST_CHARACTERS)
         self.place = place
         super().__init__(str(self))
 
@@ -61,6 +67,17 @@ class CNCStepperError(Exception):
     def at(self, place: Place) -> CNCStepperError:
         """Return the same error, naming `place`."""
         return type(self)(self.code, self.what, advice=self.advice, value=self.value, limit=self.limit, place=place)
+
+
+@contextmanager
+def placed(place: Place) -> Iterator[None]:
+    """Give an error that leaves this block `place`, where it names none of its own."""
+    try:
+        yield
+    except CNCStepperError as error:
+        if error.place:
+            raise
+        raise error.at(place) from error
 
 
 class GeometryError(CNCStepperError, ValueError):
@@ -85,6 +102,10 @@ class LinkError(CNCStepperError, OSError):
 
 class MachineRefusal(CNCStepperError, RuntimeError):
     """A controller that is not in the state to do what was asked."""
+
+
+class OutputError(CNCStepperError, FileExistsError):
+    """A file that is not written, because something would be lost."""
 
 
 class MissingPackage(CNCStepperError, ImportError):

@@ -15,14 +15,14 @@ from collections.abc import Sequence
 from itertools import accumulate
 from typing import Literal
 
-from pydantic import BaseModel, ConfigDict, Field
+from pydantic import BaseModel, ConfigDict
 
 from CNCStepper.cycles.clearing.area_answer import AreaAnswer
 from CNCStepper.cycles.clearing.form import Area, Pattern
 from CNCStepper.cycles.clearing.levels import cut_parts, require_short
 from CNCStepper.cycles.clearing.rooms import rooms_of
 from CNCStepper.cycles.clearing.stages import Ways, parts_of
-from CNCStepper.cycles.form import Answer, Coordinate, Setup
+from CNCStepper.cycles.form import Answer, Setup
 from CNCStepper.cycles.limits import require_flat, require_stepover
 from CNCStepper.cycles.moves import require_setup
 from CNCStepper.cycles.passes import whole_passes
@@ -30,6 +30,17 @@ from CNCStepper.errors import CycleError
 from CNCStepper.geometry.curve import Curve
 from CNCStepper.geometry.region import Region
 from CNCStepper.machine.tool import Tool
+from CNCStepper.quantities import (
+    Coordinate,
+    CutTolerance,
+    Depth,
+    DepthOr0,
+    EntryAngle,
+    FeedOr0,
+    ToolReference,
+    Width,
+    WidthOr0,
+)
 from CNCStepper.toolpath import TableBuilder
 
 
@@ -42,18 +53,18 @@ class AreaCycle(BaseModel):
 
     model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False, arbitrary_types_allowed=True)
 
-    tool: int
-    depth_mm: float = Field(gt=0, le=10_000)
-    stepdown_mm: float = Field(gt=0, le=10_000)
-    stepover_mm: float = Field(gt=0, le=10_000)
-    finish_stepdown_mm: float = Field(default=0.0, ge=0, le=10_000)
-    finish_stepover_mm: float = Field(default=0.0, ge=0, le=10_000)
-    finish_feed_mm_min: float = Field(default=0.0, ge=0, le=1_000_000)
-    stock_to_leave_mm: float = Field(default=0.0, ge=0, le=10_000)
+    tool: ToolReference
+    depth_mm: Depth
+    stepdown_mm: Depth
+    stepover_mm: Width
+    finish_stepdown_mm: DepthOr0 = 0.0
+    finish_stepover_mm: WidthOr0 = 0.0
+    finish_feed_mm_min: FeedOr0 = 0.0
+    stock_to_leave_mm: WidthOr0 = 0.0
     entry: Literal["helix", "ramp", "plunge"] = "helix"
-    entry_angle_deg: float = Field(default=3.0, ge=0.1, le=45.0)
+    entry_angle_deg: EntryAngle = 3.0
     direction: Literal["climb", "conventional"] = "climb"
-    tolerance_mm: float = Field(default=0.01, ge=0.003, le=1.0)
+    tolerance_mm: CutTolerance = 0.01
     offset_mm: tuple[Coordinate, Coordinate] = (0.0, 0.0)
 
     def _clear(

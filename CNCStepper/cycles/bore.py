@@ -12,9 +12,9 @@ import math
 from itertools import pairwise
 from typing import Literal
 
-from pydantic import BaseModel, ConfigDict, Field
+from pydantic import BaseModel, ConfigDict
 
-from CNCStepper.cycles.form import Answer, Coordinate, Removal, Setup
+from CNCStepper.cycles.form import Answer, Removal, Setup
 from CNCStepper.cycles.holes import rings, widened
 from CNCStepper.cycles.limits import require_flat, require_stepover
 from CNCStepper.cycles.moves import Moves, require_setup
@@ -22,6 +22,7 @@ from CNCStepper.cycles.passes import require_few_blocks, whole_steps
 from CNCStepper.cycles.patterns import Hole, Order, Pattern, placed
 from CNCStepper.errors import CycleError
 from CNCStepper.machine.tool import Tool
+from CNCStepper.quantities import Coordinate, Depth, DepthOr0, FeedOr0, LengthOr0, ToolReference, Width, WidthOr0
 from CNCStepper.toolpath import TableBuilder
 
 NO_CORE = 0.8  # of the tool's radius: the first helix' radius at most
@@ -41,16 +42,16 @@ class Bore(BaseModel):
     model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False, arbitrary_types_allowed=True)
 
     cycle: Literal["bore"] = "bore"
-    tool: int
+    tool: ToolReference
     pattern: Pattern
     offset_mm: tuple[Coordinate, Coordinate] = (0.0, 0.0)
-    diameter_mm: float = Field(default=0.0, ge=0, le=100_000)
-    depth_mm: float = Field(gt=0, le=10_000)
-    through_mm: float = Field(default=0.0, ge=0, le=10_000)
-    pitch_mm: float = Field(gt=0, le=1_000)
-    stepover_mm: float = Field(default=0.0, ge=0, le=1_000)
-    finish_stepover_mm: float = Field(default=0.0, ge=0, le=1_000)
-    finish_feed_mm_min: float = Field(default=0.0, ge=0, le=1_000_000)
+    diameter_mm: LengthOr0 = 0.0
+    depth_mm: Depth
+    through_mm: DepthOr0 = 0.0
+    pitch_mm: Width
+    stepover_mm: WidthOr0 = 0.0
+    finish_stepover_mm: WidthOr0 = 0.0
+    finish_feed_mm_min: FeedOr0 = 0.0
     direction: Literal["climb", "conventional"] = "climb"
     order: Order = "short"
 

@@ -16,6 +16,7 @@ from CNCStepper.cycles.pocket import Pocket
 from CNCStepper.cycles.rectangular_pocket import RectangularPocket
 from CNCStepper.cycles.thread import Thread
 from CNCStepper.errors import JobError
+from CNCStepper.quantities import shown
 
 CYCLES: dict[str, type[BaseModel]] = {
     "bore": Bore,
@@ -31,10 +32,11 @@ CYCLES: dict[str, type[BaseModel]] = {
 }
 
 
-def cycle_class(name: str) -> type[BaseModel]:
+def cycle_class(name: object) -> type[BaseModel]:
     """Return the parameter model of a cycle; raises JobError for a name that is none."""
-    if name not in CYCLES:
+    if not isinstance(name, str) or name not in CYCLES:
+        told = name if isinstance(name, str) else shown(name)
         raise JobError(
-            "cycle-unknown", f"there is no cycle '{name}'", advice=f"use one of: {', '.join(sorted(CYCLES))}"
+            "cycle-unknown", f"there is no cycle '{told[:60]}'", advice=f"use one of: {', '.join(sorted(CYCLES))}"
         )
     return CYCLES[name]

@@ -5,12 +5,11 @@ from __future__ import annotations
 
 from typing import Literal
 
-from pydantic import Field
-
-from CNCStepper.cycles.form import Answer, Coordinate, Setup
+from CNCStepper.cycles.form import Answer, Setup
 from CNCStepper.cycles.pocket import PatternName
 from CNCStepper.cycles.shaped_pocket import ShapedPocket
 from CNCStepper.geometry.curve import circle
+from CNCStepper.quantities import Coordinate, Length
 from CNCStepper.toolpath import TableBuilder
 
 
@@ -19,7 +18,7 @@ class CircularPocket(ShapedPocket):
 
     cycle: Literal["circular_pocket"] = "circular_pocket"
     centre_mm: tuple[Coordinate, Coordinate] = (0.0, 0.0)
-    radius_mm: float = Field(gt=0, le=100_000)
+    radius_mm: Length
     pattern: PatternName = "spiral"
 
     def cut(self, setup: Setup, table: TableBuilder) -> Answer:

@@ -14,7 +14,7 @@ an outline is cut before it.
 
 from __future__ import annotations
 
-from typing import Literal
+from typing import Annotated, Literal
 
 from pydantic import BaseModel, ConfigDict, Field
 
@@ -23,11 +23,22 @@ from CNCStepper.cycles.contouring.plan import planned
 from CNCStepper.cycles.contouring.run import run
 from CNCStepper.cycles.contouring.sides import as_cycle_error
 from CNCStepper.cycles.fields import CurveField
-from CNCStepper.cycles.form import Answer, Coordinate, Setup
+from CNCStepper.cycles.form import Answer, Setup
 from CNCStepper.cycles.moves import Moves
 from CNCStepper.cycles.passes import require_few_blocks
 from CNCStepper.errors import GeometryError
 from CNCStepper.geometry.curve import Curve
+from CNCStepper.quantities import (
+    MOST_ITEMS,
+    Bounds,
+    Coordinate,
+    CutTolerance,
+    Depth,
+    DepthOr0,
+    FeedOr0,
+    ToolReference,
+    WidthOr0,
+)
 from CNCStepper.toolpath import TableBuilder
 
 
@@ -42,25 +53,25 @@ class Contour(BaseModel):
     model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False, arbitrary_types_allowed=True)
 
     cycle: Literal["contour"] = "contour"
-    tool: int
-    curves: tuple[CurveField, ...] = Field(min_length=1)
+    tool: ToolReference
+    curves: tuple[CurveField, ...] = Field(min_length=1, max_length=MOST_ITEMS["curves"])
     offset_mm: tuple[Coordinate, Coordinate] = (0.0, 0.0)
     side: Side = "outside"
-    depth_mm: float = Field(gt=0, le=10_000)
-    stepdown_mm: float = Field(default=0.0, ge=0, le=10_000)
-    finish_stepdown_mm: float = Field(default=0.0, ge=0, le=10_000)
-    finish_stepover_mm: float = Field(default=0.0, ge=0, le=1000)
-    finish_feed_mm_min: float = Field(default=0.0, ge=0, le=1_000_000)
-    stock_to_leave_mm: float = Field(default=0.0, ge=0, le=1000)
+    depth_mm: Depth
+    stepdown_mm: DepthOr0 = 0.0
+    finish_stepdown_mm: DepthOr0 = 0.0
+    finish_stepover_mm: WidthOr0 = 0.0
+    finish_feed_mm_min: FeedOr0 = 0.0
+    stock_to_leave_mm: WidthOr0 = 0.0
     direction: Literal["climb", "conventional"] = "climb"
-    ramp_deg: float = Field(default=0.0, ge=0, le=45)
+    ramp_deg: Annotated[float, Bounds("slope", 0.1, 45.0, zero=True)] = 0.0
     tabs: Tabs | None = None
     lead_in: Lead = Lead()
     lead_out: Lead = Lead()
-    overcut_mm: float = Field(default=0.0, ge=0, le=10_000)
+    overcut_mm: WidthOr0 = 0.0
     dogbones: Dogbones = "none"
-    kerf_mm: float = Field(default=0.0, ge=0, le=1000)
-    tolerance_mm: float = Field(default=0.01, ge=0.003, le=1.0)
+    kerf_mm: WidthOr0 = 0.0
+    tolerance_mm: CutTolerance = 0.01
 
     def kept(self) -> tuple[Curve, ...]:
         """Return the outlines of what is left standing, for the leads of the job's other contours."""

@@ -10,13 +10,13 @@
 
 from __future__ import annotations
 
-from typing import Literal
+from typing import Annotated, Literal
 
-from pydantic import BaseModel, ConfigDict, Field
+from pydantic import BaseModel, ConfigDict
 from shapely import Polygon
 
 from CNCStepper.canned import OWN_WORD, Canned
-from CNCStepper.cycles.form import Answer, Coordinate, Removal, Setup
+from CNCStepper.cycles.form import Answer, Removal, Setup
 from CNCStepper.cycles.holes import cut_canned, discs
 from CNCStepper.cycles.moves import Point, require_feed
 from CNCStepper.cycles.passes import require_few_blocks
@@ -24,6 +24,7 @@ from CNCStepper.cycles.patterns import Order, Pattern, placed
 from CNCStepper.errors import CycleError
 from CNCStepper.machine.point import Cone, cone_of
 from CNCStepper.machine.tool import Tool
+from CNCStepper.quantities import Bounds, Coordinate, Depth, DepthOr0, ToolReference
 from CNCStepper.toolpath import TableBuilder
 
 SHAPES = ("drill", "flat", "v", "engraver")
@@ -40,15 +41,15 @@ class Drill(BaseModel):
     model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False, arbitrary_types_allowed=True)
 
     cycle: Literal["drill"] = "drill"
-    tool: int
+    tool: ToolReference
     pattern: Pattern
     offset_mm: tuple[Coordinate, Coordinate] = (0.0, 0.0)
-    depth_mm: float = Field(gt=0, le=10_000)
+    depth_mm: Depth
     tip: Literal["tip", "diameter"] = "tip"
-    through_mm: float = Field(default=0.0, ge=0, le=10_000)
+    through_mm: DepthOr0 = 0.0
     style: Literal["G81", "G82", "G83", "G73"] = "G81"
-    peck_mm: float = Field(default=0.0, ge=0, le=10_000)
-    dwell_s: float = Field(default=0.0, ge=0, le=600)
+    peck_mm: DepthOr0 = 0.0
+    dwell_s: Annotated[float, Bounds("time", most=600.0, zero=True)] = 0.0
     retract: Literal["clearance", "retract"] = "clearance"
     order: Order = "short"
 

@@ -16,9 +16,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from itertools import accumulate
-from typing import Literal
+from typing import Annotated, Literal
 
-from pydantic import BaseModel, ConfigDict, Field
+from pydantic import BaseModel, ConfigDict
 from shapely import Polygon
 
 from CNCStepper.cycles.contouring.neighbours import open_edge_warnings
@@ -31,13 +31,27 @@ from CNCStepper.cycles.elliptical_rings import (
     similar_way,
 )
 from CNCStepper.cycles.entry import Entry, entry_of
-from CNCStepper.cycles.form import Answer, Coordinate, Removal, Setup
+from CNCStepper.cycles.form import Answer, Removal, Setup
 from CNCStepper.cycles.limits import require_flat, require_stepover
 from CNCStepper.cycles.moves import Moves, point_of, require_setup
 from CNCStepper.cycles.passes import require_few_blocks, whole_passes
 from CNCStepper.errors import CycleError
 from CNCStepper.geometry.curve import Curve
 from CNCStepper.geometry.ellipse import Ellipse
+from CNCStepper.quantities import (
+    Angle,
+    Bounds,
+    Coordinate,
+    CutTolerance,
+    Depth,
+    DepthOr0,
+    EntryAngle,
+    FeedOr0,
+    Length,
+    ToolReference,
+    Width,
+    WidthOr0,
+)
 from CNCStepper.toolpath import TableBuilder
 
 FINE = 256  # segments a quarter: the edge of the reachable region is exact to 0.0001 mm
@@ -54,23 +68,23 @@ class EllipticalPocket(BaseModel):
     model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
 
     cycle: Literal["elliptical_pocket"] = "elliptical_pocket"
-    tool: int
+    tool: ToolReference
     centre_mm: tuple[Coordinate, Coordinate] = (0.0, 0.0)
-    radius_x_mm: float = Field(gt=0, le=100_000)
-    radius_y_mm: float = Field(gt=0, le=100_000)
-    rotation_deg: float = 0.0
-    depth_mm: float = Field(gt=0, le=10_000)
-    stepdown_mm: float = Field(gt=0)
-    stepover_mm: float = Field(gt=0)
-    finish_stepdown_mm: float = Field(default=0.0, ge=0)
-    finish_stepover_mm: float = Field(default=0.0, ge=0)
-    finish_feed_mm_min: float = Field(default=0.0, ge=0)
-    stock_to_leave_mm: float = Field(default=0.0, ge=0, le=10_000)
+    radius_x_mm: Length
+    radius_y_mm: Length
+    rotation_deg: Angle = 0.0
+    depth_mm: Depth
+    stepdown_mm: Depth
+    stepover_mm: Width
+    finish_stepdown_mm: DepthOr0 = 0.0
+    finish_stepover_mm: WidthOr0 = 0.0
+    finish_feed_mm_min: FeedOr0 = 0.0
+    stock_to_leave_mm: WidthOr0 = 0.0
     method: Literal["tolerance", "dda"] = "tolerance"
-    tolerance_mm: float = Field(default=0.01, ge=0.003, le=1.0)
-    resolution_mm: float = Field(default=0.05, ge=0.001)
+    tolerance_mm: CutTolerance = 0.01
+    resolution_mm: Annotated[float, Bounds("tolerance", 0.001)] = 0.05
     entry: Literal["helix", "ramp", "plunge"] = "helix"
-    entry_angle_deg: float = Field(default=3.0, ge=0.1, le=45.0)
+    entry_angle_deg: EntryAngle = 3.0
     direction: Literal["climb", "conventional"] = "climb"
 
     def cut(self, setup: Setup, table: TableBuilder) -> Answer:

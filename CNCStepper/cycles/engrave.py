@@ -3,13 +3,13 @@
 
 from __future__ import annotations
 
-from typing import Literal
+from typing import Annotated, Literal
 
-from pydantic import BaseModel, ConfigDict, Field
+from pydantic import BaseModel, ConfigDict, Field, StrictBool
 from shapely import LineString
 
 from CNCStepper.cycles.fields import CurveField
-from CNCStepper.cycles.form import Answer, Coordinate, Removal, Setup
+from CNCStepper.cycles.form import Answer, Removal, Setup
 from CNCStepper.cycles.moves import Moves, point_of, require_setup
 from CNCStepper.cycles.passes import deep_pass_warnings, require_few_blocks, whole_passes
 from CNCStepper.errors import CycleError
@@ -17,6 +17,7 @@ from CNCStepper.geometry.curve import COINCIDENT_MM, Curve
 from CNCStepper.geometry.fit_points import refitted
 from CNCStepper.geometry.order import Stop, Visit, ordered, spread
 from CNCStepper.geometry.simplify import simplified
+from CNCStepper.quantities import MOST_ITEMS, Bounds, Coordinate, Depth, DepthOr0, ToolReference, WidthOr0
 from CNCStepper.toolpath import TableBuilder
 
 FLAT_MM = 0.0005
@@ -33,14 +34,14 @@ class Engrave(BaseModel):
     model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False, arbitrary_types_allowed=True)
 
     cycle: Literal["engrave"] = "engrave"
-    tool: int
-    curves: tuple[CurveField, ...] = Field(min_length=1)
+    tool: ToolReference
+    curves: tuple[CurveField, ...] = Field(min_length=1, max_length=MOST_ITEMS["curves"])
     offset_mm: tuple[Coordinate, Coordinate] = (0.0, 0.0)
-    depth_mm: float = Field(gt=0, le=10_000)
-    stepdown_mm: float = Field(default=0.0, ge=0, le=10_000)
-    closed: bool = False
-    simplify_mm: float = Field(default=0.0, ge=0, le=1_000)
-    tolerance_mm: float = Field(default=0.01, gt=0, le=1.0)
+    depth_mm: Depth
+    stepdown_mm: DepthOr0 = 0.0
+    closed: StrictBool = False
+    simplify_mm: WidthOr0 = 0.0
+    tolerance_mm: Annotated[float, Bounds("tolerance", most=1.0)] = 0.01
     order: Literal["drawn", "short"] = "drawn"
 
     def cut(self, setup: Setup, table: TableBuilder) -> Answer:

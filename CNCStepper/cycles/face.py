@@ -28,7 +28,7 @@ from CNCStepper.cycles.clearing.form import Area
 from CNCStepper.cycles.clearing.ground import Ground
 from CNCStepper.cycles.clearing.leads import Surroundings, lead_to
 from CNCStepper.cycles.fields import CurveField
-from CNCStepper.cycles.form import Answer, Coordinate, Removal, Setup
+from CNCStepper.cycles.form import Answer, Removal, Setup
 from CNCStepper.cycles.limits import require_flat, require_stepover
 from CNCStepper.cycles.moves import Moves, Point, point_of, require_setup
 from CNCStepper.cycles.passes import require_few_blocks, whole_passes
@@ -38,6 +38,19 @@ from CNCStepper.geometry.fit_points import refitted
 from CNCStepper.geometry.order import Stop, ordered
 from CNCStepper.geometry.polygons import polygons_of
 from CNCStepper.geometry.region import Region
+from CNCStepper.quantities import (
+    MOST_ITEMS,
+    Coordinate,
+    CutTolerance,
+    Depth,
+    DepthOr0,
+    EntryAngle,
+    FeedOr0,
+    ToolReference,
+    Turn,
+    Width,
+    WidthOr0,
+)
 from CNCStepper.toolpath import TableBuilder
 
 ROUNDING_MM = 0.002  # so much narrower than the tool a strip is at least
@@ -53,21 +66,21 @@ class Face(BaseModel):
     model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False, arbitrary_types_allowed=True)
 
     cycle: Literal["face"] = "face"
-    tool: int
-    outlines: tuple[CurveField, ...] = ()
+    tool: ToolReference
+    outlines: tuple[CurveField, ...] = Field(default=(), max_length=MOST_ITEMS["areas"])
     offset_mm: tuple[Coordinate, Coordinate] = (0.0, 0.0)
-    depth_mm: float = Field(gt=0, le=10_000)
-    stepdown_mm: float = Field(gt=0, le=10_000)
-    stepover_mm: float = Field(gt=0, le=10_000)
-    finish_stepdown_mm: float = Field(default=0.0, ge=0, le=10_000)
-    finish_feed_mm_min: float = Field(default=0.0, ge=0, le=1_000_000)
-    overhang_mm: float = Field(default=0.0, ge=0, le=1_000)
+    depth_mm: Depth
+    stepdown_mm: Depth
+    stepover_mm: Width
+    finish_stepdown_mm: DepthOr0 = 0.0
+    finish_feed_mm_min: FeedOr0 = 0.0
+    overhang_mm: WidthOr0 = 0.0
     pattern: Literal["zigzag", "oneway", "spiral"] = "zigzag"
-    angle_deg: float = Field(default=0.0, ge=-360.0, le=360.0)
+    angle_deg: Turn = 0.0
     entry: Literal["helix", "ramp", "plunge"] = "helix"
-    entry_angle_deg: float = Field(default=3.0, ge=0.1, le=45.0)
+    entry_angle_deg: EntryAngle = 3.0
     direction: Literal["climb", "conventional"] = "climb"
-    tolerance_mm: float = Field(default=0.01, ge=0.003, le=1.0)
+    tolerance_mm: CutTolerance = 0.01
 
     def cut(self, setup: Setup, table: TableBuilder) -> Answer:
         """Append the facing to `table`; raises CycleError before any row when it cannot be cut."""

@@ -12,16 +12,13 @@ leaves the tool at clearance height. It raises `CycleError` before it has added 
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import Annotated, Protocol
+from typing import Protocol
 
-from pydantic import Field
 from shapely.geometry.base import BaseGeometry
 
 from CNCStepper.geometry.curve import Curve
 from CNCStepper.machine.tool import Tool
 from CNCStepper.toolpath import TableBuilder
-
-Coordinate = Annotated[float, Field(ge=-100_000, le=100_000)]  # mm
 
 
 @dataclass(frozen=True)

@@ -19,18 +19,16 @@ import numpy as np
 from pydantic import BaseModel, ConfigDict, Field
 
 from CNCStepper.cycles.fields import CurveField
-from CNCStepper.cycles.form import Coordinate
 from CNCStepper.errors import CycleError
 from CNCStepper.geometry.curve import Curve
 from CNCStepper.geometry.order import Stop, ordered
+from CNCStepper.quantities import Angle, Bounds, Coordinate, Length
 
 MOST_HOLES = 5_000
 SAME_PLACE_MM = 0.001
 ROUND_MM = 0.001  # by which a drawn circle may be off a circle
 Point = tuple[Coordinate, Coordinate]
-Count = Annotated[int, Field(ge=1, le=MOST_HOLES)]
-Radius = Annotated[float, Field(gt=0, le=100_000)]
-Angle = Annotated[float, Field(ge=-36_000, le=36_000)]
+Count = Annotated[int, Bounds("count", most=MOST_HOLES)]
 Order = Literal["short", "given"]
 
 
@@ -95,7 +93,7 @@ class BoltCircle(_Pattern):
 
     kind: Literal["bolt_circle"]
     centre_mm: Point
-    radius_mm: Radius
+    radius_mm: Length
     count: Count
     start_deg: Angle = 0.0
 
@@ -110,7 +108,7 @@ class Arc(_Pattern):
 
     kind: Literal["arc"]
     centre_mm: Point
-    radius_mm: Radius
+    radius_mm: Length
     start_deg: Angle
     end_deg: Angle
     count: Count

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import partial
-from typing import Literal
+from typing import Annotated, Literal
 
 from pydantic import Field
 
@@ -17,6 +17,7 @@ from CNCStepper.cycles.clearing.spiral import spiral
 from CNCStepper.cycles.clearing.zigzag import zigzag
 from CNCStepper.cycles.fields import CurveField
 from CNCStepper.cycles.form import Answer, Setup
+from CNCStepper.quantities import MOST_ITEMS, Bounds, Turn
 from CNCStepper.toolpath import TableBuilder
 
 PatternName = Literal["offset", "zigzag", "spiral", "engagement"]
@@ -35,16 +36,16 @@ class PocketCycle(AreaCycle):
     """
 
     pattern: PatternName = "offset"
-    angle_deg: float = Field(default=0.0, ge=-360.0, le=360.0)
-    engagement_max_deg: float = Field(default=60.0, ge=20.0, le=180.0)
+    angle_deg: Turn = 0.0
+    engagement_max_deg: Annotated[float, Bounds("angle", 20.0, 180.0)] = 60.0
 
 
 class Pocket(PocketCycle):
     """Parameters of the pocket, named as in a job file: what lies in any outline and in no island is cut."""
 
     cycle: Literal["pocket"] = "pocket"
-    outlines: tuple[CurveField, ...] = Field(min_length=1)
-    islands: tuple[CurveField, ...] = ()
+    outlines: tuple[CurveField, ...] = Field(min_length=1, max_length=MOST_ITEMS["areas"])
+    islands: tuple[CurveField, ...] = Field(default=(), max_length=MOST_ITEMS["areas"])
 
     def cut(self, setup: Setup, table: TableBuilder) -> Answer:
         """Append the pocket to `table`; raises CycleError before any row when it cannot be cut safely."""

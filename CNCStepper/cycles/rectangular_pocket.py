@@ -10,11 +10,11 @@ from __future__ import annotations
 
 from typing import Literal
 
-from pydantic import Field
-
-from CNCStepper.cycles.form import Answer, Coordinate, Setup
+from CNCStepper.cycles.form import Answer, Setup
 from CNCStepper.cycles.shaped_pocket import ShapedPocket
+from CNCStepper.geometry.curve import Curve
 from CNCStepper.geometry.rectangle import rectangle
+from CNCStepper.quantities import Coordinate, LengthOr0, Turn
 from CNCStepper.toolpath import TableBuilder
 
 
@@ -24,11 +24,15 @@ class RectangularPocket(ShapedPocket):
     cycle: Literal["rectangular_pocket"] = "rectangular_pocket"
     corner_a_mm: tuple[Coordinate, Coordinate]
     corner_b_mm: tuple[Coordinate, Coordinate]
-    corner_radius_mm: float = Field(default=0.0, ge=0, le=100_000)
-    rotation_deg: float = Field(default=0.0, ge=-360.0, le=360.0)
+    corner_radius_mm: LengthOr0 = 0.0
+    rotation_deg: Turn = 0.0
+
+    def outline(self) -> Curve:
+        """Return the rectangle, turned about its first corner; `offset_mm` moves it further."""
+        x, y = self.corner_a_mm
+        drawn = rectangle(self.corner_a_mm, self.corner_b_mm, self.corner_radius_mm)
+        return drawn.moved(-x, -y).rotated(self.rotation_deg).moved(x, y)
 
     def cut(self, setup: Setup, table: TableBuilder) -> Answer:
         """Append the pocket to `table`; raises CycleError before any row when it cannot be cut safely."""
-        x, y = self.corner_a_mm
-        drawn = rectangle(self.corner_a_mm, self.corner_b_mm, self.corner_radius_mm)
-        return self._as_pocket(drawn.moved(-x, -y).rotated(self.rotation_deg).moved(x, y)).cut(setup, table)
+        return self._as_pocket(self.outline()).cut(setup, table)

@@ -17,13 +17,13 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Literal
+from typing import Annotated, Literal
 
 import numpy as np
-from pydantic import BaseModel, ConfigDict, Field
+from pydantic import BaseModel, ConfigDict
 from shapely import Polygon
 
-from CNCStepper.cycles.form import Answer, Coordinate, Removal, Setup
+from CNCStepper.cycles.form import Answer, Removal, Setup
 from CNCStepper.cycles.holes import rings, widened
 from CNCStepper.cycles.moves import Moves, require_setup
 from CNCStepper.cycles.passes import require_few_blocks, whole_steps
@@ -31,6 +31,7 @@ from CNCStepper.cycles.patterns import Hole, Order, Pattern, placed
 from CNCStepper.errors import CycleError
 from CNCStepper.geometry.curve import Curve
 from CNCStepper.machine.point import cone_of
+from CNCStepper.quantities import Bounds, Coordinate, Depth, ToolReference, Width, WidthOr0
 from CNCStepper.toolpath import TableBuilder
 
 SHAPES = ("flat", "v", "engraver")
@@ -50,16 +51,16 @@ class Thread(BaseModel):
     model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False, arbitrary_types_allowed=True)
 
     cycle: Literal["thread"] = "thread"
-    tool: int
+    tool: ToolReference
     pattern: Pattern
     offset_mm: tuple[Coordinate, Coordinate] = (0.0, 0.0)
-    major_diameter_mm: float = Field(default=0.0, ge=0, le=10_000)
-    minor_diameter_mm: float = Field(default=0.0, ge=0, le=10_000)
-    pitch_mm: float = Field(gt=0, le=1_000)
-    depth_mm: float = Field(gt=0, le=10_000)
+    major_diameter_mm: WidthOr0 = 0.0
+    minor_diameter_mm: WidthOr0 = 0.0
+    pitch_mm: Width
+    depth_mm: Depth
     side: Literal["inside", "outside"] = "inside"
     hand: Literal["right", "left"] = "right"
-    passes: int = Field(default=1, ge=1, le=100)
+    passes: Annotated[int, Bounds("count", most=100)] = 1
     direction: Literal["climb", "conventional"] = "climb"
     order: Order = "short"
 

@@ -17,11 +17,13 @@ from dataclasses import dataclass
 import numpy as np
 import shapely
 
+from CNCStepper.errors import GeometryError
 from CNCStepper.geometry.curve import Curve
 from CNCStepper.geometry.segments import Segments, complex_of
 
 SAME_MM = 1e-4
 NEAR_MM = 1.0
+MOST_PAIRS = 2_000_000  # of ends that lie close together
 
 
 @dataclass(frozen=True)
@@ -55,12 +57,13 @@ def _partners(pieces: Sequence[Curve], same_mm: float) -> np.ndarray:
     partner = np.full(2 * len(pieces), -1)
     places, outward = _ends(pieces)
     for meeting in _groups(places, same_mm):
-        free = list(meeting)
-        while len(free) > 1:
-            straightest = [(abs(np.angle(-outward[a] / outward[b])), a, b) for a in free for b in free if a < b]
-            _, a, b = min((turn, a, b) for turn, a, b in straightest)
-            partner[a], partner[b] = b, a
-            free = [end for end in free if end not in (a, b)]
+        ends = np.array(meeting)
+        one, other = (ends[index] for index in np.triu_indices(len(ends), 1))
+        turns = np.abs(np.angle(-outward[one] / outward[other]))
+        order = np.lexsort((other, one, turns))  # the straightest first
+        for a, b in zip(one[order].tolist(), other[order].tolist(), strict=True):
+            if partner[a] < 0 and partner[b] < 0:
+                partner[a], partner[b] = b, a
     return partner
 
 
@@ -91,10 +94,29 @@ def _groups(places: np.ndarray, same_mm: float) -> list[list[int]]:
 
 def _close_pairs(places: np.ndarray, within_mm: float) -> np.ndarray:
     """Return the pairs of places within a distance of each other, int64[k, 2], ascending, the lower one first."""
+    _require_apart(places, within_mm)
     points = shapely.points(places.real, places.imag)
     one, other = shapely.STRtree(points).query(points, predicate="dwithin", distance=within_mm)
     pairs = np.column_stack([one, other])[one < other]
     return pairs[np.lexsort(pairs.T[::-1])]
+
+
+def _require_apart(places: np.ndarray, within_mm: float) -> None:
+    """Raise GeometryError where so many places lie close to each other that their pairs fill the memory."""
+    if not len(places):
+        return
+    _, counts = np.unique(
+        np.floor(places.real / within_mm) + 1j * np.floor(places.imag / within_mm), return_counts=True
+    )
+    pairs = float((counts.astype(float) ** 2).sum() / 2.0)
+    if pairs > MOST_PAIRS:
+        raise GeometryError(
+            "chains-crowded",
+            f"too many ends of lines lie within {within_mm:g} mm of each other",
+            value=f"{int(counts.max())} at one place",
+            limit=f"{MOST_PAIRS} pairs",
+            advice="correct the drawing's unit, or take out what is drawn twice",
+        )
 
 
 def _root_of(root: np.ndarray, place: int) -> int:

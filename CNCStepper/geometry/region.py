@@ -20,6 +20,7 @@ from functools import cached_property
 
 import numpy as np
 
+from CNCStepper.checkpoint import checkpoint
 from CNCStepper.errors import GeometryError
 from CNCStepper.geometry.bounds import bounds
 from CNCStepper.geometry.bundle import Bundle, areas, bundle_of, bundled_rows, short_ones
@@ -113,6 +114,7 @@ class Region:
         Loops vanish, split and merge as they must; outer corners become arcs. Where the region is exactly as wide
         as twice the distance, it may vanish there or stay as a strip thinner than the tolerance.
         """
+        checkpoint()
         if not tolerance_mm > 0:
             raise GeometryError("offset-tolerance", "a tolerance must be above 0", value=f"{tolerance_mm:g} mm")
         if not np.isfinite(distance_mm):

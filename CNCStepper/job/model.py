@@ -6,7 +6,7 @@ from __future__ import annotations
 import json
 from dataclasses import replace
 from pathlib import Path
-from typing import Any, Literal
+from typing import Annotated, Any, Literal
 
 import numpy as np
 from pydantic import BaseModel, ConfigDict, Field, model_validator
@@ -17,18 +17,23 @@ from CNCStepper.cycles.elliptical_pocket import EllipticalPocket
 from CNCStepper.cycles.form import Cycle, Setup
 from CNCStepper.drawing.heights import read_heights
 from CNCStepper.drawing.points import read_points
-from CNCStepper.errors import JobError, Place
+from CNCStepper.errors import JobError, Place, placed
 from CNCStepper.geometry.curve import Curve, circle, from_points
 from CNCStepper.job.shapes import NO_SHAPES, Shapes, read_shapes, with_curves
 from CNCStepper.job.tool_keys import take_tool_file
 from CNCStepper.machine.feeds import Remark, remarks_on, with_feeds
 from CNCStepper.machine.json_file import read_json
 from CNCStepper.machine.material import material, material_names
-from CNCStepper.machine.profile import Machine, load_machine, profile_names, read_toml, validated
+from CNCStepper.machine.profile import Machine, load_machine, profile_names, validated
+from CNCStepper.machine.toml_file import read_toml
 from CNCStepper.machine.tool import Tool
+from CNCStepper.quantities import MOST_ITEMS, Coordinate, Height, Length, LengthOr0, shown
 from CNCStepper.simulation.clamps import Clamp
 from CNCStepper.simulation.stock import Cylinder, HeightField, Stock
 from CNCStepper.state import WORK_SYSTEMS, Start
+from CNCStepper.whole_file import write_whole
+
+HeightRow = Annotated[tuple[Coordinate, ...], Field(max_length=MOST_ITEMS["heights"])]
 
 
 class StockForm(BaseModel):
@@ -42,10 +47,10 @@ class StockForm(BaseModel):
     model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
 
     form: Literal["box", "sheet", "cylinder", "height_field"] = "box"
-    size_mm: tuple[float, float, float]
+    size_mm: tuple[Length, Length, Length]
     origin: str
-    heights_mm: tuple[tuple[float, ...], ...] | None = None
-    edge_mm: float | None = Field(default=None, ge=0)
+    heights_mm: tuple[HeightRow, ...] | None = Field(default=None, max_length=MOST_ITEMS["heights"])
+    edge_mm: LengthOr0 | None = None
 
     @model_validator(mode="after")
     def _is_a_stock(self) -> StockForm:
@@ -88,8 +93,8 @@ class ClampForm(BaseModel):
 
     model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
 
-    corners_mm: tuple[tuple[float, float], ...] = Field(min_length=2)
-    top_mm: float
+    corners_mm: tuple[tuple[Coordinate, Coordinate], ...] = Field(min_length=2, max_length=MOST_ITEMS["corners"])
+    top_mm: Coordinate
 
     @model_validator(mode="after")
     def _encloses_something(self) -> ClampForm:
@@ -118,15 +123,15 @@ class Job(BaseModel):
     units: Literal["mm", "inch"] = "mm"
     machine: str
     work_offset: str = "G54"
-    clearance_mm: float = Field(gt=0, allow_inf_nan=False)
-    retract_mm: float = Field(gt=0, allow_inf_nan=False)
+    clearance_mm: Height
+    retract_mm: Height
     coolant: Literal["none", "mist", "flood"] = "none"
     material: str = ""
     stock: StockForm
-    clamp: tuple[ClampForm, ...] = ()
-    tool: tuple[Tool, ...] = Field(min_length=1)
-    operation: tuple[Any, ...] = ()
-    notes: tuple[str, ...] = ()
+    clamp: tuple[ClampForm, ...] = Field(default=(), max_length=MOST_ITEMS["clamps"])
+    tool: tuple[Tool, ...] = Field(min_length=1, max_length=MOST_ITEMS["tools"])
+    operation: tuple[Any, ...] = Field(default=(), max_length=MOST_ITEMS["operations"])
+    notes: tuple[str, ...] = Field(default=(), max_length=MOST_ITEMS["notes"])
 
     @model_validator(mode="after")
     def _parts_fit_together(self) -> Job:
@@ -222,17 +227,21 @@ def load_job(path: Path) -> tuple[Job, Machine]:
     if not job.operation:
         what, advice = "the job has no operation", "write what is to be cut as [[operation]]"
         raise JobError("operation-missing", what, advice=advice, place=Place(str(path)))
-    return job, load_machine(_machine_name(job.machine, path.parent))
+    with placed(Place(str(path))):
+        return job, load_machine(_machine_name(job.machine, path.parent))
 
 
 def read_job(path: Path) -> Job:
     """Return the job as `load_job` does, without looking for its machine."""
-    if not path.is_file():
-        raise JobError("job-missing", f"there is no job file '{path}'", advice="give the path of a TOML job file")
+    with placed(Place(str(path))):
+        return _read(path)
+
+
+def _read(path: Path) -> Job:
     content = read_json(path) if path.suffix.lower() == ".json" else read_toml(path)
     shapes = read_shapes(_tables(content, "shape", path), path.parent, str(path))
     content.pop("shape", None)
-    content["notes"] = (*content.get("notes", ()), *shapes.notes)
+    content["notes"] = (*_notes(content, path), *shapes.notes)
     content["operation"] = tuple(
         operation_of(raw, path.parent, f"{path} operation {number}", shapes)
         for number, raw in enumerate(_tables(content, "operation", path), start=1)
@@ -240,7 +249,7 @@ def read_job(path: Path) -> Job:
     if "tools" in content:
         take_tool_file(content, path)
     if isinstance(stock := content.get("stock"), dict) and "heights" in stock:
-        stock["heights_mm"] = read_heights(path.parent / str(stock.pop("heights")))
+        stock["heights_mm"] = read_heights(file_beside(path.parent, stock.pop("heights"), "stock.heights", str(path)))
     return validated(Job, content, str(path))
 
 
@@ -249,7 +258,7 @@ def save_job(job: Job, path: Path) -> None:
     content = job.model_dump(mode="json") | {
         "operation": [operation.model_dump(mode="json") for operation in job.operation]
     }
-    path.write_text(json.dumps(content, indent=1, allow_nan=False) + "\n", encoding="utf-8")
+    write_whole(path, (json.dumps(content, indent=1, allow_nan=False) + "\n").encode("utf-8"))
 
 
 def operation_of(raw: dict[str, Any], folder: Path, file: str, shapes: Shapes = NO_SHAPES) -> Cycle:
@@ -257,20 +266,39 @@ def operation_of(raw: dict[str, Any], folder: Path, file: str, shapes: Shapes = 
 
     `folder` is where its files are looked for. Raises JobError that names `file`, the key and its value.
     """
-    model = cycle_class(str(raw.get("cycle", "")))
-    content = with_curves(raw, shapes, file)
-    if "points" in content:
-        content["curves"] = (read_points(folder / content.pop("points"), closed=bool(content.get("closed", False))),)
-    return validated(model, content, file)  # type: ignore[return-value]
+    with placed(Place(file)):
+        model = cycle_class(raw.get("cycle", ""))
+        content = with_curves(raw, shapes, file)
+        if "points" in content:
+            points = file_beside(folder, content.pop("points"), "points", file)
+            content["curves"] = (read_points(points, closed=content.get("closed") is True),)
+        return validated(model, content, file)  # type: ignore[return-value]
 
 
 def _tables(content: dict[str, Any], key: str, path: Path) -> list[dict[str, Any]]:
-    tables = content.get(key, [])
+    tables, place = content.get(key, []), Place(str(path))
     if not isinstance(tables, list) or not all(isinstance(table, dict) for table in tables):
-        raise JobError(
-            "bad-value", f"{key} must be a list of tables", advice=f"write [[{key}]]", place=Place(str(path))
-        )
+        raise JobError("bad-value", f"{key} must be a list of tables", advice=f"write [[{key}]]", place=place)
+    if len(tables) > (most := MOST_ITEMS[f"{key}s"]):
+        what, advice = f"{key} is too long", "make several jobs of this one"
+        raise JobError("bad-value", what, value=f"{len(tables)}", limit=f"{most}", advice=advice, place=place)
     return tables
+
+
+def _notes(content: dict[str, Any], path: Path) -> list[Any]:
+    """Return the notes of a saved job; that they are texts is seen with the rest."""
+    notes = content.get("notes", [])
+    if not isinstance(notes, list):
+        raise JobError("bad-value", "notes must be a list", value=shown(notes), place=Place(str(path)))
+    return notes
+
+
+def file_beside(folder: Path, name: Any, key: str, file: str) -> Path:
+    """Return the path of a file that a job names, looked for in its folder; raises JobError for what is no text."""
+    if not isinstance(name, str):
+        advice = f'write {key} = "file"'
+        raise JobError("bad-value", f"{key} must name a file", value=shown(name), advice=advice, place=Place(file))
+    return folder / name
 
 
 def _machine_name(name: str, folder: Path) -> str:

@@ -11,25 +11,25 @@ A saved job holds the curves themselves and needs no shapes any more.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Annotated, Any
 
 import numpy as np
-from pydantic import BaseModel, ConfigDict, Field, model_validator
+from pydantic import BaseModel, ConfigDict, Field, StrictBool, model_validator
 
 from CNCStepper.cycles.fields import CurveField
-from CNCStepper.cycles.form import Coordinate
 from CNCStepper.drawing.dxf import Drawing, read_dxf
 from CNCStepper.drawing.points import read_points
-from CNCStepper.errors import CNCStepperError, GeometryError, JobError, Place
+from CNCStepper.errors import GeometryError, JobError, Place, placed
 from CNCStepper.geometry.curve import Curve, circle, from_points
 from CNCStepper.geometry.ellipse import Ellipse
 from CNCStepper.geometry.rectangle import rectangle
 from CNCStepper.machine.profile import validated
+from CNCStepper.quantities import MOST_ITEMS, Angle, Bounds, Coordinate, Length, LengthOr0, Unit, shown
 
 Point = tuple[Coordinate, Coordinate]
-Length = Annotated[float, Field(gt=0, le=100_000)]
 ELLIPSE_TOLERANCE_MM = 0.001
 MOST_SKIPPED = 5  # entities told one by one
 
@@ -54,7 +54,7 @@ class RectangleForm(_Checked):
 
     corner_a: Point
     corner_b: Point
-    corner_radius: float = Field(default=0.0, ge=0)
+    corner_radius: LengthOr0 = 0.0
 
     @model_validator(mode="after")
     def _is_one(self) -> RectangleForm:
@@ -75,7 +75,7 @@ class EllipseForm(_Checked):
     centre: Point
     radius_x: Length
     radius_y: Length
-    rotation_deg: float = 0.0
+    rotation_deg: Angle = 0.0
 
     def curve(self) -> Curve:
         """Return it counter-clockwise."""
@@ -86,22 +86,22 @@ class EllipseForm(_Checked):
 class DxfForm(_Checked):
     """A layer of a DXF file; unit_mm: the length of its unit, where the file does not say it or is wrong."""
 
-    file: str
+    file: str = Field(min_length=1)
     layer: str
-    tolerance_mm: float = Field(default=0.005, gt=0, le=1.0)
-    unit_mm: Length | None = None
+    tolerance_mm: Annotated[float, Bounds("tolerance", most=1.0)] = 0.005
+    unit_mm: Unit | None = None
 
 
 class ShapeForm(_Checked):
     """A shape as a job file names it: a name and one way of drawing it. `closed` belongs to `points`."""
 
     name: str = Field(min_length=1)
-    polygon_mm: tuple[Point, ...] | None = Field(default=None, min_length=3)
+    polygon_mm: tuple[Point, ...] | None = Field(default=None, min_length=3, max_length=MOST_ITEMS["points"])
     circle_mm: CircleForm | None = None
     rectangle_mm: RectangleForm | None = None
     ellipse_mm: EllipseForm | None = None
     points: str | None = None
-    closed: bool = False
+    closed: StrictBool = False
     dxf: DxfForm | None = None
     curve: CurveField | None = None
 
@@ -192,11 +192,21 @@ def read_shapes(tables: Sequence[dict[str, Any]], folder: Path, file: str) -> Sh
         if shape.name in curves:
             what = f"two shapes have the name '{shape.name}'"
             raise JobError("shape-twice", what, advice="rename one of them", place=Place(place))
-        try:
+        with placed(Place(place)), _file_of(place):
             curves[shape.name] = _curves(shape, folder, drawings, notes)
-        except CNCStepperError as error:
-            raise error if error.place else error.at(Place(place)) from error
     return Shapes(curves, tuple(dict.fromkeys(notes)))
+
+
+@contextmanager
+def _file_of(place: str) -> Iterator[None]:
+    """Let an error of a file that cannot be read name the shape that wants it, too."""
+    try:
+        yield
+    except JobError as error:
+        if not error.code.startswith("input-"):
+            raise
+        told = {"value": error.value, "limit": error.limit, "advice": error.advice}
+        raise JobError(error.code, f"{error.place}: {error.what}", **told, place=Place(place)) from error
 
 
 def _curves(shape: ShapeForm, folder: Path, drawings: dict[DxfForm, Drawing], notes: list[str]) -> tuple[Curve, ...]:
@@ -269,9 +279,21 @@ def _listed(value: Any, key: ShapeKey, place: Place) -> Sequence[Any]:
     if isinstance(value, str):
         return [value]
     if isinstance(value, list | tuple):
+        _require_once(value, key, place)
         return value
     what = f"{key.says} must be the name of a shape, or a list of names"
-    raise JobError("shape-name", what, value=repr(value)[:60], advice=f'write {key.says} = "name"', place=place)
+    raise JobError("shape-name", what, value=shown(value), advice=f'write {key.says} = "name"', place=place)
+
+
+def _require_once(names: Sequence[Any], key: ShapeKey, place: Place) -> None:
+    """Raise JobError for a shape that one list names twice: it would be cut twice, or kept twice."""
+    seen: set[str] = set()
+    for name in names:
+        if isinstance(name, str) and name in seen:
+            what, advice = f"{key.says} names the shape '{name}' twice", "name it once"
+            raise JobError("shape-twice", what, advice=advice, place=place)
+        if isinstance(name, str):
+            seen.add(name)
 
 
 def _resolved(each: Any, shapes: Shapes, key: ShapeKey, place: Place) -> tuple[Any, ...]:

@@ -13,12 +13,13 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
-from pydantic import BaseModel, ConfigDict, Field
+from pydantic import BaseModel, ConfigDict
 
 from CNCStepper.errors import JobError, Place
 from CNCStepper.machine.profile import validated
 from CNCStepper.machine.stored_tool import StoredTool, given_keys
 from CNCStepper.machine.tool_files import read_tools
+from CNCStepper.quantities import Unit
 
 
 class ToolFile(BaseModel):
@@ -27,7 +28,7 @@ class ToolFile(BaseModel):
     model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
 
     file: str
-    unit_mm: float = Field(default=1.0, gt=0)
+    unit_mm: Unit = 1.0
 
 
 def take_tool_file(content: dict[str, Any], path: Path) -> None:

@@ -11,8 +11,11 @@ N = v / p                  N_m = N · r_g                       r: its turns for
 
 from __future__ import annotations
 
-from pydantic import BaseModel, Field, model_validator
+from typing import Annotated
 
+from pydantic import BaseModel, model_validator
+
+from CNCStepper.quantities import Bounds, Length, Ratio
 from CNCStepper.units import S_PER_MIN
 
 TURN_DEG = 360.0
@@ -27,14 +30,14 @@ class Drive(BaseModel, extra="forbid", frozen=True, allow_inf_nan=False):
     encoder for one of screw or pulley.
     """
 
-    steps_per_turn: float = Field(default=200.0, gt=0)
-    microsteps: int = Field(default=1, ge=1)
-    gear_ratio: float = Field(default=1.0, gt=0)
-    screw_pitch_mm: float | None = Field(default=None, gt=0)
-    belt_pitch_mm: float | None = Field(default=None, gt=0)
-    pulley_teeth: int | None = Field(default=None, ge=1)
-    encoder_pulses_per_turn: float | None = Field(default=None, gt=0)
-    encoder_gear_ratio: float = Field(default=1.0, gt=0)
+    steps_per_turn: Annotated[float, Bounds("steps_per_turn")] = 200.0
+    microsteps: Annotated[int, Bounds("count", most=4096)] = 1
+    gear_ratio: Ratio = 1.0
+    screw_pitch_mm: Length | None = None
+    belt_pitch_mm: Length | None = None
+    pulley_teeth: Annotated[int, Bounds("count", most=10_000)] | None = None
+    encoder_pulses_per_turn: Annotated[float, Bounds("steps_per_turn")] | None = None
+    encoder_gear_ratio: Ratio = 1.0
 
     @model_validator(mode="after")
     def _moves_by_screw_or_belt(self) -> Drive:

@@ -11,11 +11,12 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
-from typing import Literal
+from typing import Annotated, Literal
 
-from pydantic import BaseModel, Field, StrictInt, model_validator
+from pydantic import BaseModel, StrictInt, model_validator
 
 from CNCStepper.machine.signals import INPUT_PINS
+from CNCStepper.quantities import Bounds
 
 CONTROLLER_PINS = "XYZABCPDHRS"  # limit switches, probe, door, hold, reset, cycle start
 LONGEST_LINE = 70
@@ -37,10 +38,10 @@ class Input(BaseModel, extra="forbid", frozen=True):
     act: Act
     port: str = ""
     level: Literal["high", "low"] = "high"
-    debounce_ms: float = Field(default=30.0, ge=0, le=1000)
+    debounce_ms: Annotated[float, Bounds("wait", most=1000.0, zero=True)] = 30.0
     line: str = ""
     release_line: str = ""
-    back_mm: float = Field(default=1.0, gt=0, le=1000)
+    back_mm: Annotated[float, Bounds("length", most=1000.0)] = 1.0
 
     @model_validator(mode="after")
     def _pin_is_one_that_is_there(self) -> Input:

@@ -12,16 +12,19 @@ from __future__ import annotations
 import tomllib
 from functools import cache
 from importlib import resources
-from typing import Literal
+from typing import Annotated, Literal
 
 import numpy as np
 from pydantic import BaseModel, ConfigDict, Field, model_validator
 
 from CNCStepper.errors import JobError
 from CNCStepper.machine.profile import validated
+from CNCStepper.quantities import MOST_ITEMS, Bounds, ChipLoadOr0, Ratio, Width
 
 CutterOf = Literal["carbide", "hss"]
+Surface = Annotated[float, Bounds("surface_speed")]
 Range = tuple[float, float]
+ChipLoadRow = tuple[Width, ChipLoadOr0, ChipLoadOr0]  # diameter, least, most
 
 
 class _Checked(BaseModel):
@@ -31,8 +34,8 @@ class _Checked(BaseModel):
 class Cutting(_Checked):
     """What one kind of cutter does in a material: surface speeds, and rows of (diameter, least, most) chip load."""
 
-    speed_m_min: Range
-    chip_load_mm: tuple[tuple[float, float, float], ...] = ()
+    speed_m_min: tuple[Surface, Surface]
+    chip_load_mm: tuple[ChipLoadRow, ...] = Field(default=(), max_length=MOST_ITEMS["diameters"])
 
     @model_validator(mode="after")
     def _is_ordered(self) -> Cutting:
@@ -49,9 +52,9 @@ class Material(_Checked):
     name: str
     title: str
     source: str
-    plunge_factor: float = Field(gt=0, le=1)
-    stepdown: float = Field(gt=0)
-    stepover: float = Field(gt=0, le=1)
+    plunge_factor: Annotated[float, Bounds("share")]
+    stepdown: Ratio
+    stepover: Annotated[float, Bounds("share")]
     carbide: Cutting
     hss: Cutting | None = None
 

@@ -9,21 +9,37 @@ from functools import cache
 from importlib import resources
 from itertools import pairwise
 from pathlib import Path
-from typing import Any, Literal, TypeVar
+from typing import Annotated, Any, Literal, TypeVar
 
-from pydantic import BaseModel, ConfigDict, Field, ValidationError, model_validator
+from pydantic import BaseModel, ConfigDict, Field, StrictBool, ValidationError, model_validator
 
-from CNCStepper.errors import JobError, Place
+from CNCStepper.errors import JobError
+from CNCStepper.input_file import is_there
 from CNCStepper.machine.drive import Drive
 from CNCStepper.machine.inputs import Input, check_apart
 from CNCStepper.machine.json_file import read_json
 from CNCStepper.machine.refusal import refusal_of
 from CNCStepper.machine.signals import Signals
+from CNCStepper.machine.toml_file import read_toml
 from CNCStepper.machine.waits import Waits
+from CNCStepper.printable import printable
+from CNCStepper.quantities import (
+    MOST_ITEMS,
+    Acceleration,
+    Bounds,
+    Coordinate,
+    Feed,
+    Jerk,
+    Length,
+    Speed,
+    SpeedOr0,
+    Tolerance,
+)
 
 AXIS_NAMES = ("x", "y", "z")
 CALIBRATED = 0.02  # steps_per_mm, as measured, may differ from what the drive gives by this share
 Model = TypeVar("Model", bound=BaseModel)
+TorqueOr0 = Annotated[float, Bounds("torque", zero=True)]
 
 
 class _Checked(BaseModel):
@@ -38,12 +54,12 @@ class Motor(_Checked):
     screw. force_n: friction, weight and cutting force together.
     """
 
-    travel_per_turn_mm: float = Field(gt=0)
-    torque: tuple[tuple[float, float], ...] = Field(min_length=1)
-    mass_kg: float = Field(ge=0)
-    inertia_kg_m2: float = Field(default=0.0, ge=0)
-    force_n: float = Field(default=0.0, ge=0)
-    efficiency: float = Field(default=1.0, gt=0, le=1)
+    travel_per_turn_mm: Length
+    torque: tuple[tuple[SpeedOr0, TorqueOr0], ...] = Field(min_length=1, max_length=MOST_ITEMS["torques"])
+    mass_kg: Annotated[float, Bounds("mass", zero=True)]
+    inertia_kg_m2: Annotated[float, Bounds("inertia", zero=True)] = 0.0
+    force_n: Annotated[float, Bounds("force", zero=True)] = 0.0
+    efficiency: Annotated[float, Bounds("share")] = 1.0
 
     @model_validator(mode="after")
     def _torque_is_a_curve(self) -> Motor:
@@ -81,13 +97,13 @@ class Axis(_Checked):
     drive: the axis' motor, gear and screw or belt, from which steps_per_mm follows where it is not given.
     """
 
-    steps_per_mm: float = Field(gt=0)
-    max_rate_mm_min: float = Field(gt=0)
-    acceleration_mm_s2: float = Field(gt=0)
-    jerk_mm_s3: float | None = Field(default=None, gt=0)
-    backlash_mm: float = Field(default=0.0, ge=0)
-    travel_min_mm: float
-    travel_max_mm: float
+    steps_per_mm: Annotated[float, Bounds("steps_per_mm")]
+    max_rate_mm_min: Feed
+    acceleration_mm_s2: Acceleration
+    jerk_mm_s3: Jerk | None = None
+    backlash_mm: Annotated[float, Bounds("length", 0.00001, zero=True)] = 0.0
+    travel_min_mm: Coordinate
+    travel_max_mm: Coordinate
     homing: Literal["min", "max", "none"] = "none"
     motor: Motor | None = None
     drive: Drive | None = None
@@ -132,9 +148,9 @@ class Planner(_Checked):
     the times of `waits`; every move then begins and ends at rest).
     """
 
-    junction_deviation_mm: float = Field(gt=0)
-    arc_tolerance_mm: float = Field(gt=0)
-    look_ahead_blocks: int = Field(default=LOOK_AHEAD_BLOCKS, ge=2, le=100_000)
+    junction_deviation_mm: Tolerance
+    arc_tolerance_mm: Tolerance
+    look_ahead_blocks: Annotated[int, Bounds("count", 2, 100_000)] = LOOK_AHEAD_BLOCKS
     ramp: Literal["trapezoid", "s_curve", "table"] = "trapezoid"
     waits: Waits | None = None
 
@@ -148,16 +164,16 @@ class Planner(_Checked):
 class Spindle(_Checked):
     """Speeds and the time to reach them; `laser` means M4 with power ($32=1)."""
 
-    min_rpm: float = Field(ge=0)
-    max_rpm: float = Field(gt=0)
-    spin_up_s: float = Field(default=0.0, ge=0)
-    laser: bool = False
+    min_rpm: SpeedOr0
+    max_rpm: Speed
+    spin_up_s: Annotated[float, Bounds("time", most=3600.0, zero=True)] = 0.0
+    laser: StrictBool = False
 
 
 class Outputs(_Checked):
     """What can be switched."""
 
-    coolant: list[Literal["mist", "flood"]] = []
+    coolant: list[Literal["mist", "flood"]] = Field(default=[], max_length=2)
 
 
 class Retreat(_Checked):
@@ -188,7 +204,7 @@ class Machine(_Checked):
     outputs: Outputs = Outputs()
     retreat: Retreat = Retreat()
     signals: Signals = Signals()
-    input: tuple[Input, ...] = ()
+    input: tuple[Input, ...] = Field(default=(), max_length=MOST_ITEMS["inputs"])
 
     @model_validator(mode="after")
     def _inputs_are_apart(self) -> Machine:
@@ -239,10 +255,10 @@ def load_machine(name_or_path: str | Path) -> Machine:
     if str(name_or_path) in profile_names():
         return _shipped(str(name_or_path))
     path = Path(name_or_path)
-    if not path.is_file():
+    if not is_there(path):
         raise JobError(
             "machine-missing",
-            f"there is no machine profile '{name_or_path}'",
+            f"there is no machine profile '{printable(str(name_or_path), 300)}'",
             advice=f"give a TOML file or one of: {', '.join(profile_names())}",
         )
     content = read_json(path) if path.suffix.lower() == ".json" else read_toml(path)
@@ -253,14 +269,6 @@ def load_machine(name_or_path: str | Path) -> Machine:
 def _shipped(name: str) -> Machine:
     entry = resources.files("CNCStepper.machine") / "profiles" / f"{name}.toml"
     return validated(Machine, tomllib.loads(entry.read_text("utf-8")), name)
-
-
-def read_toml(path: Path) -> dict[str, Any]:
-    """Return the content of a TOML file; raises JobError naming the file and line."""
-    try:
-        return tomllib.loads(path.read_text("utf-8-sig"))
-    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
-        raise JobError("toml", f"not a TOML file: {error}", place=Place(str(path))) from error
 
 
 def validated(model: type[Model], content: dict[str, Any], file: str) -> Model:

@@ -8,9 +8,11 @@ DB25   2-9   data port, base + 0, bits 0 to 7          outputs
 
 from __future__ import annotations
 
-from typing import Literal
+from typing import Annotated, Literal
 
 from pydantic import BaseModel, Field, model_validator
+
+from CNCStepper.quantities import Bounds
 
 DATA_PINS = (2, 3, 4, 5, 6, 7, 8, 9)
 CONTROL_PINS = (1, 14, 16, 17)
@@ -43,13 +45,13 @@ class Signals(BaseModel, extra="forbid", frozen=True):
     address of the data port.
     """
 
-    pulse_us: float = Field(default=10.0, gt=0, le=1000)
-    gap_us: float = Field(default=10.0, gt=0, le=1000)
-    direction_setup_us: float = Field(default=10.0, ge=0, le=1000)
-    enable_lead_us: float = Field(default=1000.0, ge=0, le=1_000_000)
+    pulse_us: Annotated[float, Bounds("pulse", most=1000.0)] = 10.0
+    gap_us: Annotated[float, Bounds("pulse", most=1000.0)] = 10.0
+    direction_setup_us: Annotated[float, Bounds("pulse", most=1000.0, zero=True)] = 10.0
+    enable_lead_us: Annotated[float, Bounds("pulse", zero=True)] = 1000.0
     motors: tuple[Turning, ...] = Field(default=("x", "y", "z"), min_length=1, max_length=MOST_MOTORS)
-    pins: dict[str, int] = {}
-    base: int = Field(default=0x378, ge=0, le=0xFFFF)
+    pins: dict[str, Annotated[int, Bounds("coordinate", -25, 25)]] = {}
+    base: Annotated[int, Bounds("number", most=0xFFFF)] = 0x378
 
     @model_validator(mode="after")
     def _pins_are_outputs_of_known_signals(self) -> Signals:

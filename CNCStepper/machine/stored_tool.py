@@ -10,6 +10,8 @@ from pydantic import ValidationError
 
 from CNCStepper.errors import JobError, Place
 from CNCStepper.machine.tool import Tool
+from CNCStepper.printable import printable
+from CNCStepper.quantities import ERROR_TYPE, shown
 
 
 @dataclass(frozen=True)
@@ -40,7 +42,8 @@ def tool_or_note(content: dict[str, Any]) -> tuple[Tool | None, tuple[str, ...]]
     except ValidationError as error:
         first = error.errors()[0]
         key = ".".join(map(str, first["loc"]))
-        return None, (f"{key}: {first['msg'].removeprefix('Value error, ')}".removeprefix(": "),)
+        words = printable(f"{key}: {first['msg'].removeprefix('Value error, ')}".removeprefix(": "))
+        return None, (f"{words}, not {shown(first['input'])}" if first["type"] == ERROR_TYPE else words,)
 
 
 def given_keys(tool: Tool) -> dict[str, Any]:

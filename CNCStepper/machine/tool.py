@@ -10,12 +10,13 @@
 
 from __future__ import annotations
 
-from typing import Literal
+from typing import Annotated, Literal
 
-from pydantic import BaseModel, ConfigDict, Field, model_validator
+from pydantic import BaseModel, ConfigDict, model_validator
 
 from CNCStepper.errors import JobError
 from CNCStepper.machine.shapes import Shape, foreign_keys
+from CNCStepper.quantities import Bounds, ChipLoadOr0, FeedOr0, SpeedOr0, TipAngle, ToolNumber, Width, WidthOr0
 
 
 class Tool(BaseModel):
@@ -31,28 +32,28 @@ class Tool(BaseModel):
 
     model_config = ConfigDict(extra="forbid", frozen=True)
 
-    number: int = Field(ge=0, le=255)
+    number: ToolNumber
     shape: Shape
-    diameter_mm: float = Field(gt=0, allow_inf_nan=False)
-    corner_radius_mm: float | None = Field(default=None, gt=0)
-    tip_diameter_mm: float | None = Field(default=None, ge=0)
-    tip_angle_deg: float | None = Field(default=None, gt=0, lt=180)
-    point_angle_deg: float | None = Field(default=None, gt=0, lt=180)
-    taper_deg: float | None = Field(default=None, ge=0, lt=45)
-    flute_length_mm: float = Field(default=0.0, ge=0)
-    length_mm: float = Field(default=0.0, ge=0)
-    holder_diameter_mm: float = Field(default=0.0, ge=0)
-    length_offset_mm: float | None = Field(default=None, ge=-10_000, le=10_000)
-    core_diameter_mm: float = Field(default=0.0, ge=0)
-    ramp_max_deg: float = Field(default=10.0, gt=0, lt=90)
-    flutes: int = Field(default=0, ge=0)
+    diameter_mm: Width
+    corner_radius_mm: Width | None = None
+    tip_diameter_mm: WidthOr0 | None = None
+    tip_angle_deg: TipAngle | None = None
+    point_angle_deg: TipAngle | None = None
+    taper_deg: Annotated[float, Bounds("slope", most=44.99, zero=True)] | None = None
+    flute_length_mm: WidthOr0 = 0.0
+    length_mm: WidthOr0 = 0.0
+    holder_diameter_mm: WidthOr0 = 0.0
+    length_offset_mm: Annotated[float, Bounds("coordinate", -10_000, 10_000)] | None = None
+    core_diameter_mm: WidthOr0 = 0.0
+    ramp_max_deg: Annotated[float, Bounds("slope", most=89.99)] = 10.0
+    flutes: Annotated[int, Bounds("count", 0, 100)] = 0
     made_of: Literal["carbide", "hss"] = "carbide"
-    chip_load_min_mm: float = Field(default=0.0, ge=0)
-    chip_load_max_mm: float = Field(default=0.0, ge=0)
-    engagement_max_deg: float = Field(default=0.0, ge=0, le=180)
-    feed_mm_min: float = Field(default=0.0, ge=0)
-    plunge_mm_min: float = Field(default=0.0, ge=0)
-    spindle_rpm: float = Field(default=0.0, ge=0)
+    chip_load_min_mm: ChipLoadOr0 = 0.0
+    chip_load_max_mm: ChipLoadOr0 = 0.0
+    engagement_max_deg: Annotated[float, Bounds("slope", most=180.0, zero=True)] = 0.0
+    feed_mm_min: FeedOr0 = 0.0
+    plunge_mm_min: FeedOr0 = 0.0
+    spindle_rpm: SpeedOr0 = 0.0
 
     @model_validator(mode="after")
     def _keys_fit_the_shape(self) -> Tool:

@@ -16,9 +16,13 @@ from pathlib import Path
 from typing import Any
 
 from CNCStepper.errors import JobError, Place
+from CNCStepper.input_file import is_there
 from CNCStepper.machine.json_file import read_json
 from CNCStepper.machine.stored_tool import StoredTool, given_keys, tool_or_note
 from CNCStepper.machine.tool import Tool
+from CNCStepper.printable import printable
+from CNCStepper.quantities import Bounds, shown
+from CNCStepper.whole_file import write_whole
 
 OURS = "CNCStepper"
 SHAPES = {  # FreeCAD's name of a shape -> ours
@@ -57,6 +61,9 @@ UNITS_MM = {
     '"': 25.4,
     "thou": 0.0254,
 }
+MOST_BYTES, MOST_TOOLS = 4_000_000, 10_000
+MOST_NAME = 200
+LONGEST_NUMBER = 60  # characters of a quantity with its unit
 QUANTITY = re.compile(r"\s*([-+]?[\d.,]+(?:e[-+]?\d+)?)\s*(.*?)\s*", re.IGNORECASE)
 
 
@@ -68,7 +75,7 @@ def read_bit(path: Path, number: int = 1) -> StoredTool:
     for key in ("attribute", OURS):
         if not isinstance(content.get(key) or {}, dict):
             raise JobError("tool-bit", f"not a tool bit: its {key} is no object", place=Place(str(path)))
-    name, kind = str(content.get("name", path.stem)), _shape_of(content)
+    name, kind = _text(content.get("name", path.stem)), _shape_of(content)
     if kind not in SHAPES:
         return StoredTool(number, name, None, content, (f"its shape '{kind}' is none of {', '.join(SHAPES)}",))
     try:
@@ -81,50 +88,61 @@ def read_bit(path: Path, number: int = 1) -> StoredTool:
 
 def write_bit(stored: StoredTool, path: Path) -> None:
     """Write a tool as `.fctb`: what the file it came from said, and over that what the tool says."""
-    path.write_text(json.dumps(_bit(stored), indent=2, ensure_ascii=True) + "\n", encoding="utf-8")
+    write_whole(path, (json.dumps(_bit(stored), indent=2, ensure_ascii=True) + "\n").encode("ascii"))
 
 
 def read_library(path: Path) -> list[StoredTool]:
     """Return the tools of a `.fctl` file; a bit that is not found is one without a tool."""
     content = _json(path)
-    if not isinstance(content.get("tools"), list):
-        raise JobError("tool-library", "not a tool library: it has no list of tools", place=Place(str(path)))
-    return [_listed(entry, path) for entry in content["tools"]]
+    tools, place = content.get("tools"), Place(str(path))
+    if not isinstance(tools, list):
+        raise JobError("tool-library", "not a tool library: it has no list of tools", place=place)
+    if len(tools) > MOST_TOOLS:
+        value, limit = f"{len(tools)}", f"{MOST_TOOLS}"
+        raise JobError("tool-library", "the library has too many tools", value=value, limit=limit, place=place)
+    return [_listed(entry, path) for entry in tools]
+
+
+def bit_files(tools: list[StoredTool], path: Path) -> list[Path]:
+    """Return the files of a library's bits, one a tool."""
+    names = (re.sub(r'[\\/:*?"<>|]+', "_", stored.name).strip() or "tool" for stored in tools)
+    return [_bit_folder(path) / f"{stored.number}_{name}.fctb" for stored, name in zip(tools, names, strict=True)]
 
 
 def write_library(tools: list[StoredTool], path: Path) -> list[Path]:
     """Write a `.fctl` and a `.fctb` for each tool beside it (in ../Bit for a library of FreeCAD's); return the bits."""
-    folder = _bit_folder(path)
-    folder.mkdir(parents=True, exist_ok=True)
-    entries, bits = [], []
-    for stored in tools:
-        safe = re.sub(r'[\\/:*?"<>|]+', "_", stored.name).strip() or "tool"
-        bits.append(folder / f"{stored.number}_{safe}.fctb")
-        write_bit(stored, bits[-1])
-        entries.append({"nr": stored.number, "path": bits[-1].name})
+    _bit_folder(path).mkdir(parents=True, exist_ok=True)
+    bits = bit_files(tools, path)
+    for stored, bit in zip(tools, bits, strict=True):
+        write_bit(stored, bit)
+    entries = [{"nr": stored.number, "path": bit.name} for stored, bit in zip(tools, bits, strict=True)]
     content = {"label": path.stem, "tools": entries, "version": 1}
-    path.write_text(json.dumps(content, indent=2) + "\n", encoding="utf-8")
+    write_whole(path, (json.dumps(content, indent=2) + "\n").encode("utf-8"))
     return bits
 
 
 def quantity(text: Any, units: dict[str, float]) -> float:
     """Return a number with its unit, "5.0000 mm" or "0.375 in", in ours; raises ValueError for anything else."""
-    match = QUANTITY.fullmatch(str(text))
+    plain = isinstance(text, str | int | float) and not isinstance(text, bool)
+    words = text if isinstance(text, str) else shown(text)
+    match = QUANTITY.fullmatch(words) if plain and len(words) <= LONGEST_NUMBER else None
     if match is None or match[2] not in units:
-        raise ValueError(f"'{text}' is no length or angle that is known")
+        raise ValueError(f"'{printable(words, LONGEST_NUMBER)}' is no length or angle that is known")
     return float(match[1].replace(",", ".")) * units[match[2]]
 
 
 def _json(path: Path) -> dict[str, Any]:
-    try:
-        return read_json(path)
-    except OSError as error:
-        raise JobError("tools-missing", f"'{path}' cannot be read: {error}", advice="correct the path") from error
+    return read_json(path, MOST_BYTES)
+
+
+def _text(value: Any) -> str:
+    """Return what should be a text, as one that can be shown."""
+    return printable(value, MOST_NAME) if isinstance(value, str) else shown(value)
 
 
 def _shape_of(content: dict[str, Any]) -> str:
     """Return FreeCAD's name of the shape, without folder and ending."""
-    name = str(content["shape"]).replace("\\", "/").rpartition("/")[2]
+    name = _text(content["shape"]).replace("\\", "/").rpartition("/")[2]
     return name.lower().removesuffix(".fcstd")
 
 
@@ -187,14 +205,20 @@ def _same(one: Any, other: Any) -> bool:
 
 def _listed(entry: Any, library: Path) -> StoredTool:
     try:
-        number, name = int(entry["nr"]), entry["path"].replace("\\", "/")
+        number, name = _number(entry["nr"]), entry["path"].replace("\\", "/")
     except (KeyError, TypeError, ValueError, OverflowError, AttributeError) as error:
         what, advice = "a tool of the library has no number nr or no path", "correct the entry"
-        raise JobError("tool-library", what, value=f"{entry}"[:60], advice=advice, place=Place(str(library))) from error
+        raise JobError("tool-library", what, value=shown(entry), advice=advice, place=Place(str(library))) from error
     for folder in (library.parent, library.parent.parent / "Bit"):
-        if (folder / name).is_file():
+        if is_there(folder / name):
             return read_bit(folder / name, number)
-    return StoredTool(number, Path(name).stem, None, {}, (f"its file '{name}' is neither here nor in ../Bit",))
+    told = f"its file '{_text(name)}' is neither here nor in ../Bit"
+    return StoredTool(number, _text(Path(name).stem), None, {}, (told,))
+
+
+def _number(value: Any) -> int:
+    """Return the number of a tool in a library; raises ValueError for none."""
+    return int(Bounds("number").require(int(value), "nr"))
 
 
 def _bit_folder(library: Path) -> Path:

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from CNCStepper.errors import JobError
 from CNCStepper.machine.stored_tool import StoredTool
-from CNCStepper.machine.tool_bits import read_bit, read_library, write_bit, write_library
+from CNCStepper.machine.tool_bits import bit_files, read_bit, read_library, write_bit, write_library
 from CNCStepper.machine.tool_table import read_table, write_table
 
 ENDINGS = (".fctb", ".fctl", ".tbl")
@@ -44,6 +44,13 @@ def write_tools(tools: list[StoredTool], path: Path, unit_mm: float = 1.0) -> li
         advice = "write a library, with the ending .fctl"
         raise JobError("tool-bit", "a tool bit is one tool", value=f"{len(kept)} tools", limit="1", advice=advice)
     return unknown
+
+
+def files_of(tools: list[StoredTool], path: Path) -> list[Path]:
+    """Return every file that `write_tools` writes: a library has one more a tool."""
+    ending = _ending(path)
+    kept = [each for each in tools if each not in _foreign(tools, ending)]
+    return [path, *(bit_files(kept, path) if ending == ".fctl" else ())]
 
 
 def _foreign(tools: list[StoredTool], ending: str) -> list[StoredTool]:

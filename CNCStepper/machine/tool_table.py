@@ -19,27 +19,30 @@ from pathlib import Path
 from typing import Any
 
 from CNCStepper.errors import JobError, Place
+from CNCStepper.input_file import read_input
 from CNCStepper.machine.stored_tool import StoredTool, given_keys, tool_or_note
 from CNCStepper.machine.tool import Tool
+from CNCStepper.printable import printable
+from CNCStepper.whole_file import write_whole
 
 WORD = re.compile(r"([A-Z])\s*([-+]?(?:\d+\.?\d*|\.\d+))", re.IGNORECASE)
 LETTERS = "TPXYZABCUVWDIJQ"
 KNOWN_SHAPES = (("ball", "ball"), ("drill", "drill"), ("mill", "flat"), ("flat", "flat"), ("cutter", "flat"))
 WRITTEN_KEYS = {"number", "shape", "diameter_mm", "length_offset_mm"}
 LARGEST_NUMBER = 255  # of a tool in a job
+MOST_BYTES, MOST_TOOLS = 4_000_000, 10_000
+MOST_NAME = 200  # characters of a comment
+LONGEST_WORD = 40  # characters of a number: no length has more digits
 
 
 def read_table(path: Path, unit_mm: float = 1.0) -> list[StoredTool]:
     """Return the tools of a table whose lengths are in units of `unit_mm`; raises JobError that names the line."""
-    try:
-        lines = path.read_text("utf-8-sig", errors="replace").splitlines()
-    except OSError as error:
-        raise JobError("tools-missing", f"'{path}' cannot be read: {error}", advice="correct the path") from error
-    return [
-        _tool(line, unit_mm, Place(str(path), number))
-        for number, line in enumerate(lines, start=1)
-        if line.partition(";")[0].strip()
-    ]
+    lines = read_input(path, MOST_BYTES).decode("utf-8-sig", errors="replace").splitlines()
+    numbered = [(number, line) for number, line in enumerate(lines, start=1) if line.partition(";")[0].strip()]
+    if len(numbered) > MOST_TOOLS:
+        value, limit = f"{len(numbered)}", f"{MOST_TOOLS}"
+        raise JobError("tool-table", "the table has too many tools", value=value, limit=limit, place=Place(str(path)))
+    return [_tool(line, unit_mm, Place(str(path), number)) for number, line in numbered]
 
 
 def write_table(tools: list[StoredTool], path: Path, unit_mm: float = 1.0) -> list[str]:
@@ -50,7 +53,7 @@ def write_table(tools: list[StoredTool], path: Path, unit_mm: float = 1.0) -> li
         if stored.tool is not None:
             lost = sorted(set(given_keys(stored.tool)) - WRITTEN_KEYS)
             notes += [f"tool {stored.number} '{stored.name}': a table has no {', '.join(lost)}"] if lost else []
-    path.write_text("".join(f"{line}\n" for line in lines), encoding="utf-8")
+    write_whole(path, "".join(f"{line}\n" for line in lines).encode("utf-8"))
     return notes
 
 
@@ -60,7 +63,8 @@ def _tool(line: str, unit_mm: float, place: Place) -> StoredTool:
     if WORD.sub("", code).strip() or set(words) - set(LETTERS) or "T" not in words:
         advice = "write a line such as: T3 P3 D6.0 Z+41.5 ;6 mm end mill"
         raise JobError("tool-table", f"not a tool of a table: '{line.strip()[:60]}'", advice=advice, place=place)
-    name = comment.strip()
+    name = printable(comment.strip(), MOST_NAME)
+    _require_short(words, place)
     number, raw = int(float(words["T"])), {"words": words, "unit_mm": unit_mm}
     diameter_mm = float(words.get("D", "0")) * unit_mm
     if diameter_mm <= 0:
@@ -71,6 +75,15 @@ def _tool(line: str, unit_mm: float, place: Place) -> StoredTool:
     offset = {"length_offset_mm": float(words["Z"]) * unit_mm} if "Z" in words else {}
     tool, notes = tool_or_note({"number": number, "shape": shape, "diameter_mm": diameter_mm, **offset})
     return StoredTool(number, name, tool, raw, (*guess, *notes))
+
+
+def _require_short(words: dict[str, str], place: Place) -> None:
+    """Raise JobError for a word whose number has more digits than any length or number has."""
+    for letter, number in words.items():
+        if len(number) > LONGEST_WORD:
+            value, limit = f"{letter}{number[:12]}… ({len(number)} characters)", f"{LONGEST_WORD} characters"
+            what, advice = "a number of the table is too long", "write fewer digits"
+            raise JobError("tool-table", what, value=value, limit=limit, advice=advice, place=place)
 
 
 def _shape(name: str) -> tuple[str, tuple[str, ...]]:

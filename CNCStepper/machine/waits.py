@@ -14,9 +14,11 @@ from typing import Annotated
 
 from pydantic import BaseModel, Field, model_validator
 
+from CNCStepper.quantities import QUANTITIES, Bounds
+
 MOST_WAITS = 100_000
-LEAST_MS, MOST_MS = 0.001, 60_000.0  # a wait: a million steps a second, a step a minute
-Ms = Annotated[float, Field(ge=LEAST_MS, le=MOST_MS)]
+LEAST_MS, MOST_MS = QUANTITIES["wait"].least, QUANTITIES["wait"].most
+Ms = Annotated[float, Bounds("wait")]
 
 PULL_OUT_TICK_S = 135e-6
 PULL_OUT = (101, 42, 32, 27, 24, 22, 20, 19, 18, 17, 16, 15, 14, 13, 12, 11, 10, 9, 8, 7, 6, 5, 4)
@@ -49,10 +51,10 @@ class Waits(BaseModel, extra="forbid", frozen=True, allow_inf_nan=False):
 
     table_ms: tuple[Ms, ...] = Field(default=(), max_length=MOST_WAITS)
     first_ms: Ms | None = None
-    change_ms: float | None = Field(default=None, gt=0)
+    change_ms: Annotated[float, Bounds("wait", 1e-8)] | None = None
     least_ms: Ms | None = None
-    acceleration_steps_s2: float | None = Field(default=None, gt=0)
-    steps: int | None = Field(default=None, ge=1, le=MOST_WAITS)
+    acceleration_steps_s2: Annotated[float, Bounds("steps_acceleration")] | None = None
+    steps: Annotated[int, Bounds("count", most=MOST_WAITS)] | None = None
     pull_in_ms: Ms | None = None
 
     @model_validator(mode="after")

@@ -163,9 +163,7 @@ def test_a_cycle_has_a_property_for_every_key_of_the_core(cycle: str) -> None:
     own = {entry.key for entry in kind.PROPERTIES if not entry.output}
     tables = {key for key in own if key.startswith(tuple(f"{name}_" for name in kind.TABLES))}
     drawn = {"curves", "outlines", "islands", "cycle", "offset_mm", "closed"}
-    assert set(cycle_class(cycle).model_fields) - drawn == (own - tables - {"active", "drawing", "picked"}) | set(
-        kind.TABLES
-    )
+    assert set(cycle_class(cycle).model_fields) - drawn == (own - tables - {"active", "drawings"}) | set(kind.TABLES)
 
 
 @pytest.mark.parametrize("cycle", MADE)
@@ -195,7 +193,7 @@ def test_saved_and_reopened_it_is_the_same(document: Any, job: Any, cycle: str, 
 
 
 def plain_values(obj: Any) -> dict[str, Any]:
-    return {key: value for key, value in values(obj).items() if key not in ("tool", "drawing")}
+    return {key: value for key, value in values(obj).items() if key not in ("tool", "drawings")}
 
 
 def shown_modes(obj: Any) -> dict[str, Any]:

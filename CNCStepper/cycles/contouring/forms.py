@@ -3,9 +3,11 @@
 
 from __future__ import annotations
 
-from typing import Literal
+from typing import Annotated, Literal
 
-from pydantic import BaseModel, ConfigDict, Field, model_validator
+from pydantic import BaseModel, ConfigDict, model_validator
+
+from CNCStepper.quantities import Bounds, Depth, LengthOr0, Width, WidthOr0
 
 Side = Literal["on", "inside", "outside", "left", "right"]
 Dogbones = Literal["none", "corner", "side"]
@@ -20,10 +22,10 @@ class Tabs(BaseModel):
 
     model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
 
-    count: int = Field(default=0, ge=0, le=MOST_TABS)
-    spacing_mm: float = Field(default=0.0, ge=0, le=100_000)
-    width_mm: float = Field(gt=0, le=1000)
-    height_mm: float = Field(gt=0, le=10_000)
+    count: Annotated[int, Bounds("count", 0, MOST_TABS)] = 0
+    spacing_mm: LengthOr0 = 0.0
+    width_mm: Width
+    height_mm: Depth
 
     @model_validator(mode="after")
     def _are_counted_once(self) -> Tabs:
@@ -42,9 +44,9 @@ class Lead(BaseModel):
     model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
 
     kind: Literal["none", "line", "arc"] = "none"
-    radius_mm: float = Field(default=0.0, ge=0, le=1000)
-    length_mm: float = Field(default=0.0, ge=0, le=1000)
-    angle_deg: float = Field(default=90.0, gt=0, le=180)
+    radius_mm: WidthOr0 = 0.0
+    length_mm: WidthOr0 = 0.0
+    angle_deg: Annotated[float, Bounds("angle", 0.01, 180.0)] = 90.0
 
     @model_validator(mode="after")
     def _has_its_size(self) -> Lead:

@@ -356,7 +356,7 @@ REFUSED = {
     "curve-closed": ({"side": "left"}, {}),
     "tool-wide": ({"side": "inside"}, {"diameter_mm": 31.0}),
     "tab-high": ({"tabs": {"count": 1, "width_mm": 2, "height_mm": 4}}, {}),
-    "tabs-many": ({"tabs": {"spacing_mm": 1e-4, "width_mm": 2, "height_mm": 1}}, {}),
+    "tabs-many": ({"tabs": {"spacing_mm": 1e-3, "width_mm": 2, "height_mm": 1}}, {}),
     "tab-room": ({"tabs": {"count": 1, "width_mm": 39, "height_mm": 1}}, {}),
     "lead-room": ({"side": "inside", "curves": (circle((0, 0), 3.05),), "lead_in": ARC}, {}),
     "lead-side": ({"side": "on", "lead_in": ARC}, {}),

@@ -228,7 +228,7 @@ def test_a_job_in_inches_cuts_the_same():
         ("peck-idle", {"style": "G82", "dwell_s": 1, "peck_mm": 2}, drill()),
         ("dwell-idle", {"dwell_s": 1}, drill()),
         ("dwell-idle", {"style": "G83", "peck_mm": 2, "dwell_s": 1}, drill()),
-        ("blocks-many", {"style": "G73", "peck_mm": 1e-9}, drill()),
+        ("blocks-many", {"style": "G73", "peck_mm": 0.001, "depth_mm": 5000}, drill()),
         ("hole-shape", {"pattern": {"kind": "circles", "circles": [TRIANGLE]}}, drill()),
         ("holes-many", {"pattern": MANY}, drill()),
     ],

@@ -182,7 +182,7 @@ def test_islands_that_touch_and_nest() -> None:
         (odd(from_points([(0, 0), (10, 0)], True)), "pocket-empty", "nothing to cut"),
         (odd(box(0, 0, 20, 20), stepover_mm=6.1), "stepover-wide", "islands remain"),
         (odd(box(0, 0, 20, 20), finish_stepover_mm=3.0), "finish-wide", "islands remain"),
-        (odd(box(0, 0, 20, 20), stepover_mm=1e-5), "passes-many", "stepover_mm"),
+        (odd(box(0, 0, 200, 200), stepover_mm=0.001), "passes-many", "stepover_mm"),
         (odd(from_points([(0, 0), (10, 0), (10, 10)])), "region-open", "open"),
     ],
 )

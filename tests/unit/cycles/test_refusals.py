@@ -63,7 +63,7 @@ def compiled() -> None:
     [
         ({}, {"diameter_mm": 50}, ["wider than the pocket", "50 mm", "below 50 mm", "smaller tool"]),
         ({"radius_x_mm": 2}, {}, ["wider than the pocket", "6 mm", "below 4 mm"]),
-        ({}, {"diameter_mm": math.inf}, ["diameter_mm", "finite"]),
+        ({}, {"diameter_mm": math.inf}, ["diameter_mm", "value inf mm", "10000 mm"]),
         ({"stepover_mm": 6.1}, {}, ["stepover_mm (ae)", "larger than the tool", "6.1 mm", "6 mm", "smaller"]),
         ({"finish_stepover_mm": 3.5}, {}, ["finish_stepover_mm", "3.5 mm", "2.99", "less"]),
         ({"finish_stepover_mm": 22}, {}, ["finish_stepover_mm"]),
@@ -80,21 +80,23 @@ def compiled() -> None:
         ({"method": "dda", "finish_stepover_mm": 2.5}, {}, ["finish_stepover_mm", "2.5 mm"]),
         ({}, {"diameter_mm": 47}, ["too narrow", "helix", '"plunge"']),
         ({"radius_x_mm": 25, "entry": "ramp"}, {"diameter_mm": 49}, ["too narrow", "ramp", '"plunge"']),
-        ({"stepdown_mm": 1e-12}, {}, ["stepdown_mm", f"{MOST_PASSES} passes", "larger"]),
-        ({"stepdown_mm": 1e-320}, {}, ["stepdown_mm", "larger"]),
-        ({"stepover_mm": 1e-12}, {}, ["stepover_mm", f"{MOST_PASSES} passes", "at least", "larger"]),
+        ({"stepdown_mm": 0.001, "depth_mm": 11}, {}, ["stepdown_mm", f"{MOST_PASSES} passes", "larger"]),
+        ({"stepdown_mm": 1e-12}, {}, ["stepdown_mm", "value 1e-12 mm", "0.001 to 10000 mm"]),
+        ({"stepdown_mm": 1e-320}, {}, ["stepdown_mm", "value 9.99"]),
+        ({"stepover_mm": 0.001}, {}, ["stepover_mm", f"{MOST_PASSES} passes", "at least", "larger"]),
+        ({"stepover_mm": 1e-12}, {}, ["stepover_mm", "value 1e-12 mm"]),
         ({"stepdown_mm": 0.0011, "stepover_mm": 0.05}, {}, ["blocks"]),
         ({"entry_angle_deg": 1e-9}, {}, ["entry_angle_deg", "0.1"]),
         (TINY | {"entry_angle_deg": 0.1, "depth_mm": 10_000, "stepdown_mm": 100}, {"diameter_mm": 0.02}, ["blocks"]),
         ({"centre_mm": [1e7, 0]}, {}, ["centre_mm.0", "100000"]),
-        ({"depth_mm": -1}, {}, ["depth_mm", "greater than 0", "-1"]),
-        ({"depth_mm": 0}, {}, ["depth_mm", "greater than 0"]),
+        ({"depth_mm": -1}, {}, ["depth_mm", "-1 mm", "0.001"]),
+        ({"depth_mm": 0}, {}, ["depth_mm", "0 mm", "0.001"]),
         ({"depth_mm": 1e9}, {}, ["depth_mm", "10000"]),
         ({"radius_x_mm": 1e300}, {}, ["radius_x_mm", "100000"]),
         ({"radius_x_mm": 10**400}, {}, ["radius_x_mm"]),
-        ({"radius_y_mm": math.nan}, {}, ["radius_y_mm", "finite"]),
-        ({"rotation_deg": math.inf}, {}, ["rotation_deg", "finite"]),
-        ({"centre_mm": [math.nan, 0]}, {}, ["centre_mm.0", "finite"]),
+        ({"radius_y_mm": math.nan}, {}, ["radius_y_mm", "nan mm"]),
+        ({"rotation_deg": math.inf}, {}, ["rotation_deg", "inf deg"]),
+        ({"centre_mm": [math.nan, 0]}, {}, ["centre_mm.0", "nan mm"]),
         ({"centre_mm": [0]}, {}, ["centre_mm", "too few values", "give all of them"]),
         ({"tolerance_mm": 0}, {}, ["tolerance_mm", "0.003"]),
         ({"stepover_mm": -1}, {}, ["stepover_mm"]),
@@ -118,7 +120,7 @@ def test_pockets_that_are_refused(values: dict[str, Any], tool: dict[str, Any], 
     [
         ({"closed": True}, {}, ["does not end where it began", "closed = false"]),
         ({"depth_mm": -1}, {}, ["depth_mm"]),
-        ({"stepdown_mm": 1e-12}, {}, ["stepdown_mm", "10000 passes", "larger"]),
+        ({"stepdown_mm": 0.001, "depth_mm": 11}, {}, ["stepdown_mm", "10000 passes", "larger"]),
         ({"curves": []}, {}, ["curves"]),
         ({"curves": [{"xy": [[0, 0]], "bulge": []}]}, {}, ["curves.0", "two points"]),
         ({"curves": [{"xy": [[0, 0], [math.nan, 1]], "bulge": [0]}]}, {}, ["curves.0", "length in mm"]),
@@ -188,7 +190,8 @@ def test_no_extreme_value_ends_in_anything_but_a_cut_or_a_refusal() -> None:
         table = TableBuilder(Start())
         try:
             operation = validated(EllipticalPocket, values, "job.toml")
-            operation.cut(Setup(Tool(**TOOL | {"diameter_mm": diameter_mm}), 10, 2), table)
+            tool = validated(Tool, TOOL | {"diameter_mm": diameter_mm}, "job.toml")
+            operation.cut(Setup(tool, 10, 2), table)
         except CNCStepperError:
             assert table.index == 0, values
             refusals += 1

@@ -62,9 +62,13 @@ REFUSALS = [
     (
         "depth_mm = 10 ",
         "",
-        "operation 1: the key depth_mm is missing; add depth_mm = a number above 0",
+        "operation 1: the key depth_mm is missing; add depth_mm = a number from 0.001 to 10000 mm",
     ),
-    ("diameter_mm = 6.0", "", "the key diameter_mm is missing in tool 1; add diameter_mm = a number above 0"),
+    (
+        "diameter_mm = 6.0",
+        "",
+        "the key diameter_mm is missing in tool 1; add diameter_mm = a number from 0.001 to 10",
+    ),
     (
         'origin = "',
         'oring = "',
@@ -81,7 +85,10 @@ def test_bad_jobs_are_refused_naming_the_key(old: str, new: str, told: str, tmp_
 
 
 TABLES = [
-    ({"tabs": {"count": 2, "width_mm": 6}}, "the key height_mm is missing in tabs; add height_mm = a number above 0"),
+    (
+        {"tabs": {"count": 2, "width_mm": 6}},
+        "the key height_mm is missing in tabs; add height_mm = a number from 0.001",
+    ),
     (
         {"tabs": {"count": 2, "wide_mm": 6}},
         "key tabs.wide_mm; correct its spelling or take it out; known in tabs are: co",
@@ -130,7 +137,7 @@ def test_what_cannot_be_cut_is_refused_with_value_limit_and_advice(
 
 
 def test_a_missing_job_and_a_file_that_is_none(tmp_path: Path) -> None:
-    with pytest.raises(JobError, match="no job file"):
+    with pytest.raises(JobError, match="no such file"):
         load_job(tmp_path / "none.toml")
     (tmp_path / "list.json").write_text("[1, 2]", encoding="utf-8")
     with pytest.raises(JobError, match="holds no object"):
@@ -193,7 +200,10 @@ def test_stocks_of_every_form_are_made_saved_and_certified(tmp_path: Path) -> No
         ('form = "height_field"\nsize_mm = [100, 70, 20]\nheights = "none.csv"', "none.csv"),
         ('form = "height_field"\nsize_mm = [100, 70, 20]\nheights = "bad.csv"', "bad.csv:2: "),
         ('form = "height_field"\nsize_mm = [100, 70, 20]\nheights = "uneven.csv"', "different numbers"),
-        ("size_mm = [0, 70, 20]", "three lengths above zero"),
+        (
+            "size_mm = [0, 70, 20]",
+            "stock.size_mm.0 must be a number within its bounds (value 0 mm, limit 0.001 to",
+        ),
     ],
 )
 def test_stocks_that_are_none_are_refused(new: str, told: str, tmp_path: Path) -> None:
