@@ -13,13 +13,18 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from CNCStepper.drawing.dxf_entities import curve_of
-from CNCStepper.errors import GeometryError, JobError, Place
+from CNCStepper.drawing.dxf_entities import BROKEN, curve_of
+from CNCStepper.drawing.dxf_log import collected_log
+from CNCStepper.drawing.dxf_size import DEEPEST, MOST_BYTES, require_readable, require_small
+from CNCStepper.errors import GeometryError, JobError, Place, placed
 from CNCStepper.geometry.chains import NEAR_MM, SAME_MM, Gap, chained
 from CNCStepper.geometry.curve import Curve
+from CNCStepper.input_file import read_input
+from CNCStepper.printable import printable
+from CNCStepper.quantities import Bounds
 
+MOST_WORDS = 255  # characters of a name, and of what ezdxf says
 UNIT_NAME = b"$INSUNITS"  # where a file does not hold it, ezdxf may take it for one in metres
-DEEPEST = 32  # blocks within blocks; a block that holds itself goes on for ever
 
 
 @dataclass(frozen=True)
@@ -46,6 +51,7 @@ class Drawing:
     """The layers of a file that hold curves, in the order in which they first appear, and what was left out.
 
     `damage` says what is wrong with a file that had to be mended, of which a part may be missing; "" for a sound one.
+    Names and sentences of the file and of ezdxf in it are printable.
     """
 
     layers: tuple[Layer, ...]
@@ -72,17 +78,16 @@ def read_dxf(
     """
     if not tolerance_mm > 0:
         raise JobError("tolerance", "the tolerance must be above 0", value=f"{tolerance_mm:g} mm")
-    document, damage = _document(path)
-    unit_mm = unit_mm or (_unit_mm(document) if UNIT_NAME in path.read_bytes() else 1.0)
-    pieces: dict[str, list[Curve]] = {}
-    skipped = []
-    for entity, layer in _visible(document, document.modelspace(), None, 0):
-        try:
-            curve = curve_of(entity, tolerance_mm / unit_mm)
-        except GeometryError as error:
-            skipped.append(Skipped(entity.dxftype(), layer, str(entity.dxf.handle or ""), error.what))
-        else:
-            pieces.setdefault(layer, []).append(curve if unit_mm == 1.0 else curve.scaled(unit_mm))
+    place = Place(str(path))
+    content = read_input(path, MOST_BYTES)
+    require_readable(content, place)
+    with collected_log() as told:
+        document, damage = _document(path)
+        require_small(document, place)
+        unit_mm = unit_mm or (_unit_mm(document) if UNIT_NAME in content else 1.0)
+        unit_mm = Bounds("unit").require(unit_mm, "the drawing's unit", place)
+        pieces, skipped = _pieces(document, tolerance_mm, unit_mm)
+    damage = damage or (told[0] if told else "")
     if not pieces and damage:
         raise _no_dxf(path, damage)
     if not pieces:
@@ -93,8 +98,25 @@ def read_dxf(
             advice="draw lines, arcs, circles, polylines, ellipses or splines in its model space, on visible layers",
             place=Place(str(path)),
         )
-    layers = tuple(Layer(name, *chained(curves, same_mm, near_mm)) for name, curves in pieces.items())
-    return Drawing(layers, tuple(skipped), unit_mm, damage)
+    with placed(place):
+        layers = tuple(Layer(name, *chained(curves, same_mm, near_mm)) for name, curves in pieces.items())
+    return Drawing(layers, tuple(skipped), unit_mm, printable(damage, MOST_WORDS))
+
+
+def _pieces(document: Any, tolerance_mm: float, unit_mm: float) -> tuple[dict[str, list[Curve]], list[Skipped]]:
+    """Return the curve of each entity in mm, by layer, and the entities that have none."""
+    pieces: dict[str, list[Curve]] = {}
+    skipped = []
+    for entity, layer in _visible(document, document.modelspace(), None, 0):
+        try:
+            curve = curve_of(entity, tolerance_mm / unit_mm)
+            curve = curve if unit_mm == 1.0 else curve.scaled(unit_mm)
+        except GeometryError as error:
+            kind, handle = printable(entity.dxftype(), MOST_WORDS), printable(str(entity.dxf.handle or ""), MOST_WORDS)
+            skipped.append(Skipped(kind, printable(layer, MOST_WORDS), handle, error.what))
+        else:
+            pieces.setdefault(printable(layer, MOST_WORDS), []).append(curve)
+    return pieces, skipped
 
 
 def _document(path: Path) -> tuple[Any, str]:
@@ -107,8 +129,6 @@ def _document(path: Path) -> tuple[Any, str]:
 
     try:
         return ezdxf.readfile(path), ""
-    except FileNotFoundError as error:
-        raise JobError("dxf-missing", f"there is no drawing '{path}'", advice="correct the path") from error
     except Exception as damage:
         try:
             return recover.readfile(path)[0], str(damage) or "it ends too early"
@@ -118,7 +138,7 @@ def _document(path: Path) -> tuple[Any, str]:
 
 def _no_dxf(path: Path, why: str) -> JobError:
     advice = "save it as DXF again, as R2000 or newer"
-    return JobError("dxf-file", f"not a DXF file: {why}", advice=advice, place=Place(str(path)))
+    return JobError("dxf-file", f"not a DXF file: {printable(why, MOST_WORDS)}", advice=advice, place=Place(str(path)))
 
 
 def _unit_mm(document: Any) -> float:
@@ -137,10 +157,26 @@ def _visible(document: Any, entities: Any, inserted_on: str | None, depth: int) 
         if _attribute(entity, "invisible", 0) or _is_hidden(document, layer):
             continue
         if entity.dxftype() == "INSERT" and depth < DEEPEST:
-            for insert in entity.multi_insert() if entity.mcount > 1 else [entity]:
-                yield from _visible(document, insert.virtual_entities(), layer, depth + 1)
+            for insert in _inserts(entity):
+                yield from _visible(document, _taken_apart(insert), layer, depth + 1)
         else:
             yield entity, layer
+
+
+def _inserts(entity: Any) -> list[Any]:
+    """Return an insertion in rows and columns as single ones; one that ezdxf cannot place stays what it is."""
+    try:
+        return list(entity.multi_insert()) if entity.mcount > 1 else [entity]
+    except BROKEN:
+        return [entity]
+
+
+def _taken_apart(insert: Any) -> list[Any]:
+    """Return the entities of a block where it is inserted, or the insertion itself where ezdxf cannot place them."""
+    try:
+        return list(insert.virtual_entities())
+    except BROKEN:
+        return [insert]  # at the deepest level it is named among what is left out
 
 
 def _attribute(entity: Any, name: str, otherwise: Any) -> Any:

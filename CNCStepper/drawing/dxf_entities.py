@@ -17,9 +17,16 @@ import numpy as np
 from CNCStepper.errors import GeometryError
 from CNCStepper.geometry.curve import COINCIDENT_MM, Curve, joined
 from CNCStepper.geometry.fit import Function, fit_arcs, fit_curve
+from CNCStepper.printable import printable
 
 FLAT = 1e-6  # units: heights that differ by less are one; also how far an extrusion may lean from Z
 ROUND = 1e-9  # an ellipse whose axes differ by less, relatively, is a circle
+LARGEST = 1e9  # units: beyond it nothing of a drawing can be told apart
+BROKEN = (ArithmeticError, AttributeError, LookupError, RuntimeError, TypeError, ValueError)
+MOST_WORDS = 255
+MOST_DEGREE = 25
+MOST_SAMPLES = 20_000_000  # places of a spline that are looked at
+KNOTS_AT_ONCE = 8  # the fit looks at all of a stretch again and again: long ones would take time with their square
 Reader = Callable[[Any, float], Curve]
 
 
@@ -28,10 +35,30 @@ def curve_of(entity: Any, tolerance: float) -> Curve:
     reader = READERS.get(entity.dxftype())
     if reader is None:
         raise GeometryError("dxf-kind", "nothing that a tool could follow")
-    curve = reader(entity, tolerance)
+    _require_numbers(entity)
+    try:
+        curve = reader(entity, tolerance)
+    except GeometryError:
+        raise
+    except BROKEN as error:  # of ezdxf and numpy, on numbers that make no curve
+        why = printable(str(error), MOST_WORDS) or type(error).__name__
+        raise GeometryError("dxf-broken", f"its numbers make no curve: {why}") from error
     if curve.length_mm <= COINCIDENT_MM:
         raise GeometryError("curve-short", "the curve has no length")
     return curve
+
+
+def _require_numbers(entity: Any) -> None:
+    """Raise GeometryError for an attribute that is no number, or too large a one."""
+    for name, value in entity.dxfattribs().items():
+        if not _within(value):
+            raise GeometryError("dxf-number", f"its {name} is no number in bounds", limit=f"{LARGEST:g}")
+
+
+def _within(value: Any) -> bool:
+    """Return whether a value of ezdxf's, a number or a vector, is within the bounds; texts are."""
+    numbers = (value,) if isinstance(value, int | float) else getattr(value, "xyz", ())
+    return all(abs(number) <= LARGEST for number in numbers)  # false for NaN
 
 
 def _line(entity: Any, _: float) -> Curve:
@@ -62,6 +89,7 @@ def round_arc(centre: Any, radius: float, first_rad: float, sweep_rad: float) ->
 
 def _light_polyline(entity: Any, _: float) -> Curve:
     points = np.array(entity.get_points("xyb"), float).reshape(-1, 3)
+    _require_finite(points)
     return _from_above(entity, _bulged(points, bool(entity.closed)))
 
 
@@ -71,9 +99,16 @@ def _polyline(entity: Any, _: float) -> Curve:
     vertices = [vertex for vertex in entity.vertices if not vertex.dxf.flags & vertex.SPLINE_FRAME_CONTROL_POINT]
     rows = [(*vertex.dxf.location, vertex.dxf.get("bulge", 0.0)) for vertex in vertices]
     columns = np.array(rows, float).reshape(-1, 4)
+    _require_finite(columns)
     _require_level(columns[:, 2])
     curve = _bulged(columns[:, [0, 1, 3]], bool(entity.is_closed))
     return _from_above(entity, curve) if entity.is_2d_polyline else curve
+
+
+def _require_finite(rows: np.ndarray) -> None:
+    """Raise GeometryError for a coordinate or bulge of a polyline that is no number, or too large a one."""
+    if not (np.abs(rows) <= LARGEST).all():
+        raise GeometryError("dxf-number", "one of its points is no number in bounds", limit=f"{LARGEST:g}")
 
 
 def _bulged(points: np.ndarray, closed: bool) -> Curve:
@@ -109,16 +144,41 @@ def _in_quarters(point: Function, first: float, sweep: float, tolerance: float) 
 
 
 def _spline(entity: Any, tolerance: float) -> Curve:
+    _require_spline(entity)
     spline = entity.construction_tool()
     _require_level([point.z for point in spline.control_points])
     knots = np.array(spline.knots(), float)
     first, last = float(knots[spline.degree]), float(knots[spline.count])
+    if not (np.isfinite(knots).all() and (np.diff(knots) >= 0).all() and first < last):
+        raise GeometryError("dxf-spline", "its knots do not rise")
+    looked_at = 0
 
     def point(t: np.ndarray) -> np.ndarray:
+        nonlocal looked_at
+        looked_at += len(t)
+        if looked_at > MOST_SAMPLES:
+            raise GeometryError("dxf-spline", "it is too long for its tolerance")
         return np.array([(place.x, place.y) for place in spline.points(t.tolist())])
 
     inner = np.unique(knots[(knots > first) & (knots < last)])
-    return fit_curve(point, first, last, tolerance, inner.tolist())
+    stops = [first, *inner[KNOTS_AT_ONCE - 1 :: KNOTS_AT_ONCE].tolist(), last]
+    return joined(fit_curve(point, *part, tolerance, inner.tolist()) for part in itertools.pairwise(stops))
+
+
+def _require_spline(entity: Any) -> None:
+    """Raise GeometryError for a spline whose degree, points, knots and weights do not belong together."""
+    degree, points, knots = entity.dxf.get("degree", 3), entity.control_points, entity.knots
+    if not 1 <= degree <= MOST_DEGREE:
+        limit = f"1 to {MOST_DEGREE}"
+        raise GeometryError("dxf-spline", "the degree of the spline is out of bounds", value=f"{degree}", limit=limit)
+    for name, values in (("points", [*points, *entity.fit_points]), ("knots", knots), ("weights", entity.weights)):
+        if not (np.abs(np.array(values, float)) <= LARGEST).all():
+            raise GeometryError("dxf-spline", f"its {name} are no numbers in bounds")
+    if len(knots) and len(points) and len(knots) != len(points) + degree + 1:
+        value, limit = f"{len(knots)} knots", f"{len(points) + degree + 1}"
+        raise GeometryError("dxf-spline", "its knots and points do not belong together", value=value, limit=limit)
+    if len(points) and any(weight <= 0 for weight in entity.weights):
+        raise GeometryError("dxf-spline", "its weights are not above 0")
 
 
 def _from_above(entity: Any, curve: Curve) -> Curve:

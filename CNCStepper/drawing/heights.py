@@ -10,6 +10,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from CNCStepper.errors import JobError, Place
+from CNCStepper.input_file import read_input
 
 Heights = tuple[tuple[float, ...], ...]
 
@@ -17,10 +18,10 @@ Heights = tuple[tuple[float, ...], ...]
 def read_heights(path: Path) -> Heights:
     """Return the rows of a file, each along X; raises JobError that names file and line."""
     try:
-        lines = path.read_text("utf-8-sig").splitlines()
-    except (OSError, ValueError) as error:
-        advice = "correct the path, or save the file as UTF-8 text"
-        raise JobError("heights-missing", f"the heights '{path}' cannot be read: {error}", advice=advice) from error
+        lines = read_input(path).decode("utf-8-sig").splitlines()
+    except UnicodeDecodeError as error:
+        what, advice = f"the heights cannot be read: {error.reason}", "save the file as UTF-8 text"
+        raise JobError("heights-text", what, advice=advice, place=Place(str(path))) from error
     rows = [_row(text, Place(str(path), number)) for number, text in enumerate(lines, start=1)]
     kept = tuple(row for row in rows if row)
     if len({len(row) for row in kept}) > 1:

@@ -276,7 +276,7 @@ def test_drawings_of_others(name: str, layers: dict[str, int], closed: int, gaps
 
 @pytest.mark.parametrize(
     ("content", "code"),
-    [(b"", "dxf-file"), (b"G1 X0\n", "dxf-file"), (bytes(range(256)) * 40, "dxf-file"), (None, "dxf-missing")],
+    [(b"", "dxf-file"), (b"G1 X0\n", "dxf-file"), (bytes(range(256)) * 40, "dxf-file"), (None, "input-missing")],
 )
 def test_what_is_no_drawing_is_refused(tmp_path: Path, content: bytes | None, code: str) -> None:
     path = tmp_path / "a.dxf"
