@@ -5,7 +5,6 @@ from __future__ import annotations
 
 import functools
 import hashlib
-import importlib.metadata
 import os
 import platform
 import shutil
@@ -18,6 +17,8 @@ PACKAGE = Path(__file__).resolve().parent
 ROOMS_ABOVE = {"cli", "control", "drawing", "gcode", "job", "virtual", "workbench"}  # no kernel uses them
 KEPT_CACHES = 16
 VARIABLE = "NUMBA_CACHE_DIR"
+
+postponed = False  # set before kernels are imported: numba is loaded only once they take longer than that would
 
 
 def digest() -> str:
@@ -58,6 +59,8 @@ def stamp() -> Path:
 
     Raises importlib.metadata.PackageNotFoundError without numba.
     """
+    import importlib.metadata  # takes 30 ms, which a short command does not have
+
     version = f"{sys.version_info[0]}.{sys.version_info[1]}"
     numba = importlib.metadata.version("numba")
     return folder() / f"warm-{digest()}-py{version}-numba{numba}-{platform.machine()}"

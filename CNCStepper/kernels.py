@@ -2,14 +2,19 @@
 """`njit`: compiles a kernel where numba is present and leaves it plain Python where it is not.
 
 Never `parallel=True`: with a cold cache it starts `sys.executable`, which inside FreeCAD is FreeCAD.
-Import this module only from modules that hold kernels: numba costs 0.4 s.
+Import this module only from modules that hold kernels: numba costs 0.4 s. A short command postpones that
+(`kernel_cache.postponed`): its kernels run as plain Python for PYTHON_S, and are compiled if there is more to do.
 """
 
 from __future__ import annotations
 
+import importlib.util
+import os
+import sys
+import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from typing import Any, TypeVar
+from typing import Any, ClassVar, TypeVar
 
 import numpy as np
 
@@ -17,13 +22,23 @@ from CNCStepper import kernel_cache
 
 kernel_cache.folder()  # numba reads its variable when it is loaded
 
-numba: Any
-try:
-    import numba
-except ImportError:  # everything still works, slowly; callers tell the user through COMPILED
-    numba = None
+PYTHON_S = 0.15  # of plain Python before numba is loaded, which takes twice as long
 
-COMPILED = numba is not None and not numba.config.DISABLE_JIT
+numba: Any = None
+if not kernel_cache.postponed:
+    try:
+        import numba
+    except ImportError:  # everything still works, slowly; callers tell the user through COMPILED
+        numba = None
+
+
+def _can_compile() -> bool:
+    if kernel_cache.postponed:
+        return importlib.util.find_spec("numba") is not None and os.environ.get("NUMBA_DISABLE_JIT", "0") in ("", "0")
+    return numba is not None and not numba.config.DISABLE_JIT
+
+
+COMPILED = _can_compile()
 
 Arrays = TypeVar("Arrays", bound=tuple)
 
@@ -34,6 +49,10 @@ def njit(kernel: Callable[..., Any], **options: Any) -> Callable[..., Any]:
     """Return `kernel` compiled on first call, its machine code kept in the user's cache folder."""
     if not COMPILED:
         return kernel
+    return _compiled(kernel, options) if numba else _Postponed(kernel, options)
+
+
+def _compiled(kernel: Callable[..., Any], options: dict[str, Any]) -> Callable[..., Any]:
     compiled = numba.njit(cache=True, nogil=True, **options)(kernel)
     compile_for = compiled._compile_for_args  # numba calls it for what is not compiled, and then what it returns
 
@@ -45,6 +64,63 @@ def njit(kernel: Callable[..., Any], **options: Any) -> Callable[..., Any]:
 
     compiled._compile_for_args = compile_or_not
     return compiled  # type: ignore[no-any-return]
+
+
+class _Postponed:
+    """A kernel that runs as plain Python until all of them together have taken PYTHON_S."""
+
+    made: ClassVar[list[_Postponed]] = []
+    spent_s = 0.0
+    begun_s: float | None = None  # when the outermost kernel that runs was called
+
+    def __init__(self, kernel: Callable[..., Any], options: dict[str, Any]):
+        self._kernel, self._options = kernel, options
+        self.compiled: Callable[..., Any] | None = None
+        self.made.append(self)
+
+    def __call__(self, *arguments: Any, **named: Any) -> Any:
+        if self.compiled is None and self._has_time():
+            return self._run(*arguments, **named)
+        load()
+        assert self.compiled
+        return self.compiled(*arguments, **named)
+
+    @classmethod
+    def _has_time(cls) -> bool:
+        running_s = 0.0 if cls.begun_s is None else time.thread_time() - cls.begun_s
+        return cls.spent_s + running_s < PYTHON_S
+
+    def _run(self, *arguments: Any, **named: Any) -> Any:
+        if _Postponed.begun_s is not None:
+            return self._kernel(*arguments, **named)
+        _Postponed.begun_s = time.thread_time()
+        try:
+            return self._kernel(*arguments, **named)
+        finally:
+            _Postponed.spent_s += time.thread_time() - _Postponed.begun_s
+            _Postponed.begun_s = None
+
+    def compile(self) -> None:
+        """Make the kernel that numba compiles at its first call."""
+        self.compiled = _compiled(self._kernel, self._options)
+
+
+def load() -> None:
+    """Load numba where that was postponed; kernels that call others then find these compiled, too."""
+    global numba
+    if numba is not None:
+        return
+    import numba as loaded
+
+    numba = loaded
+    kernel_cache.postponed = False
+    for kernel in _Postponed.made:
+        kernel.compile()
+    for name, module in list(sys.modules.items()):
+        if name.startswith("CNCStepper"):
+            for held, value in list(vars(module).items()):
+                if isinstance(value, _Postponed):
+                    setattr(module, held, value.compiled)
 
 
 def njit_in_place(kernel: Callable[..., Any]) -> Callable[..., Any]:
@@ -69,6 +145,8 @@ def bare(arrays: Arrays) -> Arrays:
     Compiled, a kernel is called eight times as quickly with plain records as with those that have attributes, which
     plain Python needs. For who calls small kernels again and again, and reads their records by `record["field"]`.
     """
+    if COMPILED:
+        load()  # plain Python could not read these records
     return type(arrays)(*map(_bare, arrays)) if COMPILED else arrays
 
 

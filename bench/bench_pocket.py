@@ -17,6 +17,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
+from first_call import as_new
 
 from CNCStepper.cycles.elliptical_pocket import EllipticalPocket
 from CNCStepper.cycles.form import Answer, Cycle, Removal, Setup
@@ -116,9 +117,9 @@ def ours(operation: Cycle) -> tuple[Made, Answer]:
     """Return our pocket, its program written and read back; the times are those of the cycle alone."""
     setup, seconds = Setup(TOOL, CLEARANCE_MM, RETRACT_MM), []
     for _ in range(TIMES):
-        table = TableBuilder(Start(), State(tool=1, spindle="cw", spindle_rpm=12000))
+        table, new = TableBuilder(Start(), State(tool=1, spindle="cw", spindle_rpm=12000)), as_new(operation)
         begun, spent = time.perf_counter(), time.process_time()
-        answer = operation.cut(setup, table)
+        answer = new.cut(setup, table)
         seconds.append((time.perf_counter() - begun, time.process_time() - spent))
     text = write(table.toolpath(), dialect("grbl"), WriteOptions(units="mm", clearance_mm=CLEARANCE_MM))
     return _made(seconds, text), answer

@@ -4,12 +4,13 @@
 from __future__ import annotations
 
 import importlib
+import os
 import sys
 from typing import Any
 
 import click
 
-from CNCStepper import __version__
+from CNCStepper import __version__, kernel_cache
 from CNCStepper.cli.hints import show_hints
 from CNCStepper.errors import CNCStepperError
 
@@ -46,6 +47,9 @@ VERBS = {
 }
 
 
+SHORT = {"check", "time", "convert", "edit", "compact", "trace"}  # mostly done before numba would be loaded
+
+
 class _Verbs(click.Group):
     """Loads `CNCStepper.cli.VERB` when VERB is called, so that `--help` is quick."""
 
@@ -55,6 +59,9 @@ class _Verbs(click.Group):
     def get_command(self, context: click.Context, name: str) -> click.Command | None:
         if name not in VERBS:
             return None
+        os.environ.setdefault("PYDANTIC_DISABLE_PLUGINS", "__all__")  # looking for them takes longer than a short verb
+        if name in SHORT and "CNCStepper.kernels" not in sys.modules:
+            kernel_cache.postponed = True
         module = importlib.import_module(f"CNCStepper.cli.{name}")
         return module.command
 

@@ -91,7 +91,7 @@ def test_the_end_of_travel_is_a_finding_with_its_line(tmp_path: Path) -> None:
 
 def test_a_program_is_not_written_over(six: Path) -> None:
     refused = run(six, six)
-    assert refused.exit_code == 1 and "not written over" in str(refused.exception)
+    assert refused.exit_code == 1 and "--port would write over the program" in str(refused.exception)
     assert six.read_text("utf-8") == SIX
 
 

@@ -1,0 +1,51 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A verb that has little to do is done before numba would be loaded; one with more loads it, and says the same."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+SCRIPT = """
+import sys
+from CNCStepper.cli import main
+sys.argv[0] = "cncstepper"
+try:
+    main.main()
+finally:
+    from CNCStepper import kernels
+    print("numba" in sys.modules, kernels.COMPILED, file=sys.stderr)
+"""
+THREE = "G21 G90\nG1 X10 F300\nG0 X0\n"
+
+
+def said(verb: str, program: Path, variables: dict[str, str] | None = None) -> tuple[str, str]:
+    """Return what a verb prints, and whether numba was loaded and is there."""
+    words = [sys.executable, "-c", SCRIPT, verb, str(program), "--machine", "table-a"]
+    environment = {**os.environ, **(variables or {})}
+    result = subprocess.run(words, capture_output=True, text=True, env=environment)
+    assert result.returncode == 0, result.stderr
+    return result.stdout, result.stderr.splitlines()[-1]
+
+
+@pytest.mark.parametrize("verb", ["time", "check"])
+def test_three_lines_load_no_numba(tmp_path: Path, verb: str) -> None:
+    program = tmp_path / "three.nc"
+    program.write_text(THREE, encoding="ascii")
+    printed, loaded = said(verb, program)
+    assert loaded == "False True"
+    assert (printed, "False False") == said(verb, program, {"NUMBA_DISABLE_JIT": "1"})
+
+
+@pytest.mark.parametrize("verb", ["time", "check"])
+def test_more_work_loads_it_in_the_middle(tmp_path: Path, verb: str) -> None:
+    program = tmp_path / "many.nc"
+    moves = (f"G1 X{index % 7} Y{index % 5} F{100 + index % 50}\n" for index in range(600))
+    program.write_text("G21 G90\nG0 Z5\nG0 X0 Y0\nM3 S9000\nG4 P3\n" + "".join(moves), encoding="ascii")
+    printed, loaded = said(verb, program)
+    assert loaded == "True True"
+    assert (printed, "False False") == said(verb, program, {"NUMBA_DISABLE_JIT": "1"})
