@@ -18,35 +18,63 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from CNCStepper.errors import GeometryError
 from CNCStepper.geometry.curve import Curve, from_points, joined
+from CNCStepper.workbench.drawn_curves import DrawnCurve
 from CNCStepper.workbench.shapes import open_line
 
+SAMPLES = 64  # places along a curve by which it is seen whether another one holds it, beside its vertices
+TOUCH_MM = 1e-3  # a point that is nearer to the other curve says nothing
 
-def nested(curves: Sequence[Curve], label: str) -> tuple[tuple[Curve, ...], tuple[Curve, ...]]:
-    """Return the outlines and the islands among closed curves; raises GeometryError for an open one.
 
-    label: of the drawing, for that sentence.
+def nested(drawn: Sequence[DrawnCurve]) -> tuple[tuple[Curve, ...], tuple[Curve, ...]]:
+    """Return the outlines and the islands among closed curves; raises GeometryError for an open one or two that cross.
+
+    Curves may touch.
     """
-    for curve in curves:
-        if not curve.closed:
-            raise open_line(label, tuple(curve.xy[-1]))
-    holders = [[other for other in curves if other is not curve and _holds(other, curve)] for curve in curves]
-    pairs = list(zip(curves, map(len, holders), strict=True))
+    for each in drawn:
+        if not each.curve.closed:
+            raise open_line(each.label, tuple(each.curve.xy[-1]))
+    holders = _holders(drawn)
+    pairs = [(each.curve, len(held)) for each, held in zip(drawn, holders, strict=True)]
     outlines = tuple(curve for curve, depth in pairs if depth % 2 == 0)
-    islands = tuple(_ring(curve, _next_within(curve, depth, pairs)) for curve, depth in pairs if depth % 2)
-    return outlines, islands
+    islands = [(number, curve) for number, (curve, depth) in enumerate(pairs) if depth % 2]
+    return outlines, tuple(_ring(curve, _next_within(number, pairs, holders)) for number, curve in islands)
 
 
-def _holds(outer: Curve, inner: Curve) -> bool:
-    """Return whether one closed curve lies within another: by a point of it, for what crosses is refused later."""
-    if abs(outer.area_mm2) <= abs(inner.area_mm2):
-        return False
-    middle, _ = inner.at_length(inner.length_mm * 0.37)
-    return bool(outer.winding(np.reshape(middle, (1, 2)))[0] != 0)
+def _holders(drawn: Sequence[DrawnCurve]) -> list[list[int]]:
+    """Return the numbers of the curves that hold each curve."""
+    reach_mm = np.array([np.abs(each.curve.bulge).max(initial=0.0) * each.curve.length_mm for each in drawn])[:, None]
+    low = np.array([each.curve.xy.min(axis=0) for each in drawn]).reshape(-1, 2) - reach_mm
+    high = np.array([each.curve.xy.max(axis=0) for each in drawn]).reshape(-1, 2) + reach_mm
+    areas = np.array([abs(each.curve.area_mm2) for each in drawn])
+    found = []
+    for number, each in enumerate(drawn):
+        near = np.all(low <= high[number], axis=1) & np.all(high >= low[number], axis=1) & (areas > areas[number])
+        found.append([other for other in np.flatnonzero(near).tolist() if _holds(drawn[other], each)])
+    return found
 
 
-def _next_within(island: Curve, depth: int, pairs: list[tuple[Curve, int]]) -> list[Curve]:
-    return [curve for curve, own in pairs if own == depth + 1 and _holds(island, curve)]
+def _holds(outer: DrawnCurve, inner: DrawnCurve) -> bool:
+    """Return whether a closed curve lies within a larger one; raises GeometryError where the two cross."""
+    places, _ = inner.curve.at_length((np.arange(SAMPLES) + 0.37) * inner.curve.length_mm / SAMPLES)
+    points = np.vstack([places, inner.curve.xy])
+    clear = points[outer.curve.distances_mm(points) > TOUCH_MM]
+    within = outer.curve.winding(clear) != 0
+    if within.any() and not within.all():
+        x, y = clear[int(np.argmax(within != within[0]))]
+        raise GeometryError(
+            "outlines-cross",
+            f"'{inner.label}' and '{outer.label}' cross, so that it is not clear what lies inside",
+            value=f"near X {x:.4g} Y {y:.4g}",
+            advice="join them into one outline, or move one of them",
+        )
+    return bool(within.any())
+
+
+def _next_within(island: int, pairs: list[tuple[Curve, int]], holders: list[list[int]]) -> list[Curve]:
+    depth = pairs[island][1]
+    return [curve for (curve, own), held in zip(pairs, holders, strict=True) if own == depth + 1 and island in held]
 
 
 def _ring(island: Curve, inner: list[Curve]) -> Curve:

@@ -9,16 +9,19 @@ from __future__ import annotations
 from typing import Any
 
 from CNCStepper.workbench.features.base import proxy_type
+from CNCStepper.workbench.spare_tools import follow_redo, follow_undo
 
 
 class _Follower:
     def slotUndoDocument(self, document: Any) -> None:
         """Make again what an undo has changed; FreeCAD calls this."""
         _make_again(document)
+        follow_undo(document)
 
     def slotRedoDocument(self, document: Any) -> None:
         """Make again what a redo has changed; FreeCAD calls this."""
         _make_again(document)
+        follow_redo(document)
 
 
 _followers: list[_Follower] = []

@@ -299,3 +299,169 @@ def test_a_duplicated_job_stands_on_its_own(hand: Hand, job: Any) -> None:
     assert copy.Name != job.Name
     assert hand.main(lambda: type(copy.ViewObject.Proxy).__name__) == "Job"
     assert hand.main(api.program_text, copy)
+
+
+# ---- the order of operations ----
+
+ORDER = ("a", "b", "c", "d")
+
+
+@pytest.fixture
+def ordered(hand: Hand) -> Any:
+    """A job of four pockets, and a circle that is in no job; each was one undo step."""
+    job = hand.main(make_ordered)
+    hand.wait(lambda: children("Job") == ["Tool", *ORDER, "Preview"], 5, "the job's rows")
+    return job
+
+
+def make_ordered() -> Any:
+    document = FreeCAD.newDocument("Part")
+    document.openTransaction("Job")
+    made = api.new_job(document)
+    api.add_tool(made)
+    for number, label in enumerate(ORDER):
+        api.add_operation(made, "circular_pocket", depth_mm=1 + number, radius_mm=10).Label = label
+    circle = document.addObject("Part::Feature", "Circle")
+    circle.Shape = Part.makeCircle(5)
+    document.recompute()
+    document.commitTransaction()
+    return made
+
+
+def order(job: Any) -> list[str]:
+    return [operation.Label for operation in job.Operations]
+
+
+def drag(hand: Hand, labels: list[str], onto: str, *, lower: bool = True, modifiers: tuple[str, ...] = ()) -> None:
+    hand.drag_in_tree(labels, onto, lower=lower, modifiers=modifiers)
+    hand.shot(f"drag-{'-'.join(labels)}-{onto}-{'lower' if lower else 'upper'}")
+    hand.drop(modifiers)
+
+
+@pytest.mark.parametrize(
+    ("labels", "onto", "lower", "wanted"),
+    [
+        (["a"], "c", True, "bcad"),
+        (["a"], "c", False, "bacd"),
+        (["d"], "a", False, "dabc"),
+        (["a", "c"], "d", True, "bdac"),
+        (["b"], "Job", True, "acdb"),
+    ],
+)
+def test_dragging_orders_operations(
+    hand: Hand, ordered: Any, labels: list[str], onto: str, lower: bool, wanted: str
+) -> None:
+    before = hand.main(api.program_text, ordered)
+    drag(hand, labels, onto, lower=lower)
+    hand.wait(lambda: order(ordered) == list(wanted), 5, f"the order {wanted}")
+    hand.wait(lambda: children("Job") == ["Tool", *wanted, "Preview"], 5, "the rows in that order")
+    assert hand.main(problem_of, ordered) == ""
+    assert hand.main(lambda: ordered.Document.UndoNames) == ["Move operations", "Job"]
+    hand.undo()
+    hand.wait(lambda: order(ordered) == list(ORDER))
+    assert hand.main(api.program_text, ordered) == before
+
+
+@pytest.mark.parametrize(
+    ("labels", "onto", "modifiers"),
+    [
+        (["a"], "Tool", ()),
+        (["a"], "Preview", ()),
+        (["a"], "Part", ()),
+        (["a", "b"], "Part", ()),
+        (["a"], "Circle", ()),
+        (["Circle"], "b", ()),
+        (["Circle"], "b", ("Alt",)),
+        (["Circle"], "Job", ()),
+        (["Tool"], "b", ()),
+        (["Preview"], "b", ()),
+        (["a"], "Part", ("Alt",)),
+        (["Tool"], "Part", ()),
+    ],
+)
+def test_no_drag_takes_anything_out_of_its_job(
+    hand: Hand, ordered: Any, labels: list[str], onto: str, modifiers: tuple[str, ...]
+) -> None:
+    document = hand.main(lambda: ordered.Document)
+    before = hand.main(lambda: (names(document), order(ordered), list(document.UndoNames), api.program_text(ordered)))
+    drag(hand, labels, onto, modifiers=modifiers)
+    hand.settle()
+    after = hand.main(lambda: (names(document), order(ordered), list(document.UndoNames), api.program_text(ordered)))
+    assert after == before
+    assert hand.main(lambda: FreeCADGui.getMainWindow().statusBar().currentMessage())
+
+
+def test_no_drag_takes_an_operation_into_another_document(hand: Hand, ordered: Any) -> None:
+    other = hand.main(FreeCAD.newDocument, "Other")
+    into = hand.main(api.new_job, other)
+    hand.main(lambda: (setattr(into, "Label", "Other job"), setattr(other, "Label", "Second")))
+    for onto in ("Second", "Other job"):
+        hand.wait(lambda onto=onto: row("a") is not None and row(onto) is not None)
+        drag(hand, ["a"], onto)
+        hand.settle()
+        assert hand.main(order, ordered) == list(ORDER)
+        assert hand.main(lambda: [len(into.Operations), len(other.Objects)]) == [0, 2]
+
+
+def test_a_drag_with_ctrl_copies(hand: Hand, ordered: Any) -> None:
+    drag(hand, ["a"], "c", modifiers=("Ctrl",))
+    hand.wait(lambda: len(ordered.Operations) == 5, 5, "the copy")
+    labels = hand.main(order, ordered)
+    assert labels[:3] + labels[4:] == list(ORDER) and labels[3].startswith("a")
+    assert hand.main(problem_of, ordered) == ""
+    hand.undo()
+    hand.wait(lambda: order(ordered) == list(ORDER))
+
+
+def test_the_menu_moves_and_duplicates(hand: Hand, ordered: Any) -> None:
+    entries = context_menu(hand, "a")
+    assert list(entries)[:5] == ["Edit", "Leave out of the program", "Duplicate", "Move up", "Move down"]
+    assert [entries["Move up"], entries["Move down"]] == [False, True]
+    hand.shot("context-menu-operation")
+    hand._click_place(hand.main(places.popup_entry, "Move down"))
+    hand.wait(lambda: order(ordered) == list("bacd"))
+    context_menu(hand, "c")
+    hand._click_place(hand.main(places.popup_entry, "Duplicate"))
+    hand.wait(lambda: len(ordered.Operations) == 5)
+    assert hand.main(lambda: ordered.Operations[3].Label).startswith("c")
+    assert hand.main(problem_of, ordered) == ""
+    assert hand.main(lambda: list(ordered.Document.UndoNames)) == ["Duplicate", "Move down", "Job"]
+    hand.tree("d")
+    hand.menu("CNCStepper", "Move up")
+    hand.wait(lambda: order(ordered)[3] == "d")
+    for _ in range(3):
+        hand.undo()
+    hand.wait(lambda: order(ordered) == list(ORDER) and len(ordered.Document.Objects) == 8)
+
+
+def test_copy_and_paste_land_behind_the_original(hand: Hand, ordered: Any) -> None:
+    objects = hand.main(lambda: names(ordered.Document))
+    hand.tree("b")
+    hand.shortcut("Std_Copy", "Ctrl+C")
+    hand.wait(QtGui.QApplication.activeModalWidget, 5, "FreeCAD's question what to copy along")
+    hand.key("Return")
+    hand.wait(lambda: not QtGui.QApplication.activeModalWidget())
+    hand.shortcut("Std_Paste", "Ctrl+V")
+    hand.wait(lambda: len(ordered.Operations) == 5, 5, "the copy in the job")
+    copy = hand.main(lambda: ordered.Operations[2])
+    assert hand.main(lambda: (copy.Label[0], copy.Tool is ordered.Operations[1].Tool)) == ("b", True)
+    hand.wait(lambda: len(children("Job")) >= 7)
+    assert hand.main(lambda: [obj.Name for obj in ordered.Document.Objects if proxy_type(obj) and not obj.InList]) == (
+        ["CNCStepper_Preview"]
+    )
+    hand.wait(lambda: len(ordered.Tools) == 1, 5, "the tool that was pasted along to go")
+    hand.main(ordered.Document.recompute)
+    assert hand.main(problem_of, ordered) == ""
+    hand.shot("pasted", hand.main(tree))
+    hand.undo()
+    hand.wait(lambda: names(ordered.Document) == objects, 5, "one undo to take the copies away")
+    assert hand.main(order, ordered) == list(ORDER)
+    hand.redo()
+    hand.wait(lambda: len(ordered.Operations) == 5 and len(ordered.Tools) == 1, 5, "one redo to bring the copy back")
+
+
+def test_a_deleted_operation_comes_back_in_its_place(hand: Hand, ordered: Any) -> None:
+    delete(hand, "b")
+    hand.wait(lambda: order(ordered) == list("acd"))
+    hand.undo()
+    hand.wait(lambda: order(ordered) == list(ORDER))

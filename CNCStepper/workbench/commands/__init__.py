@@ -4,12 +4,18 @@
 from __future__ import annotations
 
 import itertools
+from collections.abc import Sequence
+
+from CNCStepper.workbench.commands.base import Command
 
 SEPARATOR = "Separator"  # FreeCAD's word for it
 
 
-def register() -> list[str]:
-    """Make the commands known to FreeCAD and return their names in their order, with separators between groups."""
+def register() -> tuple[list[str], list[str]]:
+    """Make the commands known to FreeCAD and return the names of the toolbar and of the menu, with separators.
+
+    What only serves the selected operations stands in the menu and in the tree.
+    """
     import FreeCADGui
 
     from CNCStepper.workbench.commands.contour import Contour
@@ -21,6 +27,7 @@ def register() -> list[str]:
     from CNCStepper.workbench.commands.holes import Bore, Drill, Thread
     from CNCStepper.workbench.commands.import_tools import ImportTools
     from CNCStepper.workbench.commands.new_job import NewJob
+    from CNCStepper.workbench.commands.ordering import COMMANDS as ORDERING
     from CNCStepper.workbench.commands.pockets import CircularPocket, Face, Pocket, RectangularPocket
     from CNCStepper.workbench.commands.send import Send
     from CNCStepper.workbench.commands.simulate import Simulate
@@ -29,7 +36,12 @@ def register() -> list[str]:
     areas = (Face(), Pocket(), RectangularPocket(), CircularPocket(), EllipticalPocket())
     lines_and_holes = (Contour(), Drill(), Bore(), Thread(), Engrave())
     machine = (EditProgram(), OpenProgram(), Simulate(), Send(), Controller())
-    for command in (*drawing, *areas, *lines_and_holes, *machine):
+    order = tuple(kind() for kind in ORDERING)
+    for command in (*drawing, *areas, *lines_and_holes, *order, *machine):
         FreeCADGui.addCommand(command.name, command)
-    groups = [[command.name for command in group] for group in (drawing, areas, lines_and_holes, machine)]
-    return [*itertools.chain.from_iterable([*group, SEPARATOR] for group in groups)][:-1]
+    return _names(drawing, areas, lines_and_holes, machine), _names(drawing, areas, lines_and_holes, order, machine)
+
+
+def _names(*groups: Sequence[Command]) -> list[str]:
+    names = ([*(command.name for command in group), SEPARATOR] for group in groups)
+    return [*itertools.chain.from_iterable(names)][:-1]

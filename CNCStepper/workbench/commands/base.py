@@ -31,6 +31,10 @@ class Command:
         """
         return ""
 
+    def about(self) -> str:
+        """Return what the command acts on, for its tooltip, "" where that is plain; as quick as `why_not`."""
+        return ""
+
     def run(self) -> None:
         """Do it; raises a CNCStepperError that says why it could not be done."""
         raise NotImplementedError
@@ -53,7 +57,7 @@ class Command:
     @polled
     def _is_able(self) -> bool:
         reason = self.why_not()
-        self._explain(reason)
+        self._explain(f"<b>{html.escape(reason)}</b>" if reason else html.escape(self.about()))
         return not reason
 
     @guarded
@@ -61,16 +65,27 @@ class Command:
         """Do what the command is for; a refusal is shown."""
         self.run()
 
-    def _explain(self, reason: str) -> None:
-        """Put the reason below FreeCAD's own tooltip, which FreeCAD writes anew when its language changes."""
+    def _explain(self, sentence: str) -> None:
+        """Put a sentence below FreeCAD's own tooltip, which FreeCAD writes anew when its language changes."""
         for action in _actions(self.name):
             present = action.toolTip()
             if present != self._shown_tooltip:
                 self._own_tooltip = present
-            wanted = self._own_tooltip + (f"<p><b>{html.escape(reason)}</b></p>" if reason else "")
+            wanted = self._own_tooltip + (f"<p>{sentence}</p>" if sentence else "")
             if present != wanted:
                 action.setToolTip(wanted)
             self._shown_tooltip = wanted
+
+
+def look_again(*names: str) -> None:
+    """Let commands say at once whether they can work, and on what: FreeCAD asks only after a change of its own."""
+    import FreeCADGui
+
+    for name in names:
+        command = FreeCADGui.Command.get(name)
+        is_able = bool(command and command.isActive())
+        for action in _actions(name):
+            action.setEnabled(is_able)
 
 
 def _actions(name: str) -> list[Any]:

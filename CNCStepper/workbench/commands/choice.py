@@ -9,6 +9,7 @@ from __future__ import annotations
 from typing import Any
 
 from CNCStepper.workbench.features.base import JOB, named, problem_of, proxy_type
+from CNCStepper.workbench.selection import members
 from CNCStepper.workbench.sentences import translated
 from CNCStepper.workbench.words import tr
 
@@ -95,8 +96,18 @@ def tool(of_job: Any) -> Any:
 
 
 def drawing() -> Any:
-    """Return the selected sketch, wire, ellipse, face or freehand line, or the solid whose faces or edges are."""
-    return next((obj for obj in selected() if _is_drawing(obj) or picked(obj)), None)
+    """Return the first selected sketch, wire, ellipse, face or freehand line, or the solid whose faces or edges are."""
+    held = (member for obj in selected() for member in members(obj))
+    return next((obj for obj in held if _is_drawing(obj) or picked(obj)), None)
+
+
+def drawings(of_drawings: bool = False) -> list[tuple[Any, tuple[str, ...]]]:
+    """Return all that is selected and none of ours, what groups hold, each with its picked faces and edges.
+
+    of_drawings: whether a click on a line of a drawing means that line alone.
+    """
+    found = dict.fromkeys(member for obj in selected() for member in members(obj))
+    return [(obj, picked(obj, of_drawings)) for obj in found]
 
 
 def picked(obj: Any, of_drawings: bool = False) -> tuple[str, ...]:
@@ -110,12 +121,6 @@ def picked(obj: Any, of_drawings: bool = False) -> tuple[str, ...]:
         return ()
     parts = [part for part in FreeCADGui.Selection.getSelectionEx() if part.Object == obj]
     return tuple(name for part in parts for name in part.SubElementNames if name.startswith(("Face", "Edge")))
-
-
-def points() -> list[Any]:
-    """Return the selected objects that are a single point each, such as Draft points."""
-    held = [obj for obj in selected() if _holds(obj, "Vertex")]
-    return [obj for obj in held if obj.Shape.countElement("Vertex") == 1 and not _holds(obj, "Edge")]
 
 
 def solid() -> Any:

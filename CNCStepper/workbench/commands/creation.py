@@ -70,20 +70,27 @@ class Operation(Command):
         """Add the operation and open its panel."""
         from CNCStepper.workbench.features.catalogue import operation_class
 
-        job, drawing = choice.job(), choice.drawing()
-        picked = choice.picked(drawing, operation_class(self.cycle).PICKS_LINES)
-        create(job.Document, self.text(), lambda: self.add(job, drawing, picked))
+        job, is_drawn = choice.job(), choice.drawing() is not None
+        pairs = choice.drawings(operation_class(self.cycle).PICKS_LINES)
+        create(job.Document, self.text(), lambda: self.add(job, pairs, is_drawn))
 
-    def add(self, job: Any, drawing: Any, picked: tuple[str, ...]) -> Any:
-        """Return the new operation of the job, with what is drawn (None: nothing); raises a CNCStepperError."""
+    def add(self, job: Any, pairs: list[Any], is_drawn: bool) -> Any:
+        """Return the new operation of the job, with those of the selected objects that it can follow.
+
+        is_drawn: whether one of them must be; raises a CNCStepperError that says why none can.
+        """
         from CNCStepper.workbench import api
         from CNCStepper.workbench.features.catalogue import operation_class
+        from CNCStepper.workbench.selection import selected_drawings
 
-        if drawing is not None:
-            operation_class(self.cycle).look(drawing, picked)
+        found = selected_drawings(operation_class(self.cycle), pairs)
+        if is_drawn:
+            found.require()
         tool = tool_for(job)
-        values = self.values(job, tool, drawing is not None)
-        return labelled(api.add_operation(job, self.cycle, drawing, picked, tool=tool, **values), tr(self.label))
+        values = self.values(job, tool, bool(found.used))
+        operation = api.add_operation(job, self.cycle, tool=tool, drawings=found.used, **values)
+        operation.Proxy.unused = found.refusals
+        return labelled(operation, tr(self.label))
 
     def values(self, job: Any, tool: Any, is_drawn: bool) -> dict[str, Any]:
         """Return the values with which the operation begins, by key."""
