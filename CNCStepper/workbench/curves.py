@@ -18,7 +18,7 @@ import numpy as np
 from CNCStepper.errors import GeometryError
 from CNCStepper.geometry.curve import Curve
 from CNCStepper.geometry.fit import fit_arcs, fit_curve
-from CNCStepper.workbench.shapes import edges_of
+from CNCStepper.workbench.shapes import edges_of, sorted_chains
 
 SHORTEST_MM = 1e-7  # FreeCAD's own measure of "the same point"
 SAMPLED = 0.99  # of the tolerance: the fit measures at samples, between them it may be a little worse
@@ -36,12 +36,15 @@ def curves_of(
     picked: the faces and edges of it that count, all where there is none. Raises GeometryError for an empty drawing,
     one that is not flat, or a tolerance that cannot be kept.
     """
-    import Part
+    require_tolerance(tolerance_mm)
+    chains = sorted_chains(edges_of(drawing, picked), SHORTEST_MM)
+    return tuple(curve_of_chain(chain, tolerance_mm).moved(-origin_mm[0], -origin_mm[1]) for chain in chains)
 
+
+def require_tolerance(tolerance_mm: float) -> None:
+    """Raise GeometryError for a tolerance that cannot be kept."""
     if not tolerance_mm > 0:
         raise GeometryError("tolerance", "the tolerance must be above 0", value=f"{tolerance_mm:g} mm")
-    edges = [edge for edge in edges_of(drawing, picked) if edge.Length > SHORTEST_MM]
-    return tuple(_chained(chain, tolerance_mm).moved(-origin_mm[0], -origin_mm[1]) for chain in Part.sortEdges(edges))
 
 
 def curve_of(edge: Any, tolerance_mm: float) -> Curve:
@@ -55,7 +58,7 @@ def curve_of(edge: Any, tolerance_mm: float) -> Curve:
     return _fitted(edge, tolerance_mm * SAMPLED)
 
 
-def _chained(edges: list[Any], tolerance_mm: float) -> Curve:
+def curve_of_chain(edges: list[Any], tolerance_mm: float) -> Curve:
     """Return edges in the order in which they touch as one curve, each turned so that it goes on."""
     pieces = [curve_of(edge, tolerance_mm) for edge in edges]
     if len(pieces) > 1 and _gap(pieces[0].xy[-1], pieces[1]) > _gap(pieces[0].xy[0], pieces[1]):

@@ -33,6 +33,28 @@ def edges_of(drawing: Any, picked: Sequence[str] = ()) -> list[Any]:
     return edges
 
 
+def line_groups(drawing: Any, picked: Sequence[str] = ()) -> list[list[Any]]:
+    """Return the edges of a drawing, those of each face apart, because faces beside one another share some.
+
+    The edges that are no face's are one group. A drawing of which all counts must lie flat; raises GeometryError.
+    """
+    if not picked:
+        edges_of(drawing)
+    parts = parts_of(drawing, picked)
+    faces = [face for part in parts for face in part.Faces]
+    held = {edge.hashCode() for face in faces for edge in face.Edges}
+    loose = [edge for part in parts for edge in part.Edges if edge.hashCode() not in held]
+    groups = [*([face.Edges for face in faces]), *([loose] if loose else [])]
+    return [sound for group in groups if (sound := [edge for edge in group if not edge.Degenerated])]
+
+
+def sorted_chains(edges: Sequence[Any], shortest_mm: float) -> list[list[Any]]:
+    """Return edges as chains in which each touches the next, without those that are shorter than a length."""
+    import Part
+
+    return list(Part.sortEdges([edge for edge in edges if edge.Length > shortest_mm]))
+
+
 def require_closed(drawing: Any, picked: Sequence[str] = ()) -> None:
     """Raise GeometryError, with the place, unless all lines of a drawing close, so that they enclose something."""
     import Part
@@ -80,11 +102,16 @@ def box_of(obj: Any) -> Any:
 
 def box_round(shapes: list[Any]) -> Any:
     """Return the bounding box of several shapes."""
+    return box_of_boxes([shape.BoundBox for shape in shapes])
+
+
+def box_of_boxes(boxes: list[Any]) -> Any:
+    """Return the bounding box of several boxes."""
     import FreeCAD
 
     around = FreeCAD.BoundBox()
-    for shape in shapes:
-        around.add(shape.BoundBox)
+    for box in boxes:
+        around.add(box)
     return around
 
 

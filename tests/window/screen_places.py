@@ -215,8 +215,8 @@ def _find_index(model: Any, parent: Any, label: str) -> Any:
     return None
 
 
-def of_tree_item(label: str) -> Point:
-    """Return the place of an object in FreeCAD's tree, by its label."""
+def of_tree_item(label: str, height: float = 0.5) -> Point:
+    """Return the place of an object in FreeCAD's tree, by its label; height: of its row, from its top."""
     for tree in FreeCADGui.getMainWindow().findChildren(QtGui.QTreeWidget):
         if not (tree.isVisible() and tree.metaObject().className() == "Gui::TreeWidget"):
             continue
@@ -225,7 +225,7 @@ def of_tree_item(label: str) -> Point:
             tree.scrollToItem(items[0])
             rect = tree.visualItemRect(items[0])
             on_text = min(rect.left() + 60, rect.right() - 6)  # not on the eye before it, which hides the object
-            return _on_screen(tree.viewport(), QtCore.QPoint(on_text, rect.center().y()))
+            return _on_screen(tree.viewport(), QtCore.QPoint(on_text, round(rect.top() + height * rect.height())))
     raise AssertionError(f"the tree shows no {label!r}")
 
 

@@ -5,28 +5,13 @@ from __future__ import annotations
 
 from typing import Any
 
-from CNCStepper.workbench.commands import choice, defaults
+from CNCStepper.workbench.commands import defaults
 from CNCStepper.workbench.commands.creation import Operation
 from CNCStepper.workbench.words import QT_TRANSLATE_NOOP, later
 
 
 class Holes(Operation):
-    """Adds an operation that makes holes; of several points that are selected it takes the places once."""
-
-    def add(self, job: Any, drawing: Any, picked: tuple[str, ...]) -> Any:
-        """Return the new operation of the job."""
-        points = choice.points()
-        if len(points) < 2:
-            return super().add(job, drawing, picked)
-        from CNCStepper.workbench import api
-        from CNCStepper.workbench.holes import holes_of
-
-        x, y, _ = tuple(job.WorkOrigin)
-        centres = [hole.centre_mm for point in points for hole in holes_of(point)]
-        operation = super().add(job, None, ())
-        places = [(centre[0] - x, centre[1] - y) for centre in centres]
-        api.edit(operation, pattern_kind="points", pattern_points_mm=places)
-        return operation
+    """Adds an operation that makes holes."""
 
     def values(self, job: Any, tool: Any, is_drawn: bool) -> dict[str, Any]:
         """Return values that fit the stock: in a pattern in its middle, or where the drawing says."""

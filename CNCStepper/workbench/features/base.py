@@ -32,8 +32,7 @@ INTEGER = "App::PropertyInteger"
 BOOL = "App::PropertyBool"
 TEXT = "App::PropertyString"
 LINK = "App::PropertyLink"
-DRAWING = "App::PropertyLinkGlobal"  # a drawing may lie inside a part or body, the operation outside
-PICKED = "App::PropertyLinkSubGlobal"  # FreeCAD follows the faces and edges when it numbers them anew
+DRAWINGS = "App::PropertyLinkSubListGlobal"  # inside parts too; FreeCAD follows faces and edges that get new numbers
 CONTAINERS = "App::PropertyLinkListGlobal"
 FLOAT = "App::PropertyFloat"
 NUMBERS = (SPEED, DISTANCE, ANGLE, FLOAT)
@@ -68,6 +67,12 @@ PROBLEM = Property(
 )  # fmt: skip
 
 
+IDENTITY = Property(
+    "identity", "Identity", TEXT, later("Problem"), later("Identity"),
+    later("The document and the name of the object itself; a copy still has those of its original"), "", output=True,
+)  # fmt: skip
+
+
 class Feature:
     """The proxy that all our document objects have in common.
 
@@ -80,6 +85,8 @@ class Feature:
     PROPERTIES: tuple[Property, ...] = ()
     WHY_FIXED = ""  # why some of them cannot be typed
     refusal: CNCStepperError | None = None  # why the last `make` failed
+    is_copy = False  # whether FreeCAD has copied or pasted the object since the document was opened
+    original_name = ""  # of the object that it is a copy of, where that is in the same document
 
     def __init__(self, obj: Any):
         obj.Proxy = self
@@ -88,13 +95,25 @@ class Feature:
 
     def add_properties(self, obj: Any) -> None:
         """Add the properties and choices that `obj` lacks, which in a document of an older version may be some."""
-        for entry in (*self.PROPERTIES, PROBLEM):
+        for entry in (*self.PROPERTIES, PROBLEM, IDENTITY):
             if entry.name not in obj.PropertiesList:
                 _add_property(obj, entry)
             elif set(entry.choices) - set(obj.getEnumerationsOfProperty(entry.name) or ()):
                 chosen = getattr(obj, entry.name)
                 setattr(obj, entry.name, list(entry.choices))
                 setattr(obj, entry.name, chosen)
+        self.identify(obj)
+
+    def identify(self, obj: Any) -> None:
+        """Note whether the object is a copy, and of which one: a copy still has the identity of its original."""
+        document, _, name = obj.Identity.partition(" ")
+        own = f"{obj.Document.Uid} {obj.Name}"
+        if obj.Identity == own:
+            return
+        self.is_copy = bool(name)
+        self.original_name = name if document == obj.Document.Uid else ""
+        obj.Identity = own
+        obj.setEditorMode(IDENTITY.name, HIDDEN)
 
     def given(self, found: dict[str, Any]) -> dict[str, Any]:
         """Return those of an object's values, by key, that the core is to be given."""
@@ -102,6 +121,14 @@ class Feature:
 
     def check(self, obj: Any) -> None:
         """Raise a CNCStepperError when a property of `obj` alone can never do, whatever it will stand on."""
+
+    def question(self, obj: Any) -> dict[str, Any] | None:
+        """Return what the cut process is to be asked before `obj` is made, None where it need not.
+
+        Raises the CNCStepperError for which `make` would refuse without any cut.
+        """
+        self.check(obj)
+        return None
 
     def make(self, obj: Any) -> None:
         """Make what `obj` holds from its properties; raises a CNCStepperError that says what to change."""
@@ -162,9 +189,18 @@ def _add_property(obj: Any, entry: Property) -> None:
 def show_in_window(obj: Any) -> None:
     """Give `obj` the view of its kind where there is a window; one made without gets it when it is opened in one."""
     if getattr(obj, "ViewObject", None) is not None:
-        from CNCStepper.workbench import viewproviders
+        from CNCStepper.workbench import cut_later, viewproviders
 
         viewproviders.attach(obj)
+        cut_later.begin()
+
+
+def original_of(obj: Any) -> Any:
+    """Return the object of the same document that one of ours was copied from, None for none of its kind."""
+    obj.Proxy.identify(obj)
+    name = obj.Proxy.original_name
+    original = obj.Document.getObject(name) if name and name != obj.Name else None
+    return original if proxy_type(original) == proxy_type(obj) else None
 
 
 def entry_of(proxy: Feature, key: str) -> Property:
@@ -206,8 +242,8 @@ def value_of(obj: Any, entry: Property) -> Any:
         return tuple(value)[: 2 if entry.plane else 3]
     if entry.type == POINTS and entry.plane:
         return [tuple(point)[:2] for point in value]
-    if entry.type == PICKED:
-        return tuple(name for name in value[1] if name) if value else ()
+    if entry.type == DRAWINGS:
+        return drawing_pairs(value)
     return value
 
 
@@ -224,12 +260,28 @@ def set_value(obj: Any, entry: Property, value: Any) -> None:
         value = _vector(entry, value)
     elif entry.type == POINTS:
         value = [_vector(entry, row) for row in value]
-    elif entry.type == PICKED:
-        value = (obj.Drawing, list(value)) if value and obj.Drawing is not None else None
+    elif entry.type == DRAWINGS:
+        value = [(drawing, list(names) or "") for drawing, names in drawing_pairs(value)]
     try:
         setattr(obj, entry.name, value)
     except (TypeError, ValueError) as error:
         raise JobError("bad-value", f"{entry.key} cannot be {value!r}: {error}", advice="correct that value") from error
+
+
+def drawing_pairs(value: Any) -> tuple[tuple[Any, tuple[str, ...]], ...]:
+    """Return drawings, each once with the names of its faces and edges that count, () where all of it does.
+
+    value: an object, or a row of objects and of such pairs, as scripts and FreeCAD's own property give them.
+    """
+    rows = value if isinstance(value, list | tuple) else [value] if value is not None else []
+    found: dict[Any, tuple[str, ...]] = {}
+    for row in rows:
+        drawing, names = row if isinstance(row, tuple) else (row, ())
+        if drawing is None:
+            continue
+        given = (names,) if isinstance(names, str) else tuple(names)
+        found[drawing] = tuple(dict.fromkeys((*found.get(drawing, ()), *filter(None, given))))
+    return tuple(found.items())
 
 
 def values(obj: Any) -> dict[str, Any]:
@@ -248,6 +300,9 @@ def show(obj: Any, figures: dict[str, float]) -> None:
 def edit(obj: Any, **changes: Any) -> None:
     """Set properties by key; raises JobError for an unknown key or a bad value, and then changes nothing."""
     entries = {entry.key: entry for entry in obj.Proxy.PROPERTIES if not entry.output}
+    if "drawing" in changes and "drawings" in entries:  # one, as scripts of the first release have it
+        one = changes.pop("drawing"), tuple(changes.pop("picked", ()))
+        changes["drawings"] = drawing_pairs([one])
     unknown = sorted(set(changes) - set(entries))
     if unknown:
         raise JobError(

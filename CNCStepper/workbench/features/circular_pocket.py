@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 from CNCStepper.errors import GeometryError
 from CNCStepper.workbench.features.base import DISTANCE, POSITION, Property, edit
 from CNCStepper.workbench.features.common import ANY_POCKET, PATTERN
-from CNCStepper.workbench.features.operation import OPERATION, Operation, drawn, picked_of
+from CNCStepper.workbench.features.operation import OPERATION, Operation, drawn, the_drawing
 from CNCStepper.workbench.words import later
 
 if TYPE_CHECKING:
@@ -42,8 +42,8 @@ class CircularPocket(Operation):
 
     def follow(self, obj: Any, origin_mm: tuple[float, ...]) -> None:
         """Take centre and radius from the drawing where there is one."""
-        if obj.Drawing is not None:
-            found = _circle_of(obj.Drawing, picked_of(obj))
+        if pair := the_drawing(obj):
+            found = _circle_of(*pair)
             x, y = found.centre_mm
             edit(obj, centre_mm=(x - origin_mm[0], y - origin_mm[1]), radius_mm=found.radius_x_mm)
 

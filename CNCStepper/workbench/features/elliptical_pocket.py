@@ -16,7 +16,7 @@ from CNCStepper.workbench.features.common import (
     STOCK_TO_LEAVE,
     TOLERANCE,
 )
-from CNCStepper.workbench.features.operation import OPERATION, Operation, drawn, picked_of
+from CNCStepper.workbench.features.operation import OPERATION, Operation, drawn, the_drawing
 from CNCStepper.workbench.words import later
 
 ELLIPSE = later("Ellipse")
@@ -64,11 +64,11 @@ class EllipticalPocket(Operation):
 
     def follow(self, obj: Any, origin_mm: tuple[float, ...]) -> None:
         """Take centre, radii and rotation from the drawing where there is one."""
-        if obj.Drawing is None:
+        if not (pair := the_drawing(obj)):
             return
         from CNCStepper.workbench.ellipses import ellipse_of
 
-        ellipse = ellipse_of(obj.Drawing, picked_of(obj))
+        ellipse = ellipse_of(*pair)
         x, y = ellipse.centre_mm
         edit(
             obj,

@@ -37,6 +37,6 @@ class Engrave(Operation):
     )  # fmt: skip
 
     def cycle_values(self, obj: Any, origin_mm: tuple[float, ...]) -> dict[str, Any]:
-        """Return the parameters and the drawing's curves."""
+        """Return the parameters and the drawings' curves."""
         curves = drawn_curves(obj, origin_mm, "choose a sketch, wire, B-spline or freehand line for it")
-        return {**self.given(values(obj)), "curves": curves}
+        return {**self.given(values(obj)), "curves": tuple(each.curve for each in curves)}

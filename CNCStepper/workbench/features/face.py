@@ -21,8 +21,7 @@ from CNCStepper.workbench.features.common import (
     STEPOVER,
     TOLERANCE,
 )
-from CNCStepper.workbench.features.operation import OPERATION, Operation, drawn, drawn_curves
-from CNCStepper.workbench.shapes import require_closed
+from CNCStepper.workbench.features.operation import OPERATION, Operation, drawings_of, drawn, drawn_curves
 from CNCStepper.workbench.words import later
 
 ANGLED = PATTERN_VALUES[0]
@@ -33,6 +32,7 @@ class Face(Operation):
 
     Type = "CNCStepper_Face"
     CYCLE = "face"
+    CLOSED = True
     NO_DRAWING = later("the whole stock")
     PROPERTIES = (
         *OPERATION,
@@ -52,16 +52,14 @@ class Face(Operation):
         *PASSES,
     )  # fmt: skip
 
-    @classmethod
-    def look(cls, drawing: Any, picked: tuple[str, ...]) -> None:
-        """Raise GeometryError unless all lines of the drawing are closed."""
-        require_closed(drawing, picked)
-
     def cycle_values(self, obj: Any, origin_mm: tuple[float, ...]) -> dict[str, Any]:
-        """Return the parameters, and the drawing's closed curves where there is one."""
-        if obj.Drawing is None:
+        """Return the parameters, and the drawings' outermost closed curves where there are some."""
+        if not drawings_of(obj):
             return self.given(values(obj))
         from CNCStepper.workbench.nesting import nested
 
-        outlines, _ = nested(drawn_curves(obj, origin_mm, ""), obj.Drawing.Label)
+        curves = drawn_curves(obj, origin_mm, "")
+        outlines, islands = nested(curves)
+        if islands:
+            self.remarks = (*self.remarks, "what lies inside an outline is faced with it")
         return {**self.given(values(obj)), "outlines": outlines}

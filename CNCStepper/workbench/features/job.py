@@ -102,6 +102,15 @@ class Job(Feature):
         stock_of(obj)
         stock_content(obj)
 
+    def question(self, obj: Any) -> dict[str, Any] | None:
+        """Return what the cut process is asked for the programs; None while there are no operations."""
+        self.check(obj)
+        if not active_operations(obj):
+            return None
+        from CNCStepper.workbench.making import program_question
+
+        return program_question(obj)
+
     def make(self, obj: Any) -> None:
         """Make the program from all active operations."""
         self.check(obj)

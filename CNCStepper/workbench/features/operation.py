@@ -4,34 +4,35 @@
 from __future__ import annotations
 
 import functools
+from dataclasses import replace
 from typing import Any
 
-from CNCStepper.errors import CycleError
+from CNCStepper.errors import CNCStepperError, CycleError
 from CNCStepper.workbench import packages
 from CNCStepper.workbench.features.base import (
     BOOL,
     CONTAINERS,
-    DRAWING,
+    DRAWINGS,
     HIDDEN,
     JOB,
     LINK,
-    PICKED,
     PROBLEM,
     TEXT,
     Feature,
     Property,
+    drawing_pairs,
     entry_of,
     proxy_type,
     require_parts,
+    set_value,
     show,
-    value_of,
     values,
 )
-from CNCStepper.workbench.shapes import containers_of, edges_of
+from CNCStepper.workbench.shapes import containers_of, edges_of, require_closed
 from CNCStepper.workbench.words import later
 
 OPERATION_GROUP = later("Operation")
-LINKS = ("tool", "active", "drawing", "picked")  # keys of every operation that are none of a cycle's
+LINKS = ("tool", "active", "drawings")  # keys of every operation that are none of a cycle's
 OPERATION = (
     Property("tool", "Tool", LINK, OPERATION_GROUP, later("Tool"), later("The tool that cuts it")),
     Property("active", "Active", BOOL, OPERATION_GROUP, later("Active"), later("Whether the program holds it"), True),
@@ -39,13 +40,11 @@ OPERATION = (
 
 
 def drawn(group: str, text: str, only: tuple[str, tuple[str, ...]] | tuple[()] = ()) -> tuple[Property, ...]:
-    """Return the properties of an operation that follows a drawing; only: when it does."""
+    """Return the properties of an operation that follows drawings; only: when it does."""
     return (
-        Property("drawing", "Drawing", DRAWING, group, later("Drawing"), text, only=only),
-        Property("picked", "Picked", PICKED, group, later("Picked"),
-                 later("The faces and edges of the drawing that count; none: all of it"), only=only),
+        Property("drawings", "Drawings", DRAWINGS, group, later("Drawings"), text, (), only=only),
         Property("containers", "Containers", CONTAINERS, group, later("Containers"),
-                 later("The parts and bodies that the drawing moves with"), (), output=True),
+                 later("The parts and bodies that the drawings move with"), (), output=True),
         Property("deleted_drawing", "DeletedDrawing", TEXT, group, later("Deleted drawing"),
                  later("The drawing it followed, when that was deleted"), "", output=True),
     )  # fmt: skip
@@ -55,30 +54,43 @@ class Operation(Feature):
     """The proxy of an operation: its properties are its cycle's parameters, under the same keys.
 
     TABLES: keys of tables within the cycle's own; "tabs_count" is then "count" in the table "tabs". OWN: keys that
-    are none of the cycle's. SHAPE: keys whose values the drawing gives, where there is one. PICKS_LINES: whether a
-    click on a single line of a drawing means that line alone. NO_DRAWING: what it is to have no drawing.
+    are none of the cycle's. SHAPE: keys whose values the drawing gives, where there is one, of which it follows no
+    more. CLOSED: whether all lines must close. PICKS_LINES: whether a click on a single line of a drawing means that
+    line alone. NO_DRAWING: what it is to have no drawing.
     """
 
     CYCLE = ""
     TABLES: tuple[str, ...] = ()
     OWN: tuple[str, ...] = ()
     SHAPE: tuple[str, ...] = ()
+    CLOSED = False
     PICKS_LINES = False
     NO_DRAWING = later("none yet")
     WHY_FIXED = later("The drawing gives this value")
     removed_label = ""
     last_cut: Any = None  # a CutOnce
     warnings: tuple[str, ...] = ()  # what the last cut says that a person should know
+    remarks: tuple[str, ...] = ()  # what there is to know of the drawings
+    unused: tuple[CNCStepperError, ...] = ()  # why what was selected with the drawings is none of them
 
     def add_properties(self, obj: Any) -> None:
         """Add what `obj` lacks, and let only those be typed that count."""
         super().add_properties(obj)
+        _take_over_one_drawing(obj)
         self.show_what_counts(obj)
+
+    def onDocumentRestored(self, obj: Any) -> None:
+        """Let one of an older version catch up, and take a copied or pasted one into its job; FreeCAD calls this."""
+        super().onDocumentRestored(obj)
+        if self.is_copy:
+            from CNCStepper.workbench.operation_order import take_in
+
+            take_in(obj)
 
     @classmethod
     def look(cls, drawing: Any, picked: tuple[str, ...]) -> None:
         """Raise GeometryError when an operation of this kind cannot follow a drawing, or what is picked of it."""
-        edges_of(drawing, picked)
+        (require_closed if cls.CLOSED else edges_of)(drawing, picked)
 
     def follow(self, obj: Any, origin_mm: tuple[float, ...]) -> None:
         """Take those parameters from the drawing that it gives; only while `obj` itself is recomputed."""
@@ -100,7 +112,7 @@ class Operation(Feature):
         found = values(obj)
         for entry in self.PROPERTIES:
             if entry.only or entry.key in self.SHAPE:
-                is_drawn = entry.key in self.SHAPE and obj.Drawing is not None
+                is_drawn = entry.key in self.SHAPE and bool(drawings_of(obj))
                 obj.setEditorMode(entry.name, int(is_drawn) if self.counts(entry, found) else HIDDEN)
 
     def cycle_values(self, obj: Any, origin_mm: tuple[float, ...]) -> dict[str, Any]:
@@ -126,66 +138,105 @@ class Operation(Feature):
 
     def make(self, obj: Any) -> None:
         """Cut it for trial, as its job would, and show the figures."""
-        self.warnings = ()
-        _refuse_deleted(obj)
-        require_parts(part for part in (obj.Tool, obj.Drawing) if part is not None)
+        self.warnings = self.remarks = ()
+        _refuse_what_it_stands_on(obj)
         show(obj, self.figures(obj))
 
+    def question(self, obj: Any) -> dict[str, Any] | None:
+        """Return what the cut process is asked for its figures; None while it belongs to no job."""
+        _refuse_what_it_stands_on(obj)
+        job, cycle = self._followed(obj)
+        if job is None:
+            return None
+        from CNCStepper.workbench.making import cut_question
+
+        return cut_question(job, obj, cycle)
+
     def onChanged(self, obj: Any, name: str) -> None:
-        """Stand on what the drawing moves with, too; FreeCAD calls this at every change."""
+        """Stand on what the drawings move with, too; FreeCAD calls this at every change."""
         if PROBLEM.name not in obj.PropertiesList or "Restore" in obj.State:
             return
-        if name == "Drawing":
-            obj.Containers = containers_of(obj.Drawing)
+        if name == "Drawings" and "DeletedDrawing" in obj.PropertiesList:
+            holders = [holder for drawing, _ in drawings_of(obj) for holder in containers_of(drawing)]
+            obj.Containers = list(dict.fromkeys(holders))
             obj.DeletedDrawing = self.removed_label
-            self.removed_label = ""
-            if obj.Picked and obj.Picked[0] is not obj.Drawing:
-                obj.Picked = None
+            self.removed_label, self.unused = "", ()
         if name in self._choosers:
             self.show_what_counts(obj)
 
     @functools.cached_property
     def _choosers(self) -> set[str]:
         """The names of the properties whose values say which others count."""
-        return {"Drawing", *(entry_of(self, entry.only[0]).name for entry in self.PROPERTIES if entry.only)}
+        return {"Drawings", *(entry_of(self, entry.only[0]).name for entry in self.PROPERTIES if entry.only)}
 
     def onBeforeChange(self, obj: Any, name: str) -> None:
         """Note which drawing is being deleted; FreeCAD calls this before every change."""
-        if name == "Drawing" and obj.Drawing is not None and obj.Drawing.Removing:
-            self.removed_label = obj.Drawing.Label
+        if name == "Drawings":
+            removed = [drawing.Label for drawing, _ in drawings_of(obj) if drawing.Removing]
+            self.removed_label = removed[0] if removed else self.removed_label
 
     def figures(self, obj: Any) -> dict[str, float]:
         """Return what the cycle reports (recalculated ae and ap, passes); nothing while it belongs to no job."""
-        jobs = jobs_of(obj)
-        origin_mm = tuple(jobs[0].WorkOrigin) if jobs else (0.0, 0.0, 0.0)
-        self.follow(obj, origin_mm)
-        cycle = self.cycle(obj, origin_mm)
-        if not jobs:
+        job, cycle = self._followed(obj)
+        if job is None:
             return {}
         from CNCStepper.workbench.feeds import remarks
         from CNCStepper.workbench.making import setup_of
 
-        setup = setup_of(jobs[0], obj, cycle)
-        answer = self.cut_once(cycle, setup).answer
-        self.warnings = (*answer.warnings, *remarks(setup.tool, jobs[0]))
-        return answer.figures
+        setup = setup_of(job, obj, cycle)
+        answer = self._known(job, obj, cycle) or self.cut_once(cycle, setup).answer
+        self.warnings = (*self.remarks, *answer.warnings, *remarks(setup.tool, job))
+        return dict(answer.figures)
+
+    def _followed(self, obj: Any) -> tuple[Any, Any]:
+        """Return the job of `obj`, None where it has none, and the cycle, whose shape follows the drawing."""
+        jobs = jobs_of(obj)
+        origin_mm = tuple(jobs[0].WorkOrigin) if jobs else (0.0, 0.0, 0.0)
+        self.follow(obj, origin_mm)
+        return (jobs[0] if jobs else None), self.cycle(obj, origin_mm)
+
+    def _known(self, job: Any, obj: Any, cycle: Any) -> Any:
+        """Return what the cut process has answered about this cut, None where it was not asked."""
+        from CNCStepper.workbench import cut_answers
+        from CNCStepper.workbench.making import cut_question
+
+        return cut_answers.answer_to(cut_question(job, obj, cycle)) if cut_answers.any_known() else None
 
 
-def picked_of(obj: Any) -> tuple[str, ...]:
-    """Return the names of the faces and edges of an operation's drawing that count; none: all."""
-    return tuple(value_of(obj, entry_of(obj.Proxy, "picked")))
+def drawings_of(obj: Any) -> tuple[tuple[Any, tuple[str, ...]], ...]:
+    """Return the drawings that an operation follows, each with the names of its faces and edges that count, () for all.
 
-
-def drawn_curves(obj: Any, origin_mm: tuple[float, ...], wanted: str) -> tuple[Any, ...]:
-    """Return the curves of an operation's drawing; raises CycleError where it has none, `wanted` says what to choose.
-
-    Raises GeometryError for a drawing that cannot be followed.
+    An operation that has no such property yet follows none.
     """
-    from CNCStepper.workbench.curves import curves_of
+    return drawing_pairs(getattr(obj, "Drawings", ()))
 
-    if obj.Drawing is None:
+
+def the_drawing(obj: Any) -> tuple[Any, tuple[str, ...]] | None:
+    """Return the one drawing that gives an operation's shape, None for numbers; raises CycleError for several."""
+    pairs = drawings_of(obj)
+    if len(pairs) > 1:
+        raise CycleError(
+            "drawings-several",
+            f"{obj.Label} follows one drawing",
+            value=", ".join(drawing.Label for drawing, _ in pairs),
+            advice="choose one of them, or cut them all with a pocket",
+        )
+    return pairs[0] if pairs else None
+
+
+def drawn_curves(obj: Any, origin_mm: tuple[float, ...], wanted: str) -> list[Any]:
+    """Return an operation's drawings as DrawnCurves from the work zero, and let its proxy remark what there is to know.
+
+    Raises CycleError where it has none, `wanted` says what to choose; GeometryError for what cannot be followed.
+    """
+    from CNCStepper.workbench.drawn_curves import drawn_of
+
+    pairs = drawings_of(obj)
+    if not pairs:
         raise CycleError("drawing-missing", f"{obj.Label} has no drawing", advice=wanted)
-    return curves_of(obj.Drawing, origin_mm, float(obj.Tolerance), picked_of(obj))
+    drawn = drawn_of(pairs, float(obj.Tolerance))
+    obj.Proxy.remarks = tuple(drawn.remarks())
+    return [replace(each, curve=each.curve.moved(-origin_mm[0], -origin_mm[1])) for each in drawn.curves]
 
 
 def in_tables(found: dict[str, Any], tables: tuple[str, ...]) -> dict[str, Any]:
@@ -205,13 +256,29 @@ def jobs_of(obj: Any) -> list[Any]:
     return [other for other in obj.InList if proxy_type(other) == JOB]
 
 
-def _refuse_deleted(obj: Any) -> None:
+def _take_over_one_drawing(obj: Any) -> None:
+    """Let an operation of a document from before there could be several drawings follow its one."""
+    if "Drawing" not in obj.PropertiesList:
+        return
+    deleted = obj.DeletedDrawing
+    if obj.Drawing is not None:
+        picked = obj.Picked[1] if "Picked" in obj.PropertiesList and obj.Picked else ()
+        set_value(obj, entry_of(obj.Proxy, "drawings"), [(obj.Drawing, tuple(picked))])
+    obj.DeletedDrawing = deleted
+    for name in {"Drawing", "Picked"} & set(obj.PropertiesList):
+        obj.removeProperty(name)
+
+
+def _refuse_what_it_stands_on(obj: Any) -> None:
+    """Raise CycleError for a drawing that was deleted, JobError for a tool or a drawing with a problem."""
     if obj.DeletedDrawing:
         raise CycleError(
             "drawing-deleted",
             f"the drawing '{obj.DeletedDrawing}' that it followed was deleted",
             advice="undo that, choose another drawing, or choose none",
         )
+    parts = (obj.Tool, *(drawing for drawing, _ in drawings_of(obj)))
+    require_parts(part for part in parts if part is not None)
 
 
 def _tool(obj: Any) -> Any:

@@ -17,7 +17,7 @@ from CNCStepper.workbench.features.base import (
     values,
 )
 from CNCStepper.workbench.features.common import CUT, PATH
-from CNCStepper.workbench.features.operation import Operation, drawn, picked_of
+from CNCStepper.workbench.features.operation import Operation, drawings_of, drawn
 from CNCStepper.workbench.words import later
 
 PLACES = later("Places")
@@ -28,7 +28,7 @@ ROUND, COUNTED = (KIND, ("bolt_circle", "arc")), (KIND, ("bolt_circle", "arc", "
 PATTERN = (
     Property(KIND, "Places", ENUMERATION, PLACES, later("Places"), later("Where the holes stand"), "bolt_circle",
              choices=(DRAWN, "bolt_circle", "grid", "line", "arc", "points")),
-    *drawn(PLACES, later("The circles and points of a sketch, or the circular edges of a solid"),
+    *drawn(PLACES, later("The circles and points of sketches, or the circular edges of solids"),
            only=(KIND, (DRAWN,))),
     Property("pattern_points_mm", "PlacePoints", POINTS, PLACES, later("Points"), later("One hole at each point"),
              ((0.0, 0.0, 0.0),), only=(KIND, ("points",)), plane=True),
@@ -94,10 +94,12 @@ class Places(Operation):
         return content if "pattern" in content else {**content, "pattern": self.drawn_pattern(obj, origin_mm)}
 
     def drawn_pattern(self, obj: Any, origin_mm: tuple[float, ...]) -> dict[str, Any]:
-        """Return the pattern that the drawing gives, from the work zero: its circles, its points where it has any."""
+        """Return the pattern that the drawings give, from the work zero: circles, points where they have any."""
         from CNCStepper.geometry.curve import circle
+        from CNCStepper.workbench.holes import remarks
 
         holes = drawn_holes(obj)
+        self.remarks = tuple(remarks(drawings_of(obj), holes))
         centres = [(x - origin_mm[0], y - origin_mm[1]) for x, y in (hole.centre_mm for hole in holes)]
         radii = [hole.diameter_mm / 2 for hole in holes]
         if not all(radii):
@@ -106,10 +108,16 @@ class Places(Operation):
 
 
 def drawn_holes(obj: Any) -> list[Any]:
-    """Return the holes that an operation's drawing wants; raises CycleError where it has none."""
-    from CNCStepper.workbench.holes import holes_of
+    """Return the holes that an operation's drawings want; raises CycleError where it has none.
 
-    if obj.Drawing is None:
+    Where the order is to be short, that of the drawings does not matter.
+    """
+    from CNCStepper.workbench.holes import holes_of_all
+
+    pairs = drawings_of(obj)
+    if not pairs:
         advice = "choose a sketch with circles or points, or give the places by numbers"
         raise CycleError("drawing-missing", f"{obj.Label} has no drawing", advice=advice)
-    return holes_of(obj.Drawing, picked_of(obj))
+    if obj.Order == "short":
+        pairs = tuple(sorted(pairs, key=lambda pair: pair[0].ID))
+    return holes_of_all(pairs)

@@ -8,7 +8,6 @@ from typing import Any
 from CNCStepper.workbench.features.base import values
 from CNCStepper.workbench.features.common import ANY_POCKET
 from CNCStepper.workbench.features.operation import OPERATION, Operation, drawn, drawn_curves
-from CNCStepper.workbench.shapes import require_closed
 from CNCStepper.workbench.words import later
 
 
@@ -17,21 +16,17 @@ class Pocket(Operation):
 
     Type = "CNCStepper_Pocket"
     CYCLE = "pocket"
+    CLOSED = True
     PROPERTIES = (
         *OPERATION,
         *drawn(later("Region"), later("A sketch, wires or faces: closed lines, those inside are islands")),
         *ANY_POCKET,
     )
 
-    @classmethod
-    def look(cls, drawing: Any, picked: tuple[str, ...]) -> None:
-        """Raise GeometryError unless all lines of the drawing are closed."""
-        require_closed(drawing, picked)
-
     def cycle_values(self, obj: Any, origin_mm: tuple[float, ...]) -> dict[str, Any]:
-        """Return the parameters, and the drawing's closed curves as outlines and islands."""
+        """Return the parameters, and the drawings' closed curves as outlines and islands."""
         from CNCStepper.workbench.nesting import nested
 
         curves = drawn_curves(obj, origin_mm, "choose a sketch, closed wires or faces for it")
-        outlines, islands = nested(curves, obj.Drawing.Label)
+        outlines, islands = nested(curves)
         return {**self.given(values(obj)), "outlines": outlines, "islands": islands}

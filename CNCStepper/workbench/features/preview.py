@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from CNCStepper.workbench import packages, program_file
+from CNCStepper.workbench import cut_answers, packages, program_file
 from CNCStepper.workbench.features.base import LINK, Feature, Property
 from CNCStepper.workbench.words import later
 
@@ -30,10 +30,7 @@ class Preview(Feature):
         packages.require()
         import Path
 
-        from CNCStepper.workbench.making import read_back
-        from CNCStepper.workbench.picture import commands
-
-        obj.Path = Path.Path([Path.Command(name, words) for name, words in commands(read_back(obj.Job, text))])
+        obj.Path = Path.Path(cut_answers.path_of(text) or path_text(obj.Job, text))
         placement = obj.Placement
         placement.Base = obj.Job.WorkOrigin
         obj.Placement = placement
@@ -43,3 +40,11 @@ class Preview(Feature):
         import Path
 
         obj.Path = Path.Path()
+
+
+def path_text(job: Any, text: str) -> str:
+    """Return the moves of a job's program as FreeCAD's Path reads them."""
+    from CNCStepper.workbench.making import read_back
+    from CNCStepper.workbench.picture import commands, gcode
+
+    return gcode(commands(read_back(job, text)))

@@ -7,7 +7,7 @@ from typing import Any
 
 from CNCStepper.workbench.features.base import ANGLE, DISTANCE, POSITION, Property, edit
 from CNCStepper.workbench.features.common import ANY_POCKET
-from CNCStepper.workbench.features.operation import OPERATION, Operation, drawn, picked_of
+from CNCStepper.workbench.features.operation import OPERATION, Operation, drawn, the_drawing
 from CNCStepper.workbench.words import later
 
 RECTANGLE = later("Rectangle")
@@ -43,11 +43,11 @@ class RectangularPocket(Operation):
 
     def follow(self, obj: Any, origin_mm: tuple[float, ...]) -> None:
         """Take diagonal, corner radius and rotation from the drawing where there is one."""
-        if obj.Drawing is None:
+        if not (pair := the_drawing(obj)):
             return
         from CNCStepper.workbench.rectangles import rectangle_of
 
-        found = rectangle_of(obj.Drawing, picked_of(obj))
+        found = rectangle_of(*pair)
         x, y = found.corner_mm[0] - origin_mm[0], found.corner_mm[1] - origin_mm[1]
         edit(
             obj,

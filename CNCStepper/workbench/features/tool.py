@@ -89,6 +89,14 @@ class Tool(Feature):
         super().add_properties(obj)
         _fix_foreign(obj)
 
+    def onDocumentRestored(self, obj: Any) -> None:
+        """Let one of an older version catch up, and take a copied or pasted one into its job; FreeCAD calls this."""
+        super().onDocumentRestored(obj)
+        if self.is_copy:
+            from CNCStepper.workbench.operation_order import take_in
+
+            take_in(obj)
+
     def onChanged(self, obj: Any, name: str) -> None:
         """Let only those values be typed that the shape has; FreeCAD calls this at every change."""
         if name == "ToolShape":
