@@ -7,35 +7,56 @@ from collections.abc import Sequence
 from typing import Any
 
 from CNCStepper.cycles.form import Setup
-from CNCStepper.gcode.interpret import interpret
-from CNCStepper.job.make import is_split, make_parts, make_program
 from CNCStepper.job.model import Job, StockForm
 from CNCStepper.machine.profile import validated
-from CNCStepper.state import Start
 from CNCStepper.toolpath import Toolpath
+from CNCStepper.workbench import cut_answers, setting
 from CNCStepper.workbench.clamps import clamps_content
 from CNCStepper.workbench.features.base import problem_of, values
 from CNCStepper.workbench.features.job import active_operations
 from CNCStepper.workbench.features.program import is_of_a_file, job_behind
 from CNCStepper.workbench.features.tool import model_of
 from CNCStepper.workbench.machines import machine_of
+from CNCStepper.workbench.setting import content_of, machine_content, program_texts
 from CNCStepper.workbench.stock import stock_content
 
-__all__ = ["job_of", "machine_of", "programs", "proven_with", "read_back", "setup_of"]
+__all__ = [
+    "cut_question",
+    "job_of",
+    "machine_of",
+    "program_question",
+    "programs",
+    "proven_with",
+    "read_back",
+    "setup_of",
+]
 
 
 def programs(obj: Any) -> list[tuple[str, str]]:
     """Return the names and texts of the programs of a job object; raises what the core raises.
 
-    It is one without a name, or several where the machine wants one a tool.
+    It is one without a name, or several where the machine wants one a tool. What the cut process has made is taken.
     """
+    if cut_answers.any_known() and (answer := cut_answers.answer_to(program_question(obj))) is not None:
+        return list(answer.texts)  # type: ignore[union-attr]
     job = job_of(obj).on(machine_of(obj))
     pairs = zip(active_operations(obj), job.operation, strict=True)
     ready = tuple(each.Proxy.cut_once(cycle, job.setup(cycle)) for each, cycle in pairs)
-    job, machine = job.model_copy(update={"operation": ready}), machine_of(obj)
-    if is_split(job, machine):
-        return [(part.file_name, part.program) for part in make_parts(job, machine, obj.Label)]
-    return [("", make_program(job, machine, obj.Label).program)]
+    return program_texts(job.model_copy(update={"operation": ready}), machine_of(obj), obj.Label)
+
+
+def program_question(obj: Any) -> dict[str, Any]:
+    """Return what the cut process is asked for the programs of a job object; raises JobError for a bad job."""
+    return {
+        "program": content_of(job_of(obj)),
+        "machine": machine_content(machine_of(obj)),
+        "title": obj.Label,
+    }
+
+
+def cut_question(obj: Any, operation: Any, cycle: Any) -> dict[str, Any]:
+    """Return what the cut process is asked for the cut of an operation of a job object, whose cycle is given."""
+    return {"cut": content_of(_setting(obj, operation, cycle)), "machine": machine_content(machine_of(obj))}
 
 
 def job_of(obj: Any) -> Job:
@@ -64,9 +85,15 @@ def setup_of(obj: Any, operation: Any, cycle: Any) -> Setup:
 
     Raises JobError for the tool or the stock.
     """
+    return _setting(obj, operation, cycle).on(machine_of(obj)).setup(cycle)
+
+
+def _setting(obj: Any, operation: Any, cycle: Any) -> Job:
+    """Return a job of one operation and of what else counts for it."""
     sound = [other for other in active_operations(obj) if other is not operation and not problem_of(other)]
     contours = [other.Proxy.cycle(other, tuple(obj.WorkOrigin)) for other in sound if other.Proxy.CYCLE == "contour"]
-    job = Job.model_construct(
+    return Job.model_construct(
+        machine=obj.Machine,
         clearance_mm=float(obj.Clearance),
         retract_mm=float(obj.Retract),
         stock=validated(StockForm, stock_content(obj), obj.Label),
@@ -74,12 +101,9 @@ def setup_of(obj: Any, operation: Any, cycle: Any) -> Setup:
         operation=(cycle, *contours),
         material=obj.Material,
     )
-    return job.on(machine_of(obj)).setup(cycle)
 
 
 def read_back(job: Any, text: str) -> Toolpath:
     """Return the table of moves of a job's program text, in work coordinates (its work zero is not known)."""
-    machine, start = machine_of(job), Start()
-    if machine.tool_length == "table":
-        start = job_of(job).started(start, machine) or start
-    return interpret(text, start, dialect=machine.controller, file=job.Label)
+    machine = machine_of(job)
+    return setting.read_back(job_of(job) if machine.tool_length == "table" else None, machine, text, job.Label)

@@ -1,40 +1,67 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""While the kernels are being compiled elsewhere (`warming.py`) a window compiles nothing itself.
+"""No object of a document keeps the window for long.
 
-They run as plain Python meanwhile: a usual cut takes little longer so. One that takes long has to wait.
+While the kernels are being compiled elsewhere (`warming.py`) a window compiles nothing itself: they run as plain Python
+meanwhile, and a usual cut takes little longer so. One that takes long has to wait until they are compiled. When they
+are, a cut that takes long is ended too, and made by the cut process (`cut_later.py`).
 """
 
 from __future__ import annotations
 
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 
+from CNCStepper.checkpoint import interruptible
 from CNCStepper.errors import CNCStepperError
 
-WAITS = "kernels-prepared"  # the code of the refusal of what has to wait
+WAITS = "kernels-prepared"  # the code of the refusal of what has to wait for the kernels
+LONG = "cut-long"  # of what the cut process makes
 PATIENCE_S = 1.0
+MOST_S = 3.0  # of the window thread's processor time, for one object
+HURRY_S = 0.2  # the same, for those after one that took too long
 
 compiling_elsewhere = False
+hurry = False  # one has taken too long, and the window has not been free since
+long_refused: Callable[[], None] | None = None  # called where something was left to the cut process; only in a window
 
 
 @contextmanager
 def patience() -> Iterator[None]:
-    """Compile nothing within, while that is done elsewhere; raises CNCStepperError where it then takes too long."""
-    if not compiling_elsewhere:
+    """Compile nothing within while that is done elsewhere, and in a window calculate for a short time only.
+
+    Raises CNCStepperError where it then takes too long. A script without a window waits for all.
+    """
+    if compiling_elsewhere:
+        from CNCStepper.kernels import uncompiled
+
+        with uncompiled(_until(time.monotonic() + PATIENCE_S, time.monotonic, _waits)):
+            yield
+    elif long_refused is not None:
+        most_s = HURRY_S if hurry else MOST_S
+        with interruptible(_until(time.thread_time() + most_s, time.thread_time, _is_long)):
+            yield
+    else:
         yield
-        return
-    from CNCStepper.kernels import uncompiled
 
-    end_s = time.monotonic() + PATIENCE_S
 
+def _until(end_s: float, clock: Callable[[], float], refusal: Callable[[], CNCStepperError]) -> Callable[[], None]:
     def look() -> None:
-        if time.monotonic() > end_s:
-            raise CNCStepperError(
-                WAITS,
-                "large cuts are being prepared, once after an installation",
-                advice="this one is made by itself when that is done, in about a minute",
-            )
+        if clock() > end_s:
+            raise refusal()
 
-    with uncompiled(look):
-        yield
+    return look
+
+
+def _waits() -> CNCStepperError:
+    what = "large cuts are being prepared, once after an installation"
+    return CNCStepperError(WAITS, what, advice="this one is made by itself when that is done, in about a minute")
+
+
+def _is_long() -> CNCStepperError:
+    global hurry
+    assert long_refused is not None
+    hurry = True
+    long_refused()
+    what = "this takes long, and is being made beside the window"
+    return CNCStepperError(LONG, what, advice="it is there by itself when that is done")

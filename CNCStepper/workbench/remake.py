@@ -7,6 +7,7 @@ field that they are meant for. An object alone is made without it.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import Any
 
 from CNCStepper.workbench.features.base import proxy_type
@@ -14,10 +15,19 @@ from CNCStepper.workbench.features.base import proxy_type
 
 def remake(document: Any) -> None:
     """Make those of our objects that have changed, and ours that stand on them, each after what it stands on."""
+    for _ in steps(document):
+        pass
+
+
+def steps(document: Any) -> Iterator[None]:
+    """Do what `remake` does, an object at a time, so that a window can see to its events between two of them."""
     made: set[str] = set()
-    for obj in reversed(document.TopologicalSortedObjects):
-        changed = "Touched" in obj.State or any(part.Name in made for part in obj.OutList)
-        if proxy_type(obj) and changed:
+    for name in [obj.Name for obj in reversed(document.TopologicalSortedObjects)]:
+        obj = document.getObject(name)
+        if obj is None or not proxy_type(obj):
+            continue
+        if "Touched" in obj.State or any(part.Name in made for part in obj.OutList):
             obj.recompute()
             obj.purgeTouched()
-            made.add(obj.Name)
+            made.add(name)
+            yield

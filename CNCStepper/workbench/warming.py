@@ -16,13 +16,14 @@ from PySide import QtCore
 from CNCStepper.control.python_finder import PROOF, command, seek_python
 from CNCStepper.control.started import python_version
 from CNCStepper.errors import CNCStepperError
+from CNCStepper.needs import FAST
 from CNCStepper.workbench import packages, patience
 from CNCStepper.workbench.features.base import proxy_type
 from CNCStepper.workbench.remake import remake
 from CNCStepper.workbench.worker import Worker, start_worker
 
 WORKER = "CNCStepper.job.warm"
-NEEDS = (*PROOF, "numba", "platformdirs")
+NEEDS = (*PROOF, FAST)
 LOOK_EVERY_MS = 50
 
 _run: Warming | None = None

@@ -26,6 +26,8 @@ from CNCStepper.errors import CNCStepperError
 KILLED_WITHIN_S = 2.0
 AT_ONCE_BYTES = 1 << 16
 
+_ending: set[Worker] = set()  # stopped, and not gone yet
+
 
 class Worker(QtCore.QObject):
     """The process. told: sent when it has told something. ended: sent when it is over. `stop` or let it end by itself.
@@ -48,8 +50,11 @@ class Worker(QtCore.QObject):
         self._arrived.connect(self._take, queued)
         self._over.connect(self._tell_end, queued)
         self.destroyed.connect(self._process.kill)
-        for work in (self._read_on, self._write_on):
-            Thread(target=work, name=f"{work.__name__}-{self.pid}", daemon=True).start()
+        self._stopped = False
+        works = (self._read_on, self._write_on)
+        self._threads = [Thread(target=work, name=f"{work.__name__}-{self.pid}", daemon=True) for work in works]
+        for thread in self._threads:
+            thread.start()
 
     @property
     def pid(self) -> int:
@@ -78,22 +83,34 @@ class Worker(QtCore.QObject):
         return self._complaints.read().decode("utf-8", "replace")
 
     def stop(self) -> None:
-        """End it, whatever it does; nothing is heard of it any more."""
-        self.blockSignals(True)
+        """End it, whatever it does; nothing is heard of it any more.
+
+        The object goes when the thread that reads has told its last: Qt must not delete what a thread is just using,
+        nor may a parent meanwhile.
+        """
+        self._stopped = True
+        _ending.add(self)
+        self.setParent(None)
         self._process.kill()
         with suppress(subprocess.TimeoutExpired):  # the system ends it as soon as it can
             self._process.wait(KILLED_WITHIN_S)
         self._to_write.put(None)
-        self.deleteLater()
 
     @QtCore.Slot(object)
     def _take(self, data: bytes) -> None:
-        self._heard += data
-        self.told.emit()
+        if not self._stopped:
+            self._heard += data
+            self.told.emit()
 
     @QtCore.Slot()
     def _tell_end(self) -> None:
-        self.ended.emit()
+        for thread in self._threads:  # they have told their last, and are about to end
+            thread.join(KILLED_WITHIN_S)
+        if self._stopped:
+            _ending.discard(self)
+            self.deleteLater()
+        else:
+            self.ended.emit()
 
     def _read_on(self) -> None:
         """Hand on its output until that ends; runs in a thread of its own."""

@@ -3,10 +3,12 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from itertools import pairwise
 from typing import Any
 
+import Draft
 import FreeCAD
 import FreeCADGui
 import Part
@@ -129,7 +131,7 @@ def make_pocket(hand: Hand) -> None:
     hand.shot("cycles-2-pocket")
     accept(hand)
     pocket = hand.main(the, "Pocket")
-    held = hand.main(lambda: (pocket.Depth.Value, pocket.Pattern, pocket.Stepover.Value, pocket.Drawing.Label))
+    held = hand.main(lambda: (pocket.Depth.Value, pocket.Pattern, pocket.Stepover.Value, pocket.Drawings[0][0].Label))
     assert held == (4, "offset", 2.4, "Hollow")
     assert hand.main(lambda: pocket.Levels) == 3
 
@@ -240,16 +242,78 @@ def test_a_selected_face_and_selected_points(hand: Hand) -> None:
     face = hand.main(face_above)
     hand.main(select, ("Solid", face))
     press(hand, "CNCStepper_Pocket")
-    assert hand.text(f"{PANEL}picked") == face
+    assert hand.main(listed) == {f"Solid: {face}": True}
     hand.shot("cycles-6-picked")
     accept(hand)
-    assert hand.main(lambda: (the("Pocket").Picked[0].Name, problem_of(the("Pocket")))) == ("Solid", "")
+    assert hand.main(lambda: (the("Pocket").Drawings[0][0].Name, problem_of(the("Pocket")))) == ("Solid", "")
     hand.main(select, *((name, "") for name in ("Point", "Point001", "Point002")))
     press(hand, "CNCStepper_Drill")
     hand.wait(lambda: the("Drill").Holes == 3, 10, "three holes")
-    assert hand.text(f"{PANEL}pattern_points_mm") == "10.00; 5.00\n20.00; 5.00\n30.00; 5.00"
+    assert hand.main(listed) == {"Point": True, "Point001": True, "Point002": True}
     hand.shot("cycles-7-points")
     accept(hand)
+
+
+def listed() -> dict[str, bool]:
+    """Return the drawings that the open panel lists, and whether they are followed."""
+    drawings = FreeCADGui.getMainWindow().findChild(QtGui.QListWidget, f"{PANEL}drawings")
+    items = [drawings.item(row) for row in range(drawings.count())]
+    return {item.text(): item.checkState() == QtCore.Qt.CheckState.Checked for item in items}
+
+
+def rectangle_circle_and_line() -> Any:
+    document = FreeCAD.newDocument("Sign")
+    job = api.new_job(document, stock_size_mm=(100, 80, 10))
+    api.add_tool(job)
+    Draft.make_rectangle(60, 40)
+    Draft.make_circle(8, FreeCAD.Placement(Vector(30, 20, 0), FreeCAD.Rotation()))
+    Draft.make_wire([Vector(70, 0, 0), Vector(80, 0, 0)])
+    document.recompute()
+    return job
+
+
+def test_a_rectangle_and_a_circle_selected_together(hand: Hand) -> None:
+    job = hand.main(rectangle_circle_and_line)
+    hand.main(select, ("Circle", ""), ("Line", ""), ("Rectangle", ""))
+    press(hand, "CNCStepper_Pocket")
+    assert hand.main(listed) == {"Rectangle": True, "Circle": True}
+    said = hand.text(f"{PANEL}drawings_unused")
+    assert said.startswith("Not used: ") and "'Line' is open" in said
+    hand.shot("drawings-1-pocket")
+    row = hand.main(lambda: area_mm2(job))
+    assert row == pytest.approx(60 * 40 - math.pi * 64, abs=1)
+    hand.click(f"{PANEL}drawings", at=hand.main(check_box, "Circle"))
+    hand.wait(lambda: len(job.Operations[0].Drawings) == 1, 10, "the circle to be let go")
+    assert hand.main(listed) == {"Rectangle": True, "Circle": False}
+    assert hand.main(lambda: area_mm2(job)) == pytest.approx(60 * 40, abs=1)
+    hand.main(select, ("Circle", ""))
+    hand.click(f"{PANEL}drawings_add")
+    hand.wait(lambda: len(job.Operations[0].Drawings) == 2, 10, "the circle to be taken again")
+    accept(hand)
+    hand.main(lambda: (job.Document.removeObject("Circle"), job.Document.recompute()))
+    hand.main(editing.edit, hand.main(lambda: job.Operations[0]))
+    hand.wait(lambda: hand.exists(f"{PANEL}ok"), 60, "the panel")
+    assert hand.main(listed) == {"Rectangle": True, "Circle (deleted)": True}
+    hand.shot("drawings-2-deleted")
+    hand.click(f"{PANEL}drawings", at=hand.main(check_box, "Circle (deleted)"))
+    hand.wait(lambda: problem_of(job.Operations[0]) == "", 10, "the pocket to go on without it")
+    accept(hand)
+
+
+def area_mm2(job: Any) -> float:
+    from CNCStepper.job.make import make_program
+    from CNCStepper.workbench.making import machine_of
+
+    removals = make_program(api.job_model(job), machine_of(job)).removals
+    return float(sum(removal.region.area for removal in removals))
+
+
+def check_box(text: str) -> tuple[int, int]:
+    """Return where the check box of a listed drawing lies in the list."""
+    drawings = FreeCADGui.getMainWindow().findChild(QtGui.QListWidget, f"{PANEL}drawings")
+    (item,) = drawings.findItems(text, QtCore.Qt.MatchFlag.MatchExactly)
+    place = drawings.visualItemRect(item)
+    return place.left() + 10, place.center().y() + drawings.frameWidth()
 
 
 def every_panel() -> Any:

@@ -23,6 +23,7 @@ from PySide import QtCore, QtGui
 from CNCStepper.workbench import api, editing, program_file
 from CNCStepper.workbench.commands.creation import create
 from CNCStepper.workbench.features.base import problem_of, proxy_type, value_of
+from CNCStepper.workbench.features.operation import Operation
 
 DEPTH, STEPOVER, OK, CANCEL = (f"CNCStepper_Panel_{name}" for name in ("depth_mm", "stepover_mm", "ok", "cancel"))
 NEVER_A_NUMBER = ["", "abc", "nan", "inf", "mm", "-", "("]  # nor is any of their beginnings
@@ -284,7 +285,7 @@ def test_imperial_units(hand: Hand, bench: Bench, inches: None, typed: str, dept
 
 def test_a_drawing_is_chosen_taken_and_let_go(hand: Hand, bench: Bench) -> None:
     bench.open(bench.pocket)
-    box = "CNCStepper_Panel_drawing"
+    box = "CNCStepper_Panel_drawings"
     offered = hand.main(lambda: [hand_box(box).itemText(i) for i in range(hand_box(box).count())])
     assert offered == ["by numbers", "Sketch"]
     hand.choose(box, "Sketch")
@@ -293,16 +294,16 @@ def test_a_drawing_is_chosen_taken_and_let_go(hand: Hand, bench: Bench) -> None:
     assert not hand.main(lambda: hand_box("CNCStepper_Panel_radius_x_mm").isEnabled())
     hand.shot("panel-pocket-drawing")
     hand.choose(box, "by numbers")
-    hand.wait(lambda: bench.pocket.Drawing is None)
+    hand.wait(lambda: not bench.pocket.Drawings)
     assert hand.main(lambda: hand_box("CNCStepper_Panel_radius_x_mm").isEnabled())
     for _ in range(3):  # a click that falls through FreeCAD 1.1's panel goes into the 3D view, which selects nothing
         hand.main(FreeCADGui.Selection.clearSelection)
         hand.main(FreeCADGui.Selection.addSelection, bench.line)
-        hand.click("CNCStepper_Panel_drawing_take")
-        if hand.main(lambda: "no ellipse" in bench.note("drawing") or bench.panel_problem()):
+        hand.click("CNCStepper_Panel_drawings_take")
+        if hand.main(lambda: "no ellipse" in bench.note("drawings") or bench.panel_problem()):
             break
-    hand.wait(lambda: "no ellipse" in bench.note("drawing") or bench.panel_problem(), 5, "why it cannot be taken")
-    assert hand.main(lambda: bench.pocket.Drawing) is None
+    hand.wait(lambda: "no ellipse" in bench.note("drawings") or bench.panel_problem(), 5, "why it cannot be taken")
+    assert hand.main(lambda: bench.pocket.Drawings) == []
 
 
 def hand_box(name: str) -> Any:
@@ -317,6 +318,7 @@ def test_the_job_s_operations_and_tools(hand: Hand, bench: Bench) -> None:
     hand.item("CNCStepper_Panel_operations", second)
     hand.click("CNCStepper_Panel_operations_up")
     hand.wait(lambda: [operation.Label for operation in bench.job.Operations] == [second, first])
+    hand.wait(lambda: "Touched" not in bench.job.State, 20, "the program in the new order")
     assert hand.main(api.program_text, bench.job).index("engrave") < hand.main(api.program_text, bench.job).index("ell")
     hand.main(lambda: hand_into("CNCStepper_Panel_tools_add"))
     hand.click("CNCStepper_Panel_tools_remove")
@@ -350,6 +352,40 @@ def test_what_the_cut_warns_of_is_shown(hand: Hand, bench: Bench) -> None:
     hand.shot("panel-pocket-warned")
 
 
+def test_what_does_not_fit_into_the_stock_is_said_while_typing_and_before_it_is_computed(
+    hand: Hand, bench: Bench, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    said: list[str] = []
+    make = Operation.make
+    label = "CNCStepper_Panel_of_stock"
+
+    def spy(self: Any, obj: Any) -> None:
+        said.append(places.find(label).text() if places.visible(label) else "")
+        make(self, obj)
+
+    monkeypatch.setattr(Operation, "make", spy)
+    hand.main(setattr, bench.job, "StockSize", Vector(100, 70, 20))
+    hand.main(bench.document.recompute)
+    bench.open(bench.pocket)
+    assert not hand.exists(label)
+    said.clear()
+    hand.fill(DEPTH, "23")
+    hand.wait(lambda: hand.exists(label) and "the depth goes below the stock" in hand.text(label), 10, "the warning")
+    assert "limit 20 mm" in hand.text(label)
+    hand.wait(lambda: said, 10, "the cut")
+    assert "below the stock" in said[-1]
+    hand.shot("panel-below-stock")
+    hand.fill(DEPTH, "2")
+    hand.wait(lambda: not hand.exists(label), 10, "no warning")
+    hand.fill("CNCStepper_Panel_centre_mm_x", "45")
+    hand.wait(lambda: hand.exists(label) and "beside the stock" in hand.text(label), 10, "the warning")
+    hand.fill(DEPTH, "40")
+    hand.wait(lambda: "below the stock" in hand.text(label), 10, "both warnings")
+    first, second = hand.text(label).splitlines()[:2]
+    assert first.startswith("Error: the depth goes below") and "beside the stock" in second
+    hand.shot("panel-beside-stock")
+
+
 def test_a_look_without_a_change_is_no_undo_step(hand: Hand, bench: Bench) -> None:
     for obj in (bench.pocket, bench.tool, bench.job):
         bench.open(obj)
@@ -364,11 +400,11 @@ def test_a_deleted_drawing_is_named_in_the_panel_until_it_is_let_go(hand: Hand, 
     hand.main(bench.document.removeObject, "Sketch")
     hand.main(bench.document.recompute)
     bench.open(bench.pocket)
-    assert "Sketch" in hand.main(bench.panel_problem) + hand.main(bench.note, "drawing")
+    assert "Sketch" in hand.main(bench.panel_problem) + hand.main(bench.note, "drawings")
     hand.click(OK)
     hand.settle()
     assert not hand.main(bench.closed)
-    hand.choose("CNCStepper_Panel_drawing", "by numbers")
+    hand.choose("CNCStepper_Panel_drawings", "by numbers")
     hand.click(OK)
     hand.wait(bench.closed)
     assert hand.main(problem_of, bench.pocket) == ""

@@ -10,12 +10,13 @@ from CNCStepper.workbench.features.common import FINISH, PATH
 from CNCStepper.workbench.features.contour import LEADS, TABS
 from CNCStepper.workbench.features.operation import Operation
 from CNCStepper.workbench.features.tool import FORM, LIMITS
+from CNCStepper.workbench.panels.drawings import DrawingField, DrawingsField
 from CNCStepper.workbench.panels.editor import Editor
-from CNCStepper.workbench.panels.links import DrawingField, PickedField, ToolField
+from CNCStepper.workbench.panels.links import ToolField
 from CNCStepper.workbench.panels.panel import Panel
 from CNCStepper.workbench.panels.points import PointsField
 
-KINDS = {"tool": ToolField, "drawing": DrawingField, "picked": PickedField, "pattern_points_mm": PointsField}
+KINDS = {"tool": ToolField, "pattern_points_mm": PointsField}
 RARE = (FINISH, PATH, TABS, LEADS)  # groups of operations
 FREEHAND = "CNCStepper_Freehand"
 HIDDEN = {FREEHAND: ("points_mm",)}
@@ -29,7 +30,8 @@ def panel_of(obj: Any) -> Panel:
 
         return JobPanel(obj)
     folded = RARE if isinstance(obj.Proxy, Operation) else (FORM, LIMITS)
-    editor = Editor(obj, KINDS, folded, HIDDEN.get(name, ()))
+    drawings = DrawingField if getattr(obj.Proxy, "SHAPE", ()) else DrawingsField
+    editor = Editor(obj, {**KINDS, "drawings": drawings}, folded, HIDDEN.get(name, ()))
     if name == FREEHAND:
         from CNCStepper.workbench.panels.freehand import FreehandPanel
 

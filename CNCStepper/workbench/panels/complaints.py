@@ -8,6 +8,7 @@ from collections.abc import Callable, Iterable
 from typing import Any
 
 from CNCStepper.errors import CNCStepperError
+from CNCStepper.quantities import ERROR_TYPE
 from CNCStepper.workbench.features.base import proxy_type
 from CNCStepper.workbench.panels.numbers import Refused
 from CNCStepper.workbench.words import later
@@ -18,6 +19,7 @@ LIMITS = {
     "less_than": ("lt", later("must be below {0}")),
     "less_than_equal": ("le", later("must be at most {0}")),
 }
+NOT_BETWEEN = later("must be 0, or at least {0}")
 
 
 def model_of_type(obj: Any) -> Any:
@@ -65,7 +67,18 @@ def _sentence(key: str, problem: Any, shown: Callable[[str, float], str]) -> Ref
     if problem["type"] in LIMITS:
         name, sentence = LIMITS[problem["type"]]
         return Refused(sentence, shown(key, problem["ctx"][name]))
+    if problem["type"] == ERROR_TYPE and isinstance(problem["input"], int | float):
+        return _out_of_bounds(key, problem["input"], problem["ctx"], shown)
     return Refused("{0}", problem["msg"].removeprefix("Value error, "))
+
+
+def _out_of_bounds(key: str, value: float, bounds: Any, shown: Callable[[str, float], str]) -> Refused:
+    """Return what a number beyond the bounds of its quantity must be; they stand in the context of pydantic's error."""
+    if value > bounds["high"]:
+        return Refused(LIMITS["less_than_equal"][1], shown(key, bounds["high"]))
+    if bounds["zero"] and value > 0:
+        return Refused(NOT_BETWEEN, shown(key, bounds["low"]))
+    return Refused(LIMITS["greater_than_equal"][1], shown(key, 0.0 if bounds["zero"] else bounds["low"]))
 
 
 def key_of(error: CNCStepperError, keys: Iterable[str]) -> str:

@@ -27,7 +27,61 @@ FRAME = f"border: 1px solid {ERROR_COLOUR}; border-radius: 2px;"  # of what is w
 WARNING_COLOUR = "#b26a00"
 NOTE_SIZE = 0.9  # of the usual letters
 AXES = "XYZ"
+SEEN_AFTER_MS = 300  # what takes less is not worth a flicker
+WORK_BAR_PX = 4
 GAP_PX = 2  # above and below a field
+
+
+class WorkNote(QtGui.QWidget):
+    """Says in a line that something takes a while, with a bar that moves; seen only when it does take one."""
+
+    def __init__(self, name: str, parent: Any):
+        super().__init__(parent)
+        self.setObjectName(name)
+        self.hide()
+        self._words = ""
+        self._label: Any = None
+        self._timer = QtCore.QTimer(self)
+        self._timer.setSingleShot(True)
+        self._timer.setInterval(SEEN_AFTER_MS)
+        self._timer.timeout.connect(self._show)
+
+    def begin(self) -> None:
+        """Be seen in a moment, unless it ends before."""
+        if not self.isVisible() and not self._timer.isActive():
+            self._timer.start()
+
+    def end(self) -> None:
+        """Be seen no longer."""
+        self._timer.stop()
+        self._words = ""
+        self.hide()
+
+    def say(self, words: str) -> None:
+        """Say what is being done."""
+        self._words = words
+        if self._label is not None:
+            self._label.setText(words)
+
+    def _show(self) -> None:
+        if self._label is None:
+            self._make()
+        self._label.setText(self._words or tr("Waiting for the cut…"))
+        self.show()
+
+    def _make(self) -> None:
+        """Make what is seen, at the first need: most fields never show it."""
+        self._label = QtGui.QLabel(self)
+        self._label.setTextFormat(QtCore.Qt.TextFormat.PlainText)
+        bar = QtGui.QProgressBar(self)
+        bar.setRange(0, 0)  # how long a cut takes is not known before
+        bar.setTextVisible(False)
+        bar.setFixedHeight(WORK_BAR_PX)
+        column = QtGui.QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(1)
+        column.addWidget(bar)
+        column.addWidget(self._label)
 
 
 class Field(QtCore.QObject):
@@ -48,6 +102,8 @@ class Field(QtCore.QObject):
         self._column.setContentsMargins(0, GAP_PX, 0, GAP_PX)
         self._column.setSpacing(1)
         self.editors = self.make()
+        self._work = WorkNote(f"{NAME}_{entry.key}_work", self.widget)
+        self._column.addWidget(self._work)
         self._column.addWidget(self.note)
         self._explain()
 
@@ -96,6 +152,14 @@ class Field(QtCore.QObject):
         for editor in self.editors:
             # by its name: else the list that it opens, and its tooltip, would have the frame too
             editor.setStyleSheet(f"#{editor.objectName()} {{ {FRAME} }}" if sentence else "")
+
+    def show_work(self, working: bool) -> None:
+        """Show below the field, after a moment, that what stands there is being cut; or no longer."""
+        self._work.begin() if working else self._work.end()
+
+    def show_stage(self, words: str) -> None:
+        """Say what is being done with what stands here, where anything is."""
+        self._work.say(words)
 
     def has_focus(self) -> bool:
         """Return whether the keyboard is here."""

@@ -9,6 +9,7 @@ from PySide import QtGui
 
 from CNCStepper.workbench.commands.defaults import stock_of_drawing, stock_of_solid
 from CNCStepper.workbench.features.job import HEIGHTS, MACHINE, PROGRAM, STOCK
+from CNCStepper.workbench.features.operation import drawings_of
 from CNCStepper.workbench.features.tool import FORM, LIMITS
 from CNCStepper.workbench.panels.axis import AxisSheet
 from CNCStepper.workbench.panels.clamp_list import ClampList
@@ -19,7 +20,6 @@ from CNCStepper.workbench.panels.lists import OperationList, ToolList
 from CNCStepper.workbench.panels.machine import DialectField, MachineField, MaterialField
 from CNCStepper.workbench.panels.panel import Panel
 from CNCStepper.workbench.panels.stock_size import StockSizeField
-from CNCStepper.workbench.remake import remake
 from CNCStepper.workbench.shapes import box_round, round_box
 from CNCStepper.workbench.stock import CYLINDER
 from CNCStepper.workbench.tell import guarded
@@ -58,9 +58,7 @@ class JobPanel(Panel):
 
     def remake(self) -> None:
         """Recompute after a list was changed, and show all as it is now."""
-        self.editor.apply()
-        remake(self.job.Document)
-        self.editor.apply()
+        self.editor.remake()
         for part in self.lists:
             part.refresh()
 
@@ -83,7 +81,7 @@ class JobPanel(Panel):
         """Put the stock around what is selected, or around all drawings of the operations."""
         import FreeCADGui
 
-        drawn = [operation.Drawing for operation in self.job.Operations if operation.Drawing is not None]
+        drawn = [drawing for operation in self.job.Operations for drawing, _ in drawings_of(operation)]
         shapes = [obj.Shape for obj in FreeCADGui.Selection.getSelection() or drawn if hasattr(obj, "Shape")]
         shapes = [shape for shape in shapes if not shape.isNull() and shape.BoundBox.isValid()]
         if not shapes:

@@ -29,7 +29,9 @@ class Panel:
     @guarded
     def accept(self) -> bool:
         """Keep all as one undo step, or stay open where something is wrong; FreeCAD calls this for OK."""
-        if not all(editor.flush() for editor in self.editors):
+        good = [editor.flush() for editor in self.editors]
+        if not all(good):
+            self._accept_later(good)
             return False
         document = self._document()
         if document is not None:
@@ -39,6 +41,13 @@ class Panel:
             editor.stop()
         self._close()
         return True
+
+    def _accept_later(self, good: list[bool]) -> None:
+        """Close as with OK as soon as what is being cut is good, where nothing else is in the way."""
+        waiting = [editor for editor in self.editors if editor.waiting]
+        if len(waiting) == good.count(False):
+            for editor in waiting:
+                editor.then = self.accept
 
     @guarded
     def reject(self) -> bool:
