@@ -31,6 +31,9 @@ AGAIN_S = 0.2  # before a key is pressed once more that was not seen
 REST_S = 0.03  # what has not moved for so long rests
 CLICKS = 3  # so often is a button clicked that does not see it
 TOOLTIP_S = 2.0  # so long may a tooltip take that comes
+DRAG_STEPS_PX = (2, 6, 12, 18)  # the way of a drag from its row, and to the other: Qt wants some before it begins
+DRAG_S = 0.15  # between its last steps: FreeCAD looks at where it is only so often
+UPPER, LOWER = 0.3, 0.7  # of a row's height
 HOVERS = 4  # so often is the pointer brought back where no tooltip came
 Target = Any  # an objectName or a widget
 Point = tuple[float, float]
@@ -226,6 +229,38 @@ class Hand:
                 return
             print(f"{label} in the tree did not see the click", flush=True)
         raise AssertionError(f"{label} in the tree does not see clicks; {self.describe()}")
+
+    def drag_in_tree(
+        self, labels: Sequence[str], onto: str, *, lower: bool = True, modifiers: Sequence[str] = ()
+    ) -> None:
+        """Drag objects of FreeCAD's tree onto the upper or lower part of a row; a document's row is its label."""
+        self.tree(labels[0])
+        for label in labels[1:]:
+            self.tree(label, modifiers=("Ctrl",))
+        self.mouse.move(*self._place(places.of_tree_item, labels[-1]))
+        self.settle()
+        time.sleep(NO_DOUBLE_S)
+        self.mouse.down(x_input.LEFT)
+        x, y = self.main(places.of_tree_item, labels[-1])
+        for away in DRAG_STEPS_PX:
+            self.mouse.move(x + away, y + away)
+            time.sleep(FINGER_S)
+        for key in modifiers:
+            self.keyboard.down(key)
+        x, y = self.main(places.of_tree_item, onto, LOWER if lower else UPPER)
+        for away in reversed(DRAG_STEPS_PX):
+            self.mouse.move(x + away, y)
+            time.sleep(DRAG_S)
+        self.mouse.move(x, y)
+        time.sleep(DRAG_S)
+
+    def drop(self, modifiers: Sequence[str] = ()) -> None:
+        """Let go what is dragged."""
+        self.mouse.up(x_input.LEFT)
+        time.sleep(DRAG_S)
+        for key in reversed(modifiers):
+            self.keyboard.up(key)
+        self.settle()
 
     def choose(self, combo: Target, text: str) -> None:
         """Open a combo box and click the entry with this text until the list closes.

@@ -94,7 +94,7 @@ def test_what_is_no_drive_is_said_and_the_profile_s_drive_stands_first(hand: Han
     open_sheet(hand, job)
     assert shown(hand, "steps_per_mm", "highest_feed") == ["80  (profile: 80)", "18750.00 mm/min"]
     assert shown(hand, "backlash_mm") == ["0.05 mm"]
-    for text, told in (("0", "must be above"), ("x", "no number"), ("3 deg", "no value in")):
+    for text, told in (("0", "must be at least"), ("x", "no number"), ("3 deg", "no value in")):
         fill(hand, screw_pitch_mm=text)
         hand.wait(lambda told=told: told in places.find(f"{A}_error").text())
         assert shown(hand, "steps_per_mm", "pulses", "backlash_mm") == ["", "", "0.05 mm"]

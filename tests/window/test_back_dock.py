@@ -6,7 +6,7 @@ from __future__ import annotations
 from typing import Any
 
 from hand import Hand
-from test_dock import LONGEST_MS, D, connected, dock, own_sessions, pocket, says, work_mm  # noqa: F401
+from test_dock import LONGEST_MS, D, connected, dock, own_sessions, pocket, says, work_mm, zeroed  # noqa: F401
 
 PLACE_S = 60.0  # a process is started and a program read
 
@@ -17,6 +17,7 @@ def begun(hand: Hand, dock: Any) -> None:  # noqa: F811
     connected(hand, "1× speed")
     hand.command("CNCStepper_Send")
     hand.wait(lambda: hand.exists(f"{D}Start") and "Work zero" in hand.text(f"{D}FlowTitle"), 180, "the proof")
+    zeroed(hand)
     hand.click(f"{D}Start")
     says(hand, "Running", 60)
     hand.wait(lambda: hand.find(f"{D}Progress").value() > 100 and dock.link.status.wpos_mm[2] < 0, 180, "the cut")

@@ -75,6 +75,13 @@ def pocket(hand: Hand, machine: str = "table-a", **values: Any) -> Any:
     return hand.main(make)
 
 
+def zeroed(hand: Hand) -> None:
+    """Make the place of the tool the work zero; before that nothing can be started."""
+    assert not hand.main(start_button().isEnabled)
+    hand.click(f"{D}ZeroAll")
+    hand.wait(lambda: start_button().isEnabled(), 10, "Start")
+
+
 def work_mm(hand: Hand, axis: str) -> float:
     return float(hand.text(f"{D}Work{axis}"))
 
@@ -154,7 +161,10 @@ def test_send_hold_resume_done(hand: Hand, dock: Any) -> None:
     hand.choose(f"{D}Speed", "10× speed")
     hand.click(f"{D}Start")
     hand.wait(lambda: "Work zero" in hand.text(f"{D}FlowTitle"), 60, "the controller")
+    assert "position is unknown" in hand.text(f"{D}FlowDetail") and "All = 0" in hand.main(start_button().toolTip)
     hand.shot("dock-zero")
+    zeroed(hand)
+    assert not hand.exists(f"{D}FlowDetail")
     hand.click(f"{D}Start")
     says(hand, "Running")
     hand.wait(lambda: hand.find(f"{D}Progress").value() > 100, 60)
@@ -182,6 +192,7 @@ def test_stop_ends_the_job_and_says_how_it_stands(hand: Hand, dock: Any) -> None
     connected(hand, "1× speed")
     hand.command("CNCStepper_Send")
     hand.wait(lambda: hand.exists(f"{D}Start") and "Work zero" in hand.text(f"{D}FlowTitle"), 60)
+    zeroed(hand)
     hand.click(f"{D}Start")
     says(hand, "Running")
     hand.click(f"{D}Stop")
@@ -216,6 +227,7 @@ def test_a_controller_set_up_differently_cuts_only_when_somebody_says_so(hand: H
     connected(hand)
     hand.command("CNCStepper_Send")
     hand.wait(lambda: hand.exists(f"{D}Start") and "Work zero" in hand.text(f"{D}FlowTitle"), 60)
+    zeroed(hand)
     hand.click(f"{D}Start")
     hand.wait(lambda: "Another machine" in hand.text(f"{D}FlowTitle"))
     assert "$100" in hand.text(f"{D}FlowDetail") and hand.text(f"{D}State") == "Idle"
@@ -331,6 +343,7 @@ def test_the_window_asks_before_it_closes_over_a_job(hand: Hand, dock: Any) -> N
     connected(hand, "1× speed")
     hand.command("CNCStepper_Send")
     hand.wait(lambda: hand.exists(f"{D}Start") and "Work zero" in hand.text(f"{D}FlowTitle"), 60)
+    zeroed(hand)
     hand.click(f"{D}Start")
     says(hand, "Running")
     window = FreeCADGui.getMainWindow()
@@ -348,6 +361,7 @@ def test_the_window_lives_while_100_000_lines_stream(hand: Hand, dock: Any, tmp_
     file = tmp_path / "send.json"
     file.write_text(SendJob(port="", lines=lines, file="long.nc").to_json(), "utf-8")
     connected(hand)
+    hand.main(lambda: dock.link.command("set_zero", "XYZ"))
     with hand.watchdog() as watch:
         hand.main(lambda: dock.link.command("run", file, zero_confirmed=True))
         says(hand, "Running", 60)

@@ -26,6 +26,8 @@ AT_ONCE_MS = 50  # of the interface thread's own work, between two keys
 OPENED_MS = 100  # the same, for a click that opens a long file: what still seems to happen at once
 NAME = "CNCStepper_Editor_"
 TEXT = "(a plate)\nG21 G90\nT1 M3 S9000\nG0 X0 Y0 Z5\nG1 Z-1 F200\nG1 X40\nG2 X60 Y20 J20\nG0 Z5\nM5\nM2\n"
+CAM = "%\nO1000 (two tools)\nG21 G90 G17\nT1 M6\nS9000 M3\nG0 Z5\nG0 X5 A0\nG1 Z-1 F200\nG1 X20\nG0 Z5\n"
+CAM += "M5\nT2 M6\nM3 S9000\nG0 X5 Y5\nG1 Z-1 F200\nG0 Z5\nM5\nM30\n%\n"
 
 
 def new_document() -> Any:
@@ -259,6 +261,26 @@ def test_a_change_of_the_whole_program_is_shown_before_it_is_made(hand: Hand, tm
     hand.main(panel.edit.setFocus)
     hand.key("Ctrl+Z")
     assert hand.main(panel.text) == TEXT
+
+
+def test_a_cam_program_is_converted_by_a_button_and_back_by_undo(hand: Hand, tmp_path: Path) -> None:
+    path = tmp_path / "peça de CAM.nc"
+    path.write_text(CAM, "utf-8")
+    panel = opened(hand, path, CAM)
+    hand.wait(lambda: panel.convert.isVisible(), READ_S)
+    assert len(panel.edit.marks.all) >= 4
+    hand.main(lambda: QtCore.QTimer.singleShot(0, panel.convert.click))
+    hand.wait(lambda: is_shown(NAME + "diff"), 20)
+    hand.shot("editor-convert")
+    hand.click(NAME + "diff_apply")
+    hand.wait(lambda: "M0" in panel.text(), 5)
+    read(hand, panel)
+    assert panel.edit.marks.all == [] and not panel.convert.isVisible()
+    assert "M6" not in panel.text() and "change to tool 2" in panel.text()
+    assert path.read_text("utf-8") == CAM and panel.modified
+    hand.main(panel.edit.setFocus)
+    hand.key("Ctrl+Z")
+    assert hand.main(panel.text) == CAM
 
 
 def test_what_was_typed_a_moment_ago_belongs_to_the_change(hand: Hand, tmp_path: Path) -> None:

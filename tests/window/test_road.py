@@ -128,7 +128,7 @@ def engrave_the_line(hand: Hand) -> None:
     hand.fill(f"{PANEL}depth_mm", "4")
     accept(hand)
     (engraving,) = hand.main(ours, "Engrave")
-    assert hand.main(lambda: engraving.Drawing) == line
+    assert hand.main(lambda: engraving.Drawings[0][0]) == line
 
 
 def simulate(hand: Hand) -> None:
@@ -154,6 +154,8 @@ def send(hand: Hand) -> None:
     hand.click(f"{DOCK}Start")
     step(hand, "Work zero")
     hand.shot("road-5-zero")
+    hand.click(f"{DOCK}ZeroAll")
+    hand.wait(lambda: hand.find(f"{DOCK}Start").isEnabled(), 10, "Start")
     hand.click(f"{DOCK}Start")
     state(hand, "Running")
     hand.wait(lambda: hand.find(f"{DOCK}Progress").value() > 100, 60)

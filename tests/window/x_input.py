@@ -76,7 +76,7 @@ class Keyboard:
             self.down("Shift")
         xtest.fake_input(self._server, X.KeyPress, code)
         xtest.fake_input(self._server, X.KeyRelease, code)
-        self._server.sync()
+        self._server.flush()
         if shifted:
             self.up("Shift")
 

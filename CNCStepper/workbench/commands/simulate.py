@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from CNCStepper.workbench.commands import proving
+from CNCStepper.workbench.commands import in_front, proving
 from CNCStepper.workbench.commands.base import Command
 from CNCStepper.workbench.words import QT_TRANSLATE_NOOP
 
@@ -19,11 +19,17 @@ class Simulate(Command):
 
     def why_not(self) -> str:
         """Return why there is nothing to simulate."""
-        return proving.why_not()
+        return in_front.why_not()
+
+    def about(self) -> str:
+        """Return which program it acts on."""
+        return in_front.name()
 
     def run(self) -> None:
-        """Open the simulation of the program that is meant."""
-        self.take(proving.meant())
+        """Open the simulation of the program that is in front."""
+        program = in_front.take()
+        if program is not None:
+            self.take(program)
 
     def take(self, program: Any) -> None:
         """Open the simulation of a job or of an edited program."""

@@ -9,6 +9,7 @@ from typing import Any
 from PySide import QtGui
 
 from CNCStepper.workbench.dock import parts, settings
+from CNCStepper.workbench.dock.keyboard import KeyButton
 from CNCStepper.workbench.dock.ports import BAUDS, SPEEDS, VIRTUAL, VIRTUAL_TEXT, choices, needs_baud, port_of
 from CNCStepper.workbench.dock.state import Moment, why_not_connect, why_not_disconnect
 from CNCStepper.workbench.tell import guarded
@@ -54,7 +55,7 @@ class ConnectionView(QtGui.QWidget):
             self.baud: later("The baud rate of the serial port"),
             self.speed: later("How many times faster than a real one the virtual machine moves"),
         }
-        self.button = parts.named(QtGui.QPushButton(), "Connect")
+        self.button = parts.named(KeyButton(), "Connect")
         self.button.clicked.connect(guarded(self._clicked))
         layout = parts.column(self)
         layout.addWidget(self.box)

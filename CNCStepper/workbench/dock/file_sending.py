@@ -41,10 +41,7 @@ class FileSending:
             self._take(choice.job(), path)
 
     def _take(self, job: Any, path: Path) -> None:
-        from CNCStepper.workbench import api
+        from CNCStepper.workbench.commands.in_front import of_file
         from CNCStepper.workbench.commands.send import Send
-        from CNCStepper.workbench.freehand.mode import undo_step
 
-        with undo_step(job.Document, tr("Load {0}").format(path.name)):
-            program = api.load_program(job, path)
-        Send().take(program)
+        Send().take(of_file(job, path))

@@ -21,6 +21,7 @@ class HaltView(QtGui.QWidget):
 
     def __init__(self, command: Callable[[str], None]):
         super().__init__()
+        parts.named(self, "Halt")
         self.buttons = {
             "hold": parts.button("Hold", tr("Hold"), lambda: command("hold"), icon="Hold"),
             "resume": parts.button("Resume", tr("Resume"), lambda: command("resume"), icon="Resume"),
@@ -31,9 +32,14 @@ class HaltView(QtGui.QWidget):
             button.setMinimumHeight(button.sizeHint().height() + 8)
 
     def lock(self, moment: Moment) -> None:
-        """Enable the buttons that can work."""
+        """Enable the buttons that can work.
+
+        A button that was pressed and can work no more leaves the focus to this view; from here only Hold takes it.
+        """
         for name, button in self.buttons.items():
             parts.lock(button, why_not(name, moment), RULES[name].does)
+        if self.hasFocus() and self.buttons["hold"].isEnabled():
+            self.buttons["hold"].setFocus()
 
 
 class JobView(QtGui.QWidget):

@@ -21,6 +21,7 @@ from CNCStepper.workbench.dock.flow import why_not_onward
 from CNCStepper.workbench.dock.flow_view import FlowView
 from CNCStepper.workbench.dock.job_view import HaltView, JobView
 from CNCStepper.workbench.dock.jog_view import JogView
+from CNCStepper.workbench.dock.keyboard import KeyboardArea
 from CNCStepper.workbench.dock.link import Link, told
 from CNCStepper.workbench.dock.log_view import LogView
 from CNCStepper.workbench.dock.override_view import OverrideView
@@ -37,7 +38,7 @@ WIDTH, ROOM = 320, 20
 MARGINS = (8, 4, 8, 4)
 
 
-class Panel(QtGui.QWidget):
+class Panel(KeyboardArea):
     """All of the dock's content; `link` is its controller, `sending` the job on its way, `language` FreeCAD's then."""
 
     def __init__(self, link: Link) -> None:
@@ -108,7 +109,7 @@ class Panel(QtGui.QWidget):
         for name, button in (("home", self.home), ("unlock", self.unlock)):
             parts.lock(button, why_not(name, moment), RULES[name].does)
         self.back.show_back(self.backing.flow, moment)
-        self.flow.show_flow(flow, why_not_onward(flow, moment.phase))
+        self.flow.show_flow(flow, why_not_onward(flow, moment))
         self._show_status(self.link.status, moment.job_runs)
 
     # --- inside ----------------------------------------------------------------------------------

@@ -9,6 +9,7 @@ from typing import Any
 from PySide import QtCore, QtGui
 
 from CNCStepper.workbench import icons
+from CNCStepper.workbench.dock.keyboard import KeyButton
 from CNCStepper.workbench.dock.state import CALM, DANGER, GOING, OFF, WAITING
 from CNCStepper.workbench.tell import guarded
 from CNCStepper.workbench.words import tr
@@ -39,7 +40,7 @@ def named(widget: Any, what: str) -> Any:
 
 def button(what: str, text: str, clicked: Callable[[], object] | None = None, icon: str = "") -> Any:
     """Return a button with a text that is translated already, and an icon of ours by its short name."""
-    made = named(QtGui.QPushButton(text), what)
+    made = named(KeyButton(text), what)
     made.setStyleSheet(BUTTON.format(made.fontMetrics().boundingRect(text).width() + (ICON_WIDTH if icon else 2)))
     made.setSizePolicy(QtGui.QSizePolicy.Policy.Expanding, QtGui.QSizePolicy.Policy.Fixed)
     if icon:

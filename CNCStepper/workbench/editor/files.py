@@ -64,6 +64,29 @@ def ask_to_save(name: str) -> str:
     return next((answer for answer, button in buttons.items() if button is clicked), "cancel")
 
 
+def ask_to_save_first(name: str) -> bool:
+    """Ask whether a text is to be saved, so that what is checked or sent is what the editor shows."""
+    import FreeCADGui
+    from PySide import QtGui
+
+    box = QtGui.QMessageBox(FreeCADGui.getMainWindow())
+    box.setObjectName("CNCStepper_Editor_save_first")
+    box.setIcon(QtGui.QMessageBox.Icon.Question)
+    box.setWindowTitle(name)
+    box.setText(tr("{0} has changes that are not saved. They must be saved before it is checked or sent.").format(name))
+    role = QtGui.QMessageBox.ButtonRole
+    save = box.addButton(tr("Save and go on"), role.AcceptRole)
+    cancel = box.addButton(tr("Cancel"), role.RejectRole)
+    save.setObjectName("CNCStepper_Editor_save_first_save")
+    cancel.setObjectName("CNCStepper_Editor_save_first_cancel")
+    box.setDefaultButton(save)
+    box.setEscapeButton(cancel)
+    getattr(box, "exec", box.exec_)()
+    clicked = box.clickedButton()
+    box.deleteLater()
+    return bool(clicked is save)
+
+
 def _proposed(source: Any) -> Path:
     if isinstance(source, FileSource):
         return source.path or Path.home() / "program.nc"

@@ -21,7 +21,7 @@ from CNCStepper.workbench.editor.spans import word_at
 from CNCStepper.workbench.editor.stage import EditorStage
 from CNCStepper.workbench.editor.status_line import StatusLine
 from CNCStepper.workbench.editor.text import ProgramEdit
-from CNCStepper.workbench.editor.verbs import Verbs
+from CNCStepper.workbench.editor.verbs import CONVERT, Verbs
 from CNCStepper.workbench.sentences import translated
 from CNCStepper.workbench.watch import ProgramWatch
 from CNCStepper.workbench.words import tr
@@ -173,6 +173,7 @@ class EditorPanel(QtGui.QWidget):
     def _show_refusals(self, count: int) -> None:
         self.edit.show_marks()
         self.refusals.show_marks(self.edit.marks.all)
+        self.convert.setVisible(bool(count))
         self.bar.show_count(count)
         self._show_cursor()
 
@@ -251,6 +252,7 @@ class EditorPanel(QtGui.QWidget):
         reader.picked.connect(guarded(self._picked))
         reader.failed.connect(guarded(self._failed))
         self.refusals.chosen.connect(guarded(self._go_to_mark))
+        self.convert.clicked.connect(guarded(lambda: self.verbs.trigger(CONVERT)))
         self.find.said.connect(guarded(self._say))
         self.bar.save.connect(guarded(self.save))
         self.bar.save_as.connect(guarded(self.save_as))
@@ -262,6 +264,12 @@ class EditorPanel(QtGui.QWidget):
         self.bar = EditorBar(self.verbs.menu)
         self.find = FindBar(self.edit)
         self.refusals = RefusalList()
+        self.convert = QtGui.QPushButton(tr("Convert for this machine…"))
+        self.convert.setObjectName(NAME + "convert")
+        self.convert.setToolTip(
+            tr("Shows the same program as this machine's controller reads it: M6 becomes the machine's tool change")
+        )
+        self.convert.hide()
         self.status = StatusLine()
         self._message = QtGui.QLabel()
         self._message.setObjectName(NAME + "message")
@@ -278,5 +286,5 @@ class EditorPanel(QtGui.QWidget):
         for widget in (self.bar, self._message):
             layout.addWidget(widget)
         layout.addWidget(split, 1)
-        for widget in (self.find, self.status):
+        for widget in (self.convert, self.find, self.status):
             layout.addWidget(widget)

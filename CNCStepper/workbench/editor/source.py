@@ -11,8 +11,10 @@ from pathlib import Path
 from typing import Any
 
 from CNCStepper.errors import JobError, Place
-from CNCStepper.gcode.file_form import FileForm, decoded, write_whole
+from CNCStepper.gcode.file_form import FileForm, decoded
 from CNCStepper.gcode.words import with_line_feeds
+from CNCStepper.input_file import read_input
+from CNCStepper.whole_file import write_whole
 from CNCStepper.workbench import program_file
 from CNCStepper.workbench.editor.reader import Language
 from CNCStepper.workbench.features.base import JOB, proxy_type
@@ -57,15 +59,7 @@ class FileSource:
         """Return the text, each line with its end; raises JobError for a file that cannot be read."""
         if self.path is None:
             return ""
-        try:
-            if self.path.stat().st_size > LARGEST_BYTES:
-                limit = f"{LARGEST_BYTES} bytes"
-                raise JobError("file-too-large", "the file is too large for the editor", limit=limit)
-            data = self.path.read_bytes()
-        except OSError as error:
-            what = f"the file cannot be read: {error.strerror or error}"
-            raise JobError("file", what, place=Place(str(self.path))) from error
-        text, self._form = decoded(data)
+        text, self._form = decoded(read_input(self.path, LARGEST_BYTES))
         return _ended(text)
 
     def language(self, machine: Any) -> Language:

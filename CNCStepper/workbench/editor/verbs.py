@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from CNCStepper.workbench.editor.panel import EditorPanel
 
 NAME = "CNCStepper_Editor_verb_"
+CONVERT = "convert"
 
 
 @dataclass(frozen=True)
@@ -63,6 +64,7 @@ VERBS = (
     )),
     Verb("without_numbers", later("Take the line numbers out")),
     Verb("reverse", later("Reverse the contours")),
+    Verb(CONVERT, later("Convert for this machine…")),
     Verb("compact", later("Make shorter…"), (Field("tolerance_mm", later("Never farther off than, mm"), 0.01),)),
 )  # fmt: skip
 
@@ -74,13 +76,19 @@ class Verbs(QtCore.QObject):
         super().__init__(panel)
         self._panel = panel
         self._verb: Verb | None = None
+        self._actions: dict[str, Any] = {}
         self.menu = QtGui.QMenu(panel)
         self.menu.setObjectName(f"{NAME}menu")
         for verb in VERBS:
             action = self.menu.addAction(tr(verb.title))
             action.setObjectName(NAME + verb.name)
             action.triggered.connect(tell.guarded(lambda verb=verb: self._begin(verb)))
+            self._actions[verb.name] = action
         panel.reader.edited.connect(tell.guarded(self._show))
+
+    def trigger(self, name: str) -> None:
+        """Do what choosing that verb in the menu does."""
+        self._actions[name].trigger()
 
     def _begin(self, verb: Verb) -> None:
         """Ask for the values, then ask the process what becomes of the program."""

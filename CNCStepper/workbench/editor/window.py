@@ -9,15 +9,20 @@ import FreeCADGui
 from PySide import QtCore, QtGui
 
 from CNCStepper.workbench import tell
+from CNCStepper.workbench.commands.base import look_again
+from CNCStepper.workbench.editor.front import Front
 from CNCStepper.workbench.editor.panel import EditorPanel
 from CNCStepper.workbench.words import tr
 
 NAME = "CNCStepper_Editor_dock"
 WIDTH = 430
+TAKE_THE_FRONT = ("CNCStepper_Simulate", "CNCStepper_Send")  # the commands whose tooltips name the program in front
 
 
 class EditorDock(QtGui.QDockWidget):
     """The dock of one text."""
+
+    is_program_editor = True  # for `Front`
 
     def __init__(self, source: Any, window: Any):
         panel = EditorPanel(source)
@@ -34,6 +39,8 @@ class EditorDock(QtGui.QDockWidget):
             event.ignore()
             return
         self.panel.end()
+        for front in _front:
+            front.leave(self)
         super().closeEvent(event)
         self.deleteLater()
 
@@ -66,11 +73,13 @@ class ClosingGuard(QtCore.QObject):
 
     def _quit(self) -> None:
         self._window.removeEventFilter(self)
+        _front.pop().end()
         for dock in docks():
             dock.panel.end()
 
 
 _guard: list[ClosingGuard] = []
+_front: list[Front] = []
 
 
 def docks() -> list[EditorDock]:
@@ -79,11 +88,17 @@ def docks() -> list[EditorDock]:
     return [dock for dock in found if isinstance(dock, EditorDock)]
 
 
+def dock_in_front() -> EditorDock | None:
+    """Return the dock of the editor in front, None where a person has turned to the tree since, or there is none."""
+    return _front[0].dock(docks()) if _front else None
+
+
 def open_source(source: Any) -> EditorDock:
     """Show the editor of a source in front; one that is open already is shown as it is."""
     window = FreeCADGui.getMainWindow()
     if not _guard:
         _guard.append(ClosingGuard(window))
+        _front.append(Front(lambda: look_again(*TAKE_THE_FRONT)))
     others = docks()
     dock = next((dock for dock in others if dock.panel.source.key == source.key), None)
     if dock is None:
@@ -96,4 +111,5 @@ def open_source(source: Any) -> EditorDock:
     dock.show()
     dock.raise_()
     dock.panel.edit.setFocus()
+    _front[0].turn_to(dock)
     return dock

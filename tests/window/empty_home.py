@@ -1,0 +1,121 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Runs in the window of a FreeCAD that has no packages of ours: `empty_home.py`, started by follow_command.py.
+
+CNCSTEPPER_STEP "ask" writes the command that the workbench prints into the file CNCSTEPPER_ANSWER. "work" makes a job
+and connects to the virtual controller, as the dock does, and writes what it has then: as JSON, or the error's text.
+"""
+
+import json
+import os
+import traceback
+from pathlib import Path
+
+LIMIT_S = 120.0
+LOOK_MS = 50
+
+
+def ask():
+    """Return what the workbench prints when it is opened."""
+    import FreeCADGui
+    from PySide import QtGui
+
+    box = FreeCADGui.getMainWindow().findChild(QtGui.QMessageBox, "CNCStepper_Tell_notice")
+    assert box is not None and box.isVisible(), "the workbench says nothing of what is missing"
+    return {"text": box.text(), "command": box.informativeText().splitlines()[-1]}
+
+
+def draw_job():
+    """Return a small job, whose program may have to wait until FreeCAD has prepared itself."""
+    import FreeCAD
+
+    from CNCStepper.workbench import api, missing
+
+    assert not missing.lacking_packages(), missing.lacking_packages()
+    document = FreeCAD.newDocument("Empty")
+    job = api.new_job(document)
+    api.add_tool(job)
+    api.add_operation(job, "circular_pocket", radius_mm=8, depth_mm=1)
+    document.recompute()
+    return job
+
+
+class Connecting:
+    """The dock's link to the virtual controller, looked at until it is there and the job has its program."""
+
+    def __init__(self, job):
+        import time
+
+        from PySide import QtCore
+
+        from CNCStepper.workbench.dock.link import Link
+        from CNCStepper.workbench.dock.ports import VIRTUAL
+
+        self.job, self.now = job, time.monotonic
+        self.link = Link()
+        self.link.open(VIRTUAL, 115200, 10.0)
+        self.until_s = self.now() + LIMIT_S
+        self.timer = QtCore.QTimer()
+        self.timer.timeout.connect(self.look)
+        self.timer.start(LOOK_MS)
+
+    def look(self):
+        """End when the controller answers, or with the reason why it does not."""
+        self.link.poll()
+        moment, program = self.link.moment, self.program()
+        connected = self.link.status is not None and moment.phase not in ("connecting", "starting")
+        if connected and program:
+            self.end({"program": len(program), "phase": moment.phase})
+        elif moment.phase in ("unreached", "gone") or self.now() > self.until_s:
+            self.end({"error": f"{moment.phase}: {moment.message}; {self.job.Operations[0].Problem}"})
+
+    def program(self):
+        """Return the program, "" while there is none."""
+        from CNCStepper.errors import CNCStepperError
+        from CNCStepper.workbench import api
+
+        try:
+            return api.program_text(self.job)
+        except CNCStepperError:
+            return ""
+
+    def end(self, result):
+        """Let the controller go and tell."""
+        self.timer.stop()
+        self.link.leave()
+        answer(result)
+
+
+def answer(result):
+    """Write what was found, and close FreeCAD."""
+    import FreeCAD
+    import FreeCADGui
+
+    for name in list(FreeCAD.listDocuments()):
+        FreeCAD.closeDocument(name)  # else FreeCAD asks whether it is to be saved
+    Path(os.environ["CNCSTEPPER_ANSWER"]).write_text(json.dumps(result), "utf-8")
+    FreeCADGui.getMainWindow().close()
+
+
+def begin():
+    """Open the workbench and do what is asked; FreeCAD is up now."""
+    import FreeCADGui
+
+    global connecting
+    try:
+        FreeCADGui.activateWorkbench("CNCStepperWorkbench")
+        if os.environ["CNCSTEPPER_STEP"] == "ask":
+            answer(ask())
+        else:
+            connecting = Connecting(draw_job())
+    except BaseException:
+        answer({"error": traceback.format_exc()})
+
+
+def start():
+    """Wait for FreeCAD's event loop."""
+    from PySide import QtCore
+
+    QtCore.QTimer.singleShot(500, begin)
+
+
+start()
