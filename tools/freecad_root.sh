@@ -6,14 +6,15 @@
 #
 # The folder holds a small Debian. It appears under its name only when FreeCAD in it has told its version: what an
 # interrupted set-up leaves is removed and made again. Nothing is mounted outside private mount namespaces. The packages
-# come from CNCSTEPPER_DEBIAN_MIRROR (http://deb.debian.org/debian); a snapshot keeps old versions of FreeCAD.
+# come from the Debian archive of the machine's own apt sources (tools/apt_archive.py), or from CNCSTEPPER_DEBIAN_MIRROR
+# where that is set: a snapshot of the archive keeps old versions of FreeCAD.
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 project=$(dirname "$here")
 version=$1
 root=$(realpath -m "${2:-$project/.cache/freecad/$version}")
 python_folder=$root-python
-mirror=${CNCSTEPPER_DEBIAN_MIRROR:-http://deb.debian.org/debian}
+mirror=${CNCSTEPPER_DEBIAN_MIRROR:-}
 log=$root.log
 
 say() { printf 'freecad %s: %s\n' "$version" "$*" >&2; }
@@ -40,6 +41,12 @@ check_rights() {
     for tool in debootstrap flock realpath; do
         command -v "$tool" >/dev/null || fail "$tool is missing: apt-get install debootstrap util-linux coreutils"
     done
+}
+
+find_mirror() {
+    if [ -n "$mirror" ]; then return; fi
+    mirror=$("$project/.venv/bin/python" "$here/apt_archive.py" "$suite" 2>>"$log") ||
+        fail "no Debian archive of this machine serves $suite: name one in CNCSTEPPER_DEBIAN_MIRROR"
 }
 
 remove() { rm -rf --one-file-system "$@"; }
@@ -94,8 +101,8 @@ check_version() {
     case $told in
     "$version "*) say "FreeCAD.Version() says $told" ;;
     "") fail "FreeCAD in it does not start" ;;
-    *) fail "$mirror has FreeCAD $told in $suite now: name a snapshot that has $version in CNCSTEPPER_DEBIAN_MIRROR" \
-        "(https://snapshot.debian.org)" ;;
+    *) fail "$mirror has FreeCAD $told in $suite now: name a snapshot of the archive that has $version in" \
+        "CNCSTEPPER_DEBIAN_MIRROR" ;;
     esac
 }
 
@@ -103,6 +110,7 @@ make_root() {
     if [ -e "$root/usr/bin/freecad" ]; then return; fi
     remove "$root" "$root.part"
     : >"$log"
+    find_mirror
     make_debian "$root.part"
     prepare_apt "$root.part"
     install_freecad "$root.part"

@@ -22,6 +22,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[1]
 VERSIONS = ("0.20.2", "1.0.0", "1.1.3")  # from old to new: each opens the documents of those before it
 KINDS = ("plain", "scaled", "portuguese", "bare", "timed")
+EMPTY_HOME = "empty home"
 HEADLESS_LIMIT_S = 900
 
 
@@ -94,8 +95,15 @@ def run_all(row: Row, where: str, folder: Path, chosen: list[str]) -> None:
     heading(f"FreeCAD {row.version}: FreeCAD.Version() says {row.told or 'nothing'}")
     older = chosen[: chosen.index(row.version)]
     timed(row, "headless", lambda: headless(where, documents(folder / "headless", older)))
+    timed(row, EMPTY_HOME, lambda: followed(where))
     for kind in KINDS:
         timed(row, kind, lambda kind=kind: window(where, kind, documents(folder / "window", older)))
+
+
+def followed(where: str) -> bool:
+    """Follow the command that the workbench prints for missing packages, from an empty home."""
+    command = [str(ROOT / ".venv" / "bin" / "python"), str(ROOT / "tests" / "window" / "follow_command.py"), where]
+    return subprocess.run(command, cwd=ROOT).returncode == 0
 
 
 def documents(folder: Path, older: list[str]) -> dict[str, str]:
@@ -137,7 +145,7 @@ def heading(text: str) -> None:
 def print_table(rows: list[Row]) -> None:
     """Print what passed and what failed."""
     heading("result")
-    names = ("headless", *KINDS)
+    names = ("headless", EMPTY_HOME, *KINDS)
     print("FreeCAD".ljust(10) + "".join(name.rjust(16) for name in names))
     for row in rows:
         cells = [row.results.get(name) for name in names]

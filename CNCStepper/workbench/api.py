@@ -19,11 +19,13 @@ the recompute, as the object's error state; `program_text` then refuses.
 from __future__ import annotations
 
 import importlib
+import os
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from CNCStepper.errors import CNCStepperError, JobError, Place
+from CNCStepper.errors import CNCStepperError, JobError, OutputError, Place
+from CNCStepper.whole_file import write_whole
 from CNCStepper.workbench import packages, program_file
 from CNCStepper.workbench.features.base import Feature, edit, require_parts
 from CNCStepper.workbench.features.catalogue import operation_class
@@ -108,11 +110,12 @@ def add_engrave(job: Any, drawing: Any, **values: Any) -> Any:
 def add_operation(job: Any, cycle: str, drawing: Any = None, picked: Sequence[str] = (), **values: Any) -> Any:
     """Return a new operation at the end of the job, from a drawing (picked: its faces and edges) or from numbers.
 
+    drawings, among the values: several, each an object or a pair of it and the names of its faces and edges.
     cycle: its name in job files, such as "pocket", "contour" or "drill"; it is cut with the job's last tool unless
     `tool` says which.
     """
     tool = {"tool": job.Tools[-1]} if job.Tools else {}
-    drawn = {} if drawing is None else {"drawing": drawing, "picked": tuple(picked)}
+    drawn = {} if drawing is None else {"drawings": [(drawing, tuple(picked))]}
     operation = _add(job.Document, "App::FeaturePython", operation_class(cycle), {**tool, **drawn, **values})
     job.Operations = [*job.Operations, operation]
     return operation
@@ -174,11 +177,12 @@ def program_text(job: Any) -> str:
     return text
 
 
-def save_program(job: Any, path: str | Path) -> list[Path]:
+def save_program(job: Any, path: str | Path, overwrite: bool = False) -> list[Path]:
     """Write the job's program to a file, byte for byte, and return the file.
 
     A job that is split into a program a tool is written into several beside it: `part.nc` becomes `part-1-T1.nc`,
-    `part-2-T3.nc`. Raises JobError as `program_text` does, or for a file.
+    `part-2-T3.nc`. The file that is named is replaced; others only with `overwrite`. Raises JobError as `program_text`
+    does, or for a file, OutputError for another file that is there already.
     """
     text, path = program_text(job), Path(path)
     if job.ProgramParts == 1:
@@ -186,12 +190,18 @@ def save_program(job: Any, path: str | Path) -> list[Path]:
     from CNCStepper.workbench.making import programs
 
     names = [(name.removeprefix("program").removesuffix(".nc"), each) for name, each in programs(job)]
-    return [_write(path.with_name(f"{path.stem}{name}{path.suffix}"), each) for name, each in names]
+    files = [(path.with_name(f"{path.stem}{name}{path.suffix}"), each) for name, each in names]
+    there = [file for file, _ in files if os.path.lexists(file)]
+    if there and not overwrite:
+        what = "programs of these names are there already"
+        named = ", ".join(file.name for file in there)
+        raise OutputError("output-exists", what, value=named, advice="choose another name", place=Place(str(there[0])))
+    return [_write(file, each) for file, each in files]
 
 
 def _write(path: Path, text: str) -> Path:
     try:
-        path.write_bytes(text.encode("ascii"))
+        write_whole(path, text.encode("ascii"))
     except OSError as error:
         what = f"the program cannot be written: {error.strerror or error}"
         advice = "choose a folder that exists and that you may write to"

@@ -8,12 +8,9 @@ import importlib
 import os
 import sys
 
+from CNCStepper import needs
 from CNCStepper.workbench import packages, tell
 from CNCStepper.workbench.words import tr
-
-NEEDED = (*packages.NEEDED, "serial")
-FAST = "numba"
-PIP_NAMES = {"serial": "pyserial"}
 
 
 @functools.cache
@@ -29,10 +26,15 @@ def look_again() -> None:
     why_not.cache_clear()
 
 
+def lacking_packages() -> list[str]:
+    """Return all packages that FreeCAD's Python lacks of those that we use."""
+    return packages.missing(*needs.REQUIRED, needs.FAST)
+
+
 @functools.cache
 def tell_once() -> None:
     """Say what is missing and how to get it; only the first time, for it stays so until somebody installs it."""
-    lacking = packages.missing(*NEEDED, FAST)
+    lacking = lacking_packages()
     if lacking:
         tell.notice("\n".join(consequences(lacking)), how_to_get(lacking))
 
@@ -42,9 +44,11 @@ def consequences(lacking: list[str]) -> list[str]:
     found = []
     if needed := [name for name in lacking if name in packages.NEEDED]:
         found.append(tr("FreeCAD's Python lacks {0}. No program can be made without.").format(_listed(needed)))
-    if "serial" in lacking:
-        found.append(tr("FreeCAD's Python lacks pyserial. No machine can be reached without."))
-    if FAST in lacking:
+    if reaching := [name for name in lacking if name in needs.modules(needs.MACHINE)]:
+        found.append(tr("FreeCAD's Python lacks {0}. No machine can be reached without.").format(_listed(reaching)))
+    if others := [name for name in lacking if name in _elsewhere()]:
+        found.append(tr("FreeCAD's Python lacks {0}. Some files cannot be read without.").format(_listed(others)))
+    if needs.FAST in lacking:
         found.append(tr("FreeCAD's Python lacks numba. All works without, but planning and simulating are slow."))
     return found
 
@@ -53,7 +57,7 @@ def how_to_get(lacking: list[str]) -> str:
     """Return how to get packages for FreeCAD's Python, with the command to type."""
     version = f"{sys.version_info[0]}.{sys.version_info[1]}"
     python = f"py -{version}" if os.name == "nt" else f"python{version}"
-    names = " ".join(PIP_NAMES.get(name, name) for name in lacking)
+    names = " ".join(needs.pip_names(lacking))
     return (
         tr("To get what is missing, type in a terminal, with Python {0}, and start FreeCAD again:").format(version)
         + f'\n\n{python} -m pip install --target "{packages.own_folder()}" {names}'
@@ -61,4 +65,9 @@ def how_to_get(lacking: list[str]) -> str:
 
 
 def _listed(names: list[str]) -> str:
-    return ", ".join(PIP_NAMES.get(name, name) for name in names)
+    return ", ".join(needs.pip_names(names))
+
+
+def _elsewhere() -> set[str]:
+    """Return what neither a program nor a machine takes."""
+    return set(needs.REQUIRED) - set(needs.modules(needs.PROGRAM)) - set(needs.modules(needs.MACHINE))

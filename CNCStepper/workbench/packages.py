@@ -11,10 +11,11 @@ import os
 import sys
 from pathlib import Path
 
+from CNCStepper import needs
 from CNCStepper.errors import MissingPackage
 
 ROOT = Path(__file__).resolve().parents[2]
-NEEDED = ("numpy", "shapely", "pydantic", "platformdirs", "matplotlib")  # what making a program takes
+NEEDED = needs.modules(needs.PROGRAM)
 
 _found: set[str] = set()  # looking takes milliseconds, and every recompute asks
 

@@ -62,7 +62,7 @@ STAGES = {
 class ProofResult:
     """What is known of a program; its folder goes when the last who holds this object lets go of it.
 
-    program_lines: the text; of a restart its own. findings: in the order of the lines. refused: whether it must not be
+    program_lines: the text; of a restart its own. findings: the worst first. refused: whether it must not be
     sent. send_file: the certificate. moves: the tip in work coordinates in time. rapids, feeds: as lines.
     part: what is left of the stock. tools: the outlines of cutter and shank by number. report: as `cncstepper run`
     writes it. work_origin_mm: where the work zero lies in the document. begins: the start state that it holds for, None

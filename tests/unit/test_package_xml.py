@@ -5,11 +5,15 @@ from __future__ import annotations
 
 import datetime
 import re
+import sys
 import tomllib
 from pathlib import Path
 from xml.etree import ElementTree
 
+from test_walls import FREECAD, QT, imported, modules, package_of
+
 import CNCStepper
+from CNCStepper import needs
 
 ROOT = Path(__file__).parents[2]
 NAMESPACE = "{https://wiki.freecad.org/Package_Metadata}"
@@ -71,3 +75,24 @@ def test_the_packages_are_those_of_pyproject() -> None:
     optional = {depend.text for depend in depends if depend.get("optional") == "true"}
     assert {depend.text for depend in depends} - optional == wanted
     assert optional == {"numba", "cadquery"}
+
+
+def test_the_packages_are_those_of_the_one_list() -> None:
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["project"]
+    wanted = [re.split(r"[<>=~ ]", requirement)[0] for requirement in project["dependencies"]]
+    fast = [re.split(r"[<>=~ ]", requirement)[0] for requirement in project["optional-dependencies"]["fast"]]
+    assert needs.pip_names(needs.REQUIRED) == wanted
+    assert needs.pip_names([needs.FAST]) == fast
+    assert all(need.purposes for need in needs.NEEDS)
+
+
+def test_every_package_that_is_imported_stands_in_the_one_list() -> None:
+    """`cadquery` is called in a process of its own, FreeCAD brings its own and Qt."""
+    allowed = {need.module for need in needs.NEEDS} | set(sys.stdlib_module_names) | {"CNCStepper", "pydantic_core"}
+    found = {
+        (name.partition(".")[0], module)
+        for module, path in modules().items()
+        for name, _ in imported(path.read_text("utf-8"), package_of(module, path))
+    }
+    strange = {(name, module) for name, module in found if name not in allowed | QT | FREECAD}
+    assert not strange, sorted(strange)

@@ -45,10 +45,9 @@ def _job(document: Any) -> Any:
 
 def _stock() -> dict[str, Any]:
     """Return the values that the selection gives; none where nothing is selected."""
-    from CNCStepper.workbench.shapes import box_of
+    from CNCStepper.workbench.shapes import box_of, box_of_boxes
 
     if (solid := choice.solid()) is not None:
         return defaults.stock_of_solid(box_of(solid))
-    drawing = choice.drawing()
-    box = box_of(drawing) if drawing is not None else None
-    return defaults.stock_of_drawing(box) if box is not None and box.isValid() else {}
+    boxes = [box for drawing, _ in choice.drawings() if (box := box_of(drawing)).isValid()]
+    return defaults.stock_of_drawing(box_of_boxes(boxes)) if boxes else {}

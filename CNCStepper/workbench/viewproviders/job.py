@@ -63,6 +63,10 @@ class Job(ViewProvider):
             for preview in previews(view.Object):
                 preview.ViewObject.Visibility = view.Visibility
 
+    def replaceObject(self, old: Any, new: Any) -> bool:
+        """Let FreeCAD replace nothing that belongs to the job; it would when something is dropped there with Alt."""
+        return False
+
     def canDelete(self, obj: Any) -> bool:
         """Let what belongs to the job be deleted without a question about the job."""
         return True

@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from functools import partial
+
 from CNCStepper.workbench.viewproviders.base import Entry, ViewProvider
 from CNCStepper.workbench.words import tr
 
@@ -19,7 +21,15 @@ class Operation(ViewProvider):
     def entries(self) -> list[Entry]:
         """Return the entries of every object, and one that switches it off or on."""
         text = tr("Leave out of the program") if self.obj.Active else tr("Take into the program")
-        return [*super().entries(), Entry(text, "CNCStepper_Overlay_Inactive", self.switch)]
+        return [*super().entries(), Entry(text, "CNCStepper_Overlay_Inactive", self.switch), *self._ordering()]
+
+    def _ordering(self) -> list[Entry]:
+        """Return the entries that duplicate and move it, or all operations that are selected with it."""
+        from CNCStepper.workbench.commands.ordering import COMMANDS, beside_selected
+
+        meant = beside_selected(self.obj)
+        commands = [kind() for kind in COMMANDS]
+        return [Entry(each.text(), each.name, partial(each.act, meant), each.why_not_of(meant)) for each in commands]
 
     def switch(self) -> None:
         """Leave the operation out of the program, or take it in again."""

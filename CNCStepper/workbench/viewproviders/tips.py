@@ -8,10 +8,11 @@ from typing import Any
 from CNCStepper.workbench.features.base import problem_of
 from CNCStepper.workbench.sentences import translated
 from CNCStepper.workbench.tell import polled
+from CNCStepper.workbench.viewproviders import tree_drops
 
 
 def install() -> None:
-    """Let FreeCAD's trees say what is wrong with an object of ours under the pointer."""
+    """Let FreeCAD's trees say what is wrong with an object of ours under the pointer, and drags keep jobs whole."""
     import FreeCADGui
     from PySide import QtGui
 
@@ -20,6 +21,7 @@ def install() -> None:
     for tree in window.findChildren(QtGui.QTreeWidget):
         if tree.metaObject().className() == "Gui::TreeWidget":
             tree.viewport().installEventFilter(tips)
+            tree_drops.install(tree.viewport())
 
 
 def problem_at(item: Any) -> str:

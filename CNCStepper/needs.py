@@ -1,0 +1,49 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The packages of others that we use: the one list from which all else that names them derives.
+
+`pyproject.toml` and `package.xml` say the same; a test compares them. Pure Python: this is what is there when they are
+not.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+PROGRAM, MACHINE, FILES, TERMINAL, SPEED = "program", "machine", "files", "terminal", "speed"
+
+
+@dataclass(frozen=True)
+class Need:
+    """A package: the name of its module, that by which pip knows it, and what it is for."""
+
+    module: str
+    pip: str
+    purposes: tuple[str, ...]
+
+
+NEEDS = (
+    Need("numpy", "numpy", (PROGRAM,)),
+    Need("shapely", "shapely", (PROGRAM,)),
+    Need("ezdxf", "ezdxf", (FILES,)),
+    Need("pydantic", "pydantic", (PROGRAM,)),
+    Need("platformdirs", "platformdirs", (PROGRAM,)),
+    Need("serial", "pyserial", (MACHINE,)),
+    Need("click", "click", (MACHINE, TERMINAL)),  # the virtual controller is started as the command line starts it
+    Need("rich", "rich", (TERMINAL,)),
+    Need("matplotlib", "matplotlib", (PROGRAM,)),
+    Need("PIL", "pillow", (FILES,)),
+    Need("numba", "numba", (SPEED,)),
+)
+FAST = "numba"
+REQUIRED = tuple(need.module for need in NEEDS if SPEED not in need.purposes)
+PIP_NAMES = {need.module: need.pip for need in NEEDS}
+
+
+def modules(purpose: str) -> tuple[str, ...]:
+    """Return the modules that something takes, in the order of the list."""
+    return tuple(need.module for need in NEEDS if purpose in need.purposes)
+
+
+def pip_names(names: tuple[str, ...] | list[str]) -> list[str]:
+    """Return how pip calls modules."""
+    return [PIP_NAMES.get(name, name) for name in names]
