@@ -39,7 +39,7 @@ def run_inside(home: Path, *pytest_arguments: str, **environment: str) -> subpro
 
 
 def passed(output: str) -> int:
-    counts = re.findall(r"^=*\s*(\d+) passed in", output, re.MULTILINE)
+    counts = re.findall(r"^=*\s*(\d+) passed(?:, \d+ warnings?)? in", output, re.MULTILINE)
     return int(counts[-1]) if counts else 0
 
 

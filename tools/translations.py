@@ -31,6 +31,7 @@ FOLDER = ROOT / "resources" / "translations"
 LANGUAGES = {"": "en", "_pt-BR": "pt_BR"}
 OURS, PROPERTY, CORE = "CNCStepper", "App::Property", "CNCStepper core"
 CORE_ROOMS = ("gcode", "geometry", "drawing", "cycles", "machine", "job", "simulation", "control", "workbench")
+CORE_MODULES = ("input_file.py", "quantities.py", "whole_file.py")
 NO_SENTENCES = {"picture.py", "picture_style.py", "sentences.py"}  # labels in pictures; what puts these together
 MARKED = {"tr", "later", "QT_TRANSLATE_NOOP"}
 # code, styles, names, pieces, and the calls of `gcode/trace.py`
@@ -60,13 +61,19 @@ def sources() -> list[Path]:
     return [*sorted((ROOT / "CNCStepper" / "workbench").rglob("*.py")), ROOT / "InitGui.py"]
 
 
+def core_sources() -> list[Path]:
+    """Return the files of the core whose sentences the window may show."""
+    rooms = (sorted((ROOT / "CNCStepper" / room).rglob("*.py")) for room in CORE_ROOMS)
+    return [*(path for room in rooms for path in room), *(ROOT / "CNCStepper" / name for name in CORE_MODULES)]
+
+
 def texts() -> dict[Text, str]:
     """Return every text that a person sees, with the place where it stands first."""
     found: dict[Text, str] = {}
     for path in sources():
         for text, line in texts_of(path.read_text("utf-8"), in_features=path.parent.name == "features"):
             found.setdefault(text, f"{path.relative_to(ROOT).as_posix()}:{line}")
-    for path in (path for room in CORE_ROOMS for path in sorted((ROOT / "CNCStepper" / room).rglob("*.py"))):
+    for path in core_sources():
         for sentence, line in [] if path.name in NO_SENTENCES else sentences_of(path.read_text("utf-8")):
             found.setdefault(Text(CORE, sentence), f"{path.relative_to(ROOT).as_posix()}:{line}")
     return found

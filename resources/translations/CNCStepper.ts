@@ -208,7 +208,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Drawing</source>
+            <source>Drawings</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -544,6 +544,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Identity</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>In holes, or round bosses</source>
             <translation type="unfinished"></translation>
         </message>
@@ -821,10 +825,6 @@
         </message>
         <message>
             <source>Peck</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>Picked</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1180,7 +1180,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>The circles and points of a sketch, or the circular edges of a solid</source>
+            <source>The circles and points of sketches, or the circular edges of solids</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1216,15 +1216,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The document and the name of the object itself; a copy still has those of its original</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The drawing gives this value</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>The drawing it followed, when that was deleted</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>The faces and edges of the drawing that count; none: all of it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1316,7 +1316,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>The parts and bodies that the drawing moves with</source>
+            <source>The parts and bodies that the drawings move with</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1631,6 +1631,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>A deleted drawing is checked: uncheck it to go on without it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>A file is checked with a job's machine, stock, tools and clamps; no operation is needed.</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1719,6 +1723,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Add selection</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Add the part, as it stands now, to the document as a mesh</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1728,6 +1736,10 @@
         </message>
         <message>
             <source>Add tool</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>After {0}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1795,6 +1807,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>At the end of {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Attached again to the controller at {0}.</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1820,6 +1836,10 @@
         </message>
         <message>
             <source>Backlash</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Before {0}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2015,6 +2035,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Convert for this machine…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Convert units…</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2056,6 +2080,10 @@
         </message>
         <message>
             <source>Cutting the part…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Cutting…</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2147,11 +2175,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Drawing</source>
+            <source>Drawings</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Drilling</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Duplicate operations</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2335,6 +2367,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Follow what is selected as well</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Follow what is selected, and nothing else</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>For a mill that does not cut over its centre; 0: 10°</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2359,15 +2399,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>FreeCAD's Python lacks pyserial. No machine can be reached without.</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>FreeCAD's Python lacks {0}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>FreeCAD's Python lacks {0}. No machine can be reached without.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>FreeCAD's Python lacks {0}. No program can be made without.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>FreeCAD's Python lacks {0}. Some files cannot be read without.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2783,6 +2827,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Identity</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Idle</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2812,6 +2860,14 @@
         </message>
         <message>
             <source>Is the work zero set on the stock and the way free?</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>It is cut first already</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>It is cut last already</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3071,6 +3127,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Move operations</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Move the machine in this direction.</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3136,6 +3196,10 @@
         </message>
         <message>
             <source>Not sent</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Not used: {0}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3323,10 +3387,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Picked</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>Pitch</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3404,6 +3464,10 @@
         </message>
         <message>
             <source>Program: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Program: {0}, in the editor</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3615,6 +3679,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Save and go on</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Save as…</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3655,7 +3723,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Select one or more operations in the tree</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Select one or more solids first</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Select operations of one job</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3692,6 +3768,10 @@
         </message>
         <message>
             <source>Show the tool's path</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Shows the same program as this machine's controller reads it: M6 becomes the machine's tool change</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3871,7 +3951,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>The circles and points of a sketch, or the circular edges of a solid</source>
+            <source>The circles and points of sketches, or the circular edges of solids</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3935,15 +4015,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The document and the name of the object itself; a copy still has those of its original</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The drawing gives this value</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>The drawing it followed, when that was deleted</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>The faces and edges of the drawing that count; none: all of it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4075,6 +4155,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The machine's position is unknown: home it, or move the tool to the work zero and press All = 0.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The machine's position is unknown: stop what it was doing, then home it or set the zero of all axes.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The marked solid is no clamp any more; it stays</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4111,7 +4199,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>The parts and bodies that the drawing moves with</source>
+            <source>The parts and bodies that the drawings move with</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4403,6 +4491,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Use the tool of the job</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>V-bit</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4412,6 +4504,10 @@
         </message>
         <message>
             <source>Waiting for the controller to answer.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Waiting for the cut…</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4551,6 +4647,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Writing the program…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Writing the report…</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4616,6 +4716,10 @@
         </message>
         <message>
             <source>aluminium 6061</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>and {0} more</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4863,6 +4967,22 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>goes beyond what the machine can travel; at most {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>goes far beyond the machine's fastest axis; at most {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>goes far beyond the stock and the machine; at most {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>goes far beyond the stock; at most {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>goes to the first stored place</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4980,6 +5100,10 @@
         </message>
         <message>
             <source>moves in step with the spindle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>must be 0, or at least {0}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5291,6 +5415,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{0} (deleted)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{0} (edited)</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5311,11 +5439,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{0} has changes that are not saved. They must be saved before it is checked or sent.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{0} has nothing to cut: add an operation</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>{0} is cut with it; choose another tool there first</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} is no operation and is not moved</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5348,6 +5484,14 @@
         </message>
         <message>
             <source>{0} rpm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} stays in its job: drop it on another operation, or on the job</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} stays in its job; copy and paste it into another document</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5422,11 +5566,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>'{0}' cannot be read: {1}</source>
+            <source>'{0}' and '{1}' cross, so that it is not clear what lies inside</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>'{0}' cannot be {1}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>'{0}' holds no lines that can be followed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>'{0}' is a solid</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>'{0}' is drawn where '{1}' is, and counts once</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5439,6 +5595,10 @@
         </message>
         <message>
             <source>'{0}' is no length or angle that is known</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>'{0}' is no operation of '{1}'</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5455,6 +5615,10 @@
         </message>
         <message>
             <source>'{0}' is not a tool</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>'{0}' is one more drawing beside '{1}', and only one gives the shape</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5559,6 +5723,10 @@
         </message>
         <message>
             <source>G43.1 may move only the tool-length axis</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>G43.2 takes H, and a line with it takes no axis words</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5742,6 +5910,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>SIGTERM lets its process stop the machine safely</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>SetThreadExecutionState was refused</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5759,6 +5931,10 @@
         </message>
         <message>
             <source>`cncstepper check` checks a program without the machine</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>`kill {0}` (SIGTERM) lets its process stop the machine safely</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5870,6 +6046,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a drawing's unit lies between a nanometre and a kilometre</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a drill cannot cut along a contour</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5895,6 +6075,10 @@
         </message>
         <message>
             <source>a hole lies in no outline</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a hundred turns are enough</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5954,6 +6138,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a line holds {0} M codes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a line in '{0}' is open and encloses nothing</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5986,6 +6174,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a line with G80 takes no axis words, nor those of G43.1</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a machine is cutting</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6014,7 +6206,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a number beyond {0}: {1}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a number is missing or cannot be read</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a number of hundreds of digits</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a number of the table is too long</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a number of thousands of digits</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a number that names something is short</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6046,6 +6258,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a pipe (FIFO)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a point is too far away</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6059,6 +6275,10 @@
         </message>
         <message>
             <source>a process of our own cannot be started</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a process of ours has a machine's port, but its file {0} cannot be read: {1}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6094,6 +6314,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a report of the controller is damaged and was not believed: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a request without the session's token</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6114,11 +6338,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a share is at most the whole</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a signal lasts between 10 ns and a second</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a single axis may not be homed here</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>a spline moves X and Y only</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a step comes between every microsecond and every minute</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a step is between a nanometre and 100 mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6135,6 +6375,10 @@
         </message>
         <message>
             <source>a subroutine takes {0} arguments at most</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a symbolic link of another user in a folder that everybody may write to is not followed</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6250,6 +6494,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>above 0 and below the least</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>above 0 mm</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6338,6 +6586,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>an angle between two sides lies between 0 and 180 degrees</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>an arc by radius may not end where it starts</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6411,6 +6663,14 @@
         </message>
         <message>
             <source>another task is open in the task panel</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>another user listens there</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>another user's</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6550,6 +6810,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>beyond a million nothing of the shape is left</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>beyond these a step lasts over a minute or no time</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>both radii must be positive</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6602,6 +6870,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>check cable, grounding and baud rate, and that the firmware is one that this program knows</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>check cable, power and other programs on this port</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6647,10 +6919,6 @@
         </message>
         <message>
             <source>check the depth, or lay a spoil board under the stock</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>check the file</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6742,6 +7010,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>choose another name</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>choose another side</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6758,7 +7030,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>choose one of them, or cut them all with a pocket</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>choose one of: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>choose other values, or try again</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6767,6 +7047,10 @@
         </message>
         <message>
             <source>choose the right machine profile, or correct the settings</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>circles and points of several drawings that stand about the same centre, one hole each: {0}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6890,6 +7174,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>correct its configuration, then restart it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>correct its spelling or take it out; known {0}are: {1}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6931,6 +7219,10 @@
         </message>
         <message>
             <source>correct the diameters or pitch_mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>correct the drawing's unit, or take out what is drawn twice</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6978,7 +7270,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>correct the path, or save the file as UTF-8 text</source>
+            <source>correct the path or the file's permissions</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6995,6 +7287,10 @@
         </message>
         <message>
             <source>correct the word before</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>correct those that are, and check again</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7039,6 +7335,10 @@
         </message>
         <message>
             <source>cut on the stock that the moves before it have left; the wanted shape is not known, so it is not judged</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>cut them together as a pocket, or this one with an operation of its own</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7110,6 +7410,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>draw polylines in place of single lines, or split it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>draw something in it, or choose another drawing</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7171,6 +7475,10 @@
         </message>
         <message>
             <source>enters there because {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>entities with its blocks taken apart</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7266,6 +7574,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>from here on findings of this kind are not listed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>from {0} at line {1}, to {2} at line {3}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7326,6 +7638,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>give a smaller file</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>give a start position of X, Y and Z</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7363,6 +7679,10 @@
         </message>
         <message>
             <source>give every row as many</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>give fewer points</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7406,7 +7726,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>give the path of a TOML job file</source>
+            <source>give the path of a file</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7554,7 +7874,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>home it, or set the zero of all axes again, before it is sent a program</source>
+            <source>home it, or set the zero of all axes; only jogging works until then</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7579,10 +7899,6 @@
         </message>
         <message>
             <source>home the machine, or move it off the switch by hand</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>home the machine, or set the zero of all its axes</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7615,6 +7931,10 @@
         </message>
         <message>
             <source>homing was interrupted by a reset</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>if it was cutting, the position is unknown: look at the machine, then see {0}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7662,6 +7982,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>it closed the connection</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>it cuts upwards on a helix, as thread mills do, and is entered at its begin, line {0}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7694,6 +8018,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>it is a device</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>it is a folder</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>it is empty</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7702,11 +8034,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>it is there by itself when that is done</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>it is too long for its tolerance</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>it is within a way into the cut, which begins at line {0}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>it names no operation: choose a line</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>it removed its file</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>it says nothing</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7726,6 +8074,18 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>its host is not this computer</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>its knots and points do not belong together</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>its knots do not rise</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>its machine position is not 0</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7734,11 +8094,31 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>its numbers make no curve: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>its operations are: {0}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>its shape '{0}' is none of {1}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>its symbolic links form a circle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>its weights are not above 0</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>its {0} are no numbers in bounds</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>its {0} is no number in bounds</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7758,6 +8138,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>join them into one outline, or move one of them</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>kept only if the controller has had power ever since and was not reset in motion; a greeting, an alarm or a place that is not right says that it was: then {0}; {1}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7767,6 +8151,10 @@
         </message>
         <message>
             <source>large cuts are being prepared, once after an installation</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>larger than {0} MB</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7850,7 +8238,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>left out: the lengths of tools; set the Z zero with each tool</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>left out: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>left out: {0}, which never moves; that axis stands at 0</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7918,6 +8314,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>lines of '{0}' that are no whole circles and want no holes: {1}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>lines with / are {0}: no switch deletes them any more</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7970,11 +8370,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>look at the controller's file system, then try again</source>
+            <source>look at the baud rate, and at what reports the controller sends by itself</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>look at the machine</source>
+            <source>look at the controller's file system, then try again</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7991,6 +8391,10 @@
         </message>
         <message>
             <source>look at what it says, and correct that line</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>look for a pendant or another program that is connected, set the zero again, then send again</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8011,6 +8415,10 @@
         </message>
         <message>
             <source>look whether the file is whole</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>look which machine moves, and stop it there</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8094,6 +8502,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>make several jobs of this one</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>make spacing_mm larger</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8111,6 +8523,10 @@
         </message>
         <message>
             <source>make the leads or the tool smaller, move the parts apart, or do without leads</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>make the list shorter</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8150,6 +8566,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>mend one of them, or select others</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>mend that object first</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8171,6 +8591,18 @@
         </message>
         <message>
             <source>more than</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>more than a million million</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>more than a million of anything is a slip</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>more than {0} lines</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8238,6 +8670,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>must be {0} from {1}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>name X and Y in a rapid above the stock first</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8255,6 +8691,10 @@
         </message>
         <message>
             <source>name both axes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>name it once</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8278,6 +8718,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>nested too deeply</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>next is line {0}: {1}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8290,11 +8734,43 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>no axis lifts a tool by more than 10 m</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>no axis pushes with more than 100 t</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>no axis runs faster than 16 m/s</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>no axis speeds up by more than 100 g</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>no closed curves at that distance were found</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>no code on this line uses the word {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>no conversion makes this a program for {0}: {1}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>no cutter's edge runs faster than 170 m/s</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>no drive changes its acceleration faster</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>no encoder counts more in a turn</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8310,6 +8786,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>no gear turns ten thousand times faster</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>no identity of a port: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>no input may be read</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8319,6 +8803,10 @@
         </message>
         <message>
             <source>no job runs</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>no machine holds a tenth of a micron, and above 10 mm nothing is held</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8346,7 +8834,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>no pass is narrower than a micron or wider than 10 m</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>no position may be stored</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>no process, or no port</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8358,11 +8854,51 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>no regular file</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>no screw and rotor has more</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>no spindle turns faster than a million a minute</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>no spline is cut in inverse time</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>no spline may be cut</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>no step is finer than a micron and no table longer than 100 m</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>no stepper motor gives more than 10 kNm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>no tab fits on any contour</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>no table is longer than 100 m</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>no token, or no path of a socket</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>no tool cuts thinner than a micron or deeper than 10 m</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>no tooth takes more than 10 mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8371,6 +8907,10 @@
         </message>
         <message>
             <source>nobody leads the tool along its cut; the program's lines for that are not at the controller</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>none of the selected drawings can be followed</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8390,11 +8930,31 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>not a file</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>not a job to send: {0}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>not a number: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>not a point: '{0}'</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>not a status: a vector has other things in it than numbers</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>not a status: its {0} is no {1}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>not a status: {0}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8426,11 +8986,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>not certain</source>
+            <source>not an error: its words are none</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>not finite: {0}</source>
+            <source>not an error: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>not an object of JSON</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>not an outcome: it does not say how it ended</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>not an outcome: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>not certain</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8446,6 +9022,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>notes must be a list</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>nothing answers</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8455,6 +9035,10 @@
         </message>
         <message>
             <source>nothing has been cut yet, so there is no way back</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>nothing here waits for more than a day</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8506,6 +9090,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>nothing that an axis moves weighs more than 100 t</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>numbers 1 to {0}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8518,6 +9106,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>objects or lists are nested too deeply</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>on its line a contour has no scrap side for leads</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8527,6 +9119,14 @@
         </message>
         <message>
             <source>on the path</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>one more client beside {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>one of its points is no number in bounds</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8555,6 +9155,10 @@
         </message>
         <message>
             <source>operation '{0}' uses tool {1}, which the job does not have</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>operation {0} ({1}) will take long: about {2} m of cut in {3} levels</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8658,6 +9262,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>points with its blocks taken apart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>positions are not compared with the path any more: {0}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8675,6 +9283,10 @@
         </message>
         <message>
             <source>programs are read for machines with three axes, or with nine</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>programs of these names are there already</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8758,6 +9370,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>read it whole</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>read the controller's start-up messages ($SS) and correct its configuration</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8807,6 +9423,10 @@
         </message>
         <message>
             <source>renumber by hand</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>reset it, then home it or set its zero again</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8890,6 +9510,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>save the file as UTF-8 text</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>say it with M61 Q and the tool's number</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8914,11 +9538,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>see that it is a folder, that it is yours, and that you may write there</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>see whether it is whole</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>select a sketch, wires, faces or edges</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>select the plane with G17, G18, G19</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>select those of its faces or edges that count</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9126,7 +9762,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>stop it, then home it, or set the zero of all axes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>stop the job: steps may be lost, or the machine was moved by hand</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>stop the machine with its own buttons where it must stand now</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9182,11 +9826,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>tables or lists are nested too deeply</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>tabs need either count or spacing_mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>take it out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>take it out of the name</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9390,6 +10042,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the connection {0} is open, but its process does not answer</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the console does not pass on {0}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9466,6 +10122,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the controller is starting</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the controller raised an alarm</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9518,6 +10178,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the controller stopped by a critical fault</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the controller takes no jog while it is held</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9535,6 +10199,10 @@
         </message>
         <message>
             <source>the controller was reset while moving</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the controller's configuration is not valid</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9578,11 +10246,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the cut begins without waiting for the spindle</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>the cut comes too near to the sheet's edge</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the cut failed by a fault of its own: {0}: {1}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9602,15 +10278,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the cut takes more memory than there is</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the cycle takes too many passes</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the desk cannot be started: {0}</source>
+            <source>the degree of the spline is out of bounds</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the desk does not answer</source>
+            <source>the depth goes below the stock</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the desk cannot be started: {0}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9674,11 +10358,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the drawing has too many {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the drawing holds no curves</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>the drawing {0} is damaged, a part of it may be missing: {1}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the drawing's unit</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the drawings lie at heights from Z{0} to Z{1} mm; all depths count from the top of the stock</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9810,7 +10506,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the file is too large for the editor</source>
+            <source>the file is too large</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9834,6 +10530,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the folder belongs to another user</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the folder cannot be deleted</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9846,11 +10546,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the folder is a link</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the folder of sessions cannot be used: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the grid has too many holes</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the heights '{0}' cannot be read: {1}</source>
+            <source>the heights cannot be read: {0}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9987,6 +10695,10 @@
         </message>
         <message>
             <source>the length offset of tool {0} is not known, it is taken as 0</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the library has too many tools</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10186,10 +10898,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the machine's position is unknown: only homing, jog and unlock are accepted</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>the memory card cannot be mounted</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10223,6 +10931,10 @@
         </message>
         <message>
             <source>the name is not closed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the name of a parameter holds a comment</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10322,10 +11034,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the point list '{0}' cannot be read: {1}</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>the points of a freehand line lie at different heights</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10351,6 +11059,10 @@
         </message>
         <message>
             <source>the probe was not in its start state</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the process that cuts ended before it had an answer</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10399,6 +11111,10 @@
         </message>
         <message>
             <source>the program changes no tool</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the program computes or jumps, so it cannot be read piece by piece</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10618,10 +11334,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the sender's process does not answer</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>the sender's process does not come up</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10642,7 +11354,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the session {0} answers what this program does not understand</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the session {0} has ended, and its outcome cannot be read: {1}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the session {0} is not there, or was killed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the session {0} runs, but its process does not answer</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10750,15 +11474,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the subroutine's file {0} cannot be read: {1}</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>the subroutine's file {0} is too large</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>the table gives it no diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the table has too many tools</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10950,6 +11670,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the work zero changed while the program ran, and not by the program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the work zero is not known, so the program's place on the table is unknown</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11010,15 +11734,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>there is no drawing '{0}'</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>there is no function {0}</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>there is no job file '{0}'</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11071,6 +11787,10 @@
         </message>
         <message>
             <source>there is no subroutine o&lt;{0}&gt;</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>there is no such file</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11142,6 +11862,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>this is {0}, not a file</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>this language is in millimetres</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11178,6 +11902,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>this system has no Unix sockets</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>this takes long, and is being made beside the window</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>threads can be cut only in the plane ZX</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11186,7 +11918,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>to end its process would not stop the machine</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>to turn a side round use mirror</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>too many ends of lines lie within {0} mm of each other</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>too many points</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11458,6 +12202,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>use larger steps or a smaller depth</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>use method "tolerance" or a smaller tool</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11487,6 +12235,10 @@
         </message>
         <message>
             <source>use side "inside", "outside" or "on"</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>use the version of CNCStepper that started it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11578,6 +12330,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>what lies inside an outline is faced with it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>what stands here is no word that can be edited</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11586,7 +12342,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>what {0} follows is not known</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>where a probe stops only the controller knows</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>where the machine is cannot be seen: every report of the controller is damaged</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11682,6 +12446,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>write G17 before, or tap with G33.1</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>write G17 on a line before</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11718,11 +12486,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>write G5.3 on a line before</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>write G90 (absolute) or G91 (incremental): they are the words for straight cuts</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>write G90 first</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write G94 and an F word before</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11786,6 +12562,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>write a number within these bounds: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>write a number, #parameter or [expression]</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11807,6 +12587,14 @@
         </message>
         <message>
             <source>write endsub, or M99 in a subprogram of Fanuc's form</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write fewer digits</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write flatter tables</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11950,6 +12738,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>write {0} = "file"</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>write {0} = "name"</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11963,6 +12755,10 @@
         </message>
         <message>
             <source>write {0} before</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write {0} within these bounds: {1}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11982,6 +12778,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{0} and {1} may not share a line: they use the same word</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{0} and {1} would both use the axis words</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11991,6 +12791,10 @@
         </message>
         <message>
             <source>{0} asks for more than {1} passes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} at one place</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12086,6 +12890,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{0} follows one drawing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{0} goes into clamp {1}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12170,6 +12978,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{0} is held by a process of yours that does not answer</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{0} is held by a window or a console of yours</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12234,7 +13046,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{0} is out of its bounds</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{0} is out of range</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} is read in the plane XY only: LinuxCNC moves along the wrong axes in {1}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} is too long</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12267,6 +13091,10 @@
         </message>
         <message>
             <source>{0} may not be used</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} messages were left out: more came than could be read</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12339,6 +13167,18 @@
         </message>
         <message>
             <source>{0} must be the name of a shape, or a list of names</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} must be {1} within its bounds</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} must name a file</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} names the shape '{1}' twice</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12430,6 +13270,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{0} says more than anybody asked for</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{0} says nothing with G10 L{1}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12439,6 +13283,10 @@
         </message>
         <message>
             <source>{0} sets the zero from where the tool stands after moves of the path</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} stands between G5.2 and G5.3</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12602,6 +13450,17 @@
         </message>
     </context>
     <context>
+        <name>CNCStepper_Duplicate</name>
+        <message>
+            <source>Duplicate</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Puts a copy of each selected operation behind it in the job</source>
+            <translation type="unfinished"></translation>
+        </message>
+    </context>
+    <context>
         <name>CNCStepper_EditProgram</name>
         <message>
             <source>Edit program</source>
@@ -12664,6 +13523,28 @@
         </message>
         <message>
             <source>Import tools…</source>
+            <translation type="unfinished"></translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_MoveDown</name>
+        <message>
+            <source>Cuts the selected operations after the one below them</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Move down</source>
+            <translation type="unfinished"></translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_MoveUp</name>
+        <message>
+            <source>Cuts the selected operations before the one above them</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Move up</source>
             <translation type="unfinished"></translation>
         </message>
     </context>

@@ -208,8 +208,8 @@
             <translation>Alívio de cantos</translation>
         </message>
         <message>
-            <source>Drawing</source>
-            <translation>Desenho</translation>
+            <source>Drawings</source>
+            <translation>Desenhos</translation>
         </message>
         <message>
             <source>Dwell</source>
@@ -544,6 +544,10 @@
             <translation>A largura de uma ponte no topo</translation>
         </message>
         <message>
+            <source>Identity</source>
+            <translation>Identidade</translation>
+        </message>
+        <message>
             <source>In holes, or round bosses</source>
             <translation>Em furos ou em volta de ressaltos</translation>
         </message>
@@ -822,10 +826,6 @@
         <message>
             <source>Peck</source>
             <translation>Bicada</translation>
-        </message>
-        <message>
-            <source>Picked</source>
-            <translation>Escolhidas</translation>
         </message>
         <message>
             <source>Pitch</source>
@@ -1180,8 +1180,8 @@
             <translation>O centro, a partir do zero-peça</translation>
         </message>
         <message>
-            <source>The circles and points of a sketch, or the circular edges of a solid</source>
-            <translation>Os círculos e pontos de um esboço ou as arestas circulares de um sólido</translation>
+            <source>The circles and points of sketches, or the circular edges of solids</source>
+            <translation>Os círculos e pontos de esboços, ou as arestas circulares de sólidos</translation>
         </message>
         <message>
             <source>The clamps seen from above, at the height of their tops</source>
@@ -1216,16 +1216,16 @@
             <translation>O diâmetro do que segura a ferramenta; 0: não informado</translation>
         </message>
         <message>
+            <source>The document and the name of the object itself; a copy still has those of its original</source>
+            <translation>O documento e o nome do próprio objeto; uma cópia ainda tem os do original</translation>
+        </message>
+        <message>
             <source>The drawing gives this value</source>
             <translation>O desenho define este valor</translation>
         </message>
         <message>
             <source>The drawing it followed, when that was deleted</source>
             <translation>O desenho que ela seguia, se foi excluído</translation>
-        </message>
-        <message>
-            <source>The faces and edges of the drawing that count; none: all of it</source>
-            <translation>As faces e arestas do desenho que valem; nenhuma: todo ele</translation>
         </message>
         <message>
             <source>The feed of the last pass at the wall; 0: the tool's own feed</source>
@@ -1316,8 +1316,8 @@
             <translation>As peças e os corpos com que os grampos se movem</translation>
         </message>
         <message>
-            <source>The parts and bodies that the drawing moves with</source>
-            <translation>As peças e corpos com que o desenho se move</translation>
+            <source>The parts and bodies that the drawings move with</source>
+            <translation>As peças e corpos com os quais os desenhos se movem</translation>
         </message>
         <message>
             <source>The plunge feed of the program</source>
@@ -1631,6 +1631,10 @@
             <translation>Um controlador já está conectado.</translation>
         </message>
         <message>
+            <source>A deleted drawing is checked: uncheck it to go on without it</source>
+            <translation>Um desenho apagado está marcado: desmarque-o para continuar sem ele</translation>
+        </message>
+        <message>
             <source>A file is checked with a job's machine, stock, tools and clamps; no operation is needed.</source>
             <translation>Um arquivo é verificado com a máquina, o bloco, as ferramentas e os grampos de um trabalho; nenhuma operação é necessária.</translation>
         </message>
@@ -1719,6 +1723,10 @@
             <translation>Usar seleção</translation>
         </message>
         <message>
+            <source>Add selection</source>
+            <translation>Incluir seleção</translation>
+        </message>
+        <message>
             <source>Add the part, as it stands now, to the document as a mesh</source>
             <translation>Acrescentar ao documento, como malha, a peça tal como está agora</translation>
         </message>
@@ -1729,6 +1737,10 @@
         <message>
             <source>Add tool</source>
             <translation>Adicionar</translation>
+        </message>
+        <message>
+            <source>After {0}</source>
+            <translation>Depois de {0}</translation>
         </message>
         <message>
             <source>Alarm</source>
@@ -1795,6 +1807,10 @@
             <translation>Quantos podem ser gerados no máximo, em Hz</translation>
         </message>
         <message>
+            <source>At the end of {0}</source>
+            <translation>No fim de {0}</translation>
+        </message>
+        <message>
             <source>Attached again to the controller at {0}.</source>
             <translation>Reconectado ao controlador em {0}.</translation>
         </message>
@@ -1821,6 +1837,10 @@
         <message>
             <source>Backlash</source>
             <translation>Folga</translation>
+        </message>
+        <message>
+            <source>Before {0}</source>
+            <translation>Antes de {0}</translation>
         </message>
         <message>
             <source>Begin so much earlier on the same cut, so that no ridge stays</source>
@@ -2015,6 +2035,10 @@
             <translation>Memória do controlador: {0} blocos e {1} bytes livres</translation>
         </message>
         <message>
+            <source>Convert for this machine…</source>
+            <translation>Converter para esta máquina…</translation>
+        </message>
+        <message>
             <source>Convert units…</source>
             <translation>Converter unidades…</translation>
         </message>
@@ -2057,6 +2081,10 @@
         <message>
             <source>Cutting the part…</source>
             <translation>Usinando a peça…</translation>
+        </message>
+        <message>
+            <source>Cutting…</source>
+            <translation>Cortando…</translation>
         </message>
         <message>
             <source>Cycle</source>
@@ -2147,12 +2175,16 @@
             <translation>Desenhe uma linha: pressione o botão esquerdo, mova, solte. Shift: reta. Esc: encerrar o desenho.</translation>
         </message>
         <message>
-            <source>Drawing</source>
-            <translation>Desenho</translation>
+            <source>Drawings</source>
+            <translation>Desenhos</translation>
         </message>
         <message>
             <source>Drilling</source>
             <translation>Furação</translation>
+        </message>
+        <message>
+            <source>Duplicate operations</source>
+            <translation>Duplicar operações</translation>
         </message>
         <message>
             <source>Earlier</source>
@@ -2335,6 +2367,14 @@
             <translation>Seguir o desenho selecionado na árvore ou na vista 3D</translation>
         </message>
         <message>
+            <source>Follow what is selected as well</source>
+            <translation>Seguir também o que está selecionado</translation>
+        </message>
+        <message>
+            <source>Follow what is selected, and nothing else</source>
+            <translation>Seguir o que está selecionado, e nada mais</translation>
+        </message>
+        <message>
             <source>For a mill that does not cut over its centre; 0: 10°</source>
             <translation>Para uma fresa sem corte no centro; 0: 10°</translation>
         </message>
@@ -2359,16 +2399,20 @@
             <translation>Falta numba no Python do FreeCAD. Tudo funciona sem ele, mas o planejamento e a simulação ficam lentos.</translation>
         </message>
         <message>
-            <source>FreeCAD's Python lacks pyserial. No machine can be reached without.</source>
-            <translation>Falta pyserial no Python do FreeCAD. Sem ele não se alcança nenhuma máquina.</translation>
-        </message>
-        <message>
             <source>FreeCAD's Python lacks {0}</source>
             <translation>Falta no Python do FreeCAD: {0}</translation>
         </message>
         <message>
+            <source>FreeCAD's Python lacks {0}. No machine can be reached without.</source>
+            <translation>Falta {0} ao Python do FreeCAD. Sem isso nenhuma máquina pode ser alcançada.</translation>
+        </message>
+        <message>
             <source>FreeCAD's Python lacks {0}. No program can be made without.</source>
             <translation>Falta no Python do FreeCAD: {0}. Sem isso não é possível gerar programas.</translation>
+        </message>
+        <message>
+            <source>FreeCAD's Python lacks {0}. Some files cannot be read without.</source>
+            <translation>Falta {0} ao Python do FreeCAD. Sem isso alguns arquivos não podem ser lidos.</translation>
         </message>
         <message>
             <source>From X to the ellipse's first axis</source>
@@ -2783,6 +2827,10 @@
             <translation>A largura de uma ponte no topo</translation>
         </message>
         <message>
+            <source>Identity</source>
+            <translation>Identidade</translation>
+        </message>
+        <message>
             <source>Idle</source>
             <translation>Pronta</translation>
         </message>
@@ -2813,6 +2861,14 @@
         <message>
             <source>Is the work zero set on the stock and the way free?</source>
             <translation>O zero-peça está definido no bloco e o caminho está livre?</translation>
+        </message>
+        <message>
+            <source>It is cut first already</source>
+            <translation>Já é usinada primeiro</translation>
+        </message>
+        <message>
+            <source>It is cut last already</source>
+            <translation>Já é usinada por último</translation>
         </message>
         <message>
             <source>Job</source>
@@ -3071,6 +3127,10 @@
             <translation>Move enquanto uma seta estiver pressionada; soltar para o movimento.</translation>
         </message>
         <message>
+            <source>Move operations</source>
+            <translation>Mover operações</translation>
+        </message>
+        <message>
             <source>Move the machine in this direction.</source>
             <translation>Move a máquina neste sentido.</translation>
         </message>
@@ -3137,6 +3197,10 @@
         <message>
             <source>Not sent</source>
             <translation>Não enviado</translation>
+        </message>
+        <message>
+            <source>Not used: {0}</source>
+            <translation>Não usado: {0}</translation>
         </message>
         <message>
             <source>Note</source>
@@ -3323,10 +3387,6 @@
             <translation>Bicada</translation>
         </message>
         <message>
-            <source>Picked</source>
-            <translation>Escolhidas</translation>
-        </message>
-        <message>
             <source>Pitch</source>
             <translation>Passo</translation>
         </message>
@@ -3405,6 +3465,10 @@
         <message>
             <source>Program: {0}</source>
             <translation>Programa: {0}</translation>
+        </message>
+        <message>
+            <source>Program: {0}, in the editor</source>
+            <translation>Programa: {0}, no editor</translation>
         </message>
         <message>
             <source>Programs</source>
@@ -3615,6 +3679,10 @@
             <translation>Salvar</translation>
         </message>
         <message>
+            <source>Save and go on</source>
+            <translation>Salvar e continuar</translation>
+        </message>
+        <message>
             <source>Save as…</source>
             <translation>Salvar como…</translation>
         </message>
@@ -3655,8 +3723,16 @@
             <translation>Selecione antes um desenho ou um sólido</translation>
         </message>
         <message>
+            <source>Select one or more operations in the tree</source>
+            <translation>Selecione uma ou mais operações na árvore</translation>
+        </message>
+        <message>
             <source>Select one or more solids first</source>
             <translation>Selecione antes um ou mais sólidos</translation>
+        </message>
+        <message>
+            <source>Select operations of one job</source>
+            <translation>Selecione operações de um só trabalho</translation>
         </message>
         <message>
             <source>Select the job in the tree: this document has several</source>
@@ -3693,6 +3769,10 @@
         <message>
             <source>Show the tool's path</source>
             <translation>Mostra a trajetória da ferramenta</translation>
+        </message>
+        <message>
+            <source>Shows the same program as this machine's controller reads it: M6 becomes the machine's tool change</source>
+            <translation>Mostra o mesmo programa como o controlador desta máquina o lê: M6 vira a troca de ferramenta da máquina</translation>
         </message>
         <message>
             <source>Side</source>
@@ -3871,8 +3951,8 @@
             <translation>A verificação encontrou erros: este reinício não pode ser enviado.</translation>
         </message>
         <message>
-            <source>The circles and points of a sketch, or the circular edges of a solid</source>
-            <translation>Os círculos e pontos de um esboço ou as arestas circulares de um sólido</translation>
+            <source>The circles and points of sketches, or the circular edges of solids</source>
+            <translation>Os círculos e pontos de esboços, ou as arestas circulares de sólidos</translation>
         </message>
         <message>
             <source>The clamps seen from above, at the height of their tops</source>
@@ -3935,16 +4015,16 @@
             <translation>O diâmetro do que segura a ferramenta; 0: não informado</translation>
         </message>
         <message>
+            <source>The document and the name of the object itself; a copy still has those of its original</source>
+            <translation>O documento e o nome do próprio objeto; uma cópia ainda tem os do original</translation>
+        </message>
+        <message>
             <source>The drawing gives this value</source>
             <translation>O desenho define este valor</translation>
         </message>
         <message>
             <source>The drawing it followed, when that was deleted</source>
             <translation>O desenho que ela seguia, se foi excluído</translation>
-        </message>
-        <message>
-            <source>The faces and edges of the drawing that count; none: all of it</source>
-            <translation>As faces e arestas do desenho que valem; nenhuma: todo ele</translation>
         </message>
         <message>
             <source>The feed of the last pass at the wall; 0: the tool's own feed</source>
@@ -4075,6 +4155,14 @@
             <translation>A máquina em cujo dialeto o programa é lido</translation>
         </message>
         <message>
+            <source>The machine's position is unknown: home it, or move the tool to the work zero and press All = 0.</source>
+            <translation>A posição da máquina é desconhecida: referencie-a, ou leve a ferramenta ao zero-peça e pressione Todos = 0.</translation>
+        </message>
+        <message>
+            <source>The machine's position is unknown: stop what it was doing, then home it or set the zero of all axes.</source>
+            <translation>A posição da máquina é desconhecida: pare o que ela fazia e depois referencie-a ou defina o zero de todos os eixos.</translation>
+        </message>
+        <message>
             <source>The marked solid is no clamp any more; it stays</source>
             <translation>O sólido marcado deixa de ser grampo; ele continua no documento</translation>
         </message>
@@ -4111,8 +4199,8 @@
             <translation>As peças e os corpos com que os grampos se movem</translation>
         </message>
         <message>
-            <source>The parts and bodies that the drawing moves with</source>
-            <translation>As peças e corpos com que o desenho se move</translation>
+            <source>The parts and bodies that the drawings move with</source>
+            <translation>As peças e corpos com os quais os desenhos se movem</translation>
         </message>
         <message>
             <source>The path of the last job is read…</source>
@@ -4403,6 +4491,10 @@
             <translation>Inalcançável</translation>
         </message>
         <message>
+            <source>Use the tool of the job</source>
+            <translation>Usar a ferramenta do trabalho</translation>
+        </message>
+        <message>
             <source>V-bit</source>
             <translation>fresa em V</translation>
         </message>
@@ -4413,6 +4505,10 @@
         <message>
             <source>Waiting for the controller to answer.</source>
             <translation>Esperando a resposta do controlador.</translation>
+        </message>
+        <message>
+            <source>Waiting for the cut…</source>
+            <translation>Esperando o corte…</translation>
         </message>
         <message>
             <source>Wall feed</source>
@@ -4551,6 +4647,10 @@
             <translation>Grava o texto em um arquivo</translation>
         </message>
         <message>
+            <source>Writing the program…</source>
+            <translation>Escrevendo o programa…</translation>
+        </message>
+        <message>
             <source>Writing the report…</source>
             <translation>Escrevendo o relatório…</translation>
         </message>
@@ -4617,6 +4717,10 @@
         <message>
             <source>aluminium 6061</source>
             <translation>alumínio 6061</translation>
+        </message>
+        <message>
+            <source>and {0} more</source>
+            <translation>e mais {0}</translation>
         </message>
         <message>
             <source>angle about X</source>
@@ -4863,6 +4967,22 @@
             <translation>diâmetro pleno</translation>
         </message>
         <message>
+            <source>goes beyond what the machine can travel; at most {0}</source>
+            <translation>vai além do curso da máquina; no máximo {0}</translation>
+        </message>
+        <message>
+            <source>goes far beyond the machine's fastest axis; at most {0}</source>
+            <translation>vai muito além do eixo mais rápido da máquina; no máximo {0}</translation>
+        </message>
+        <message>
+            <source>goes far beyond the stock and the machine; at most {0}</source>
+            <translation>vai muito além da peça bruta e da máquina; no máximo {0}</translation>
+        </message>
+        <message>
+            <source>goes far beyond the stock; at most {0}</source>
+            <translation>vai muito além da peça bruta; no máximo {0}</translation>
+        </message>
+        <message>
             <source>goes to the first stored place</source>
             <translation>vai ao primeiro lugar guardado</translation>
         </message>
@@ -4981,6 +5101,10 @@
         <message>
             <source>moves in step with the spindle</source>
             <translation>move-se em sincronia com o fuso</translation>
+        </message>
+        <message>
+            <source>must be 0, or at least {0}</source>
+            <translation>deve ser 0, ou no mínimo {0}</translation>
         </message>
         <message>
             <source>must be above {0}</source>
@@ -5291,6 +5415,10 @@
             <translation>{0} %</translation>
         </message>
         <message>
+            <source>{0} (deleted)</source>
+            <translation>{0} (apagado)</translation>
+        </message>
+        <message>
             <source>{0} (edited)</source>
             <translation>{0} (editado)</translation>
         </message>
@@ -5311,12 +5439,20 @@
             <translation>{0} tem alterações que não foram salvas.</translation>
         </message>
         <message>
+            <source>{0} has changes that are not saved. They must be saved before it is checked or sent.</source>
+            <translation>{0} tem alterações que não foram salvas. É preciso salvá-las antes de verificar ou enviar.</translation>
+        </message>
+        <message>
             <source>{0} has nothing to cut: add an operation</source>
             <translation>{0} não tem o que usinar: adicione uma operação</translation>
         </message>
         <message>
             <source>{0} is cut with it; choose another tool there first</source>
             <translation>{0} é usinada com ela; escolha antes outra ferramenta lá</translation>
+        </message>
+        <message>
+            <source>{0} is no operation and is not moved</source>
+            <translation>{0} não é uma operação e não é movido</translation>
         </message>
         <message>
             <source>{0} lines change:</source>
@@ -5349,6 +5485,14 @@
         <message>
             <source>{0} rpm</source>
             <translation>{0} rpm</translation>
+        </message>
+        <message>
+            <source>{0} stays in its job: drop it on another operation, or on the job</source>
+            <translation>{0} fica no seu trabalho: solte-a sobre outra operação ou sobre o trabalho</translation>
+        </message>
+        <message>
+            <source>{0} stays in its job; copy and paste it into another document</source>
+            <translation>{0} fica no seu trabalho; para levá-la a outro documento, copie e cole</translation>
         </message>
         <message>
             <source>{0} tools imported</source>
@@ -5422,12 +5566,24 @@
             <translation>% só pode ficar na primeira e na última linha</translation>
         </message>
         <message>
-            <source>'{0}' cannot be read: {1}</source>
-            <translation>'{0}' não pode ser lido: {1}</translation>
+            <source>'{0}' and '{1}' cross, so that it is not clear what lies inside</source>
+            <translation>'{0}' e '{1}' se cruzam, de modo que não está claro o que fica dentro</translation>
         </message>
         <message>
             <source>'{0}' cannot be {1}</source>
             <translation>'{0}' não pode ser {1}</translation>
+        </message>
+        <message>
+            <source>'{0}' holds no lines that can be followed</source>
+            <translation>'{0}' não contém linhas que possam ser seguidas</translation>
+        </message>
+        <message>
+            <source>'{0}' is a solid</source>
+            <translation>'{0}' é um sólido</translation>
+        </message>
+        <message>
+            <source>'{0}' is drawn where '{1}' is, and counts once</source>
+            <translation>'{0}' está desenhado onde está '{1}' e conta uma só vez</translation>
         </message>
         <message>
             <source>'{0}' is no block that only switches, as M8, M3S9000 or M64P0</source>
@@ -5440,6 +5596,10 @@
         <message>
             <source>'{0}' is no length or angle that is known</source>
             <translation>'{0}' não é um comprimento ou ângulo conhecido</translation>
+        </message>
+        <message>
+            <source>'{0}' is no operation of '{1}'</source>
+            <translation>'{0}' não é uma operação de '{1}'</translation>
         </message>
         <message>
             <source>'{0}' is no origin of a stock</source>
@@ -5456,6 +5616,10 @@
         <message>
             <source>'{0}' is not a tool</source>
             <translation>'{0}' não é uma ferramenta</translation>
+        </message>
+        <message>
+            <source>'{0}' is one more drawing beside '{1}', and only one gives the shape</source>
+            <translation>'{0}' é mais um desenho ao lado de '{1}', e só um dá a forma</translation>
         </message>
         <message>
             <source>'{0}' moves as only the controller knows</source>
@@ -5560,6 +5724,10 @@
         <message>
             <source>G43.1 may move only the tool-length axis</source>
             <translation>G43.1 só pode mover o eixo do comprimento da ferramenta</translation>
+        </message>
+        <message>
+            <source>G43.2 takes H, and a line with it takes no axis words</source>
+            <translation>G43.2 usa H, e uma linha com ele não aceita palavras de eixo</translation>
         </message>
         <message>
             <source>G5 needs both I and J or neither</source>
@@ -5742,6 +5910,10 @@
             <translation>Reset to continue</translation>
         </message>
         <message>
+            <source>SIGTERM lets its process stop the machine safely</source>
+            <translation>SIGTERM faz o processo parar a máquina com segurança</translation>
+        </message>
+        <message>
             <source>SetThreadExecutionState was refused</source>
             <translation>SetThreadExecutionState foi recusado</translation>
         </message>
@@ -5760,6 +5932,10 @@
         <message>
             <source>`cncstepper check` checks a program without the machine</source>
             <translation>`cncstepper check` verifica um programa sem a máquina</translation>
+        </message>
+        <message>
+            <source>`kill {0}` (SIGTERM) lets its process stop the machine safely</source>
+            <translation>`kill {0}` (SIGTERM) faz o processo parar a máquina com segurança</translation>
         </message>
         <message>
             <source>a G code has one decimal at most</source>
@@ -5870,6 +6046,10 @@
             <translation>um alívio de canto ficaria longo demais</translation>
         </message>
         <message>
+            <source>a drawing's unit lies between a nanometre and a kilometre</source>
+            <translation>a unidade de um desenho fica entre um nanômetro e um quilômetro</translation>
+        </message>
+        <message>
             <source>a drill cannot cut along a contour</source>
             <translation>uma broca não pode cortar ao longo de um contorno</translation>
         </message>
@@ -5896,6 +6076,10 @@
         <message>
             <source>a hole lies in no outline</source>
             <translation>um furo não fica dentro de nenhum contorno</translation>
+        </message>
+        <message>
+            <source>a hundred turns are enough</source>
+            <translation>cem voltas bastam</translation>
         </message>
         <message>
             <source>a job runs</source>
@@ -5954,6 +6138,10 @@
             <translation>uma linha contém um só comando</translation>
         </message>
         <message>
+            <source>a line holds {0} M codes</source>
+            <translation>uma linha contém {0} códigos M</translation>
+        </message>
+        <message>
             <source>a line in '{0}' is open and encloses nothing</source>
             <translation>uma linha em '{0}' está aberta e não encerra nada</translation>
         </message>
@@ -5986,6 +6174,10 @@
             <translation>uma linha que roda sozinha a cada partida move a máquina sem ninguém olhando</translation>
         </message>
         <message>
+            <source>a line with G80 takes no axis words, nor those of G43.1</source>
+            <translation>uma linha com G80 não aceita palavras de eixo, nem as de G43.1</translation>
+        </message>
+        <message>
             <source>a machine is cutting</source>
             <translation>uma máquina está cortando</translation>
         </message>
@@ -6014,8 +6206,28 @@
             <translation>um movimento terminaria fora do curso (limite de software)</translation>
         </message>
         <message>
+            <source>a number beyond {0}: {1}</source>
+            <translation>um número além de {0}: {1}</translation>
+        </message>
+        <message>
             <source>a number is missing or cannot be read</source>
             <translation>um número falta ou não pode ser lido</translation>
+        </message>
+        <message>
+            <source>a number of hundreds of digits</source>
+            <translation>um número de centenas de algarismos</translation>
+        </message>
+        <message>
+            <source>a number of the table is too long</source>
+            <translation>um número da tabela é longo demais</translation>
+        </message>
+        <message>
+            <source>a number of thousands of digits</source>
+            <translation>um número de milhares de algarismos</translation>
+        </message>
+        <message>
+            <source>a number that names something is short</source>
+            <translation>um número que dá nome a algo é curto</translation>
         </message>
         <message>
             <source>a number that no letter begins</source>
@@ -6046,6 +6258,10 @@
             <translation>um pino com número, e só ele, tem port: o arquivo de dispositivo da sua porta paralela</translation>
         </message>
         <message>
+            <source>a pipe (FIFO)</source>
+            <translation>um pipe (FIFO)</translation>
+        </message>
+        <message>
             <source>a point is too far away</source>
             <translation>um ponto está longe demais</translation>
         </message>
@@ -6060,6 +6276,10 @@
         <message>
             <source>a process of our own cannot be started</source>
             <translation>um processo nosso não pode ser iniciado</translation>
+        </message>
+        <message>
+            <source>a process of ours has a machine's port, but its file {0} cannot be read: {1}</source>
+            <translation>um processo nosso tem a porta de uma máquina, mas seu arquivo {0} não pode ser lido: {1}</translation>
         </message>
         <message>
             <source>a program for {0} cannot be restarted in its middle</source>
@@ -6094,6 +6314,10 @@
             <translation>o raio de canto de um retângulo não pode passar da metade do seu lado menor</translation>
         </message>
         <message>
+            <source>a report of the controller is damaged and was not believed: {0}</source>
+            <translation>um relatório do controlador está danificado e não foi considerado: {0}</translation>
+        </message>
+        <message>
             <source>a request without the session's token</source>
             <translation>um pedido sem a chave da sessão</translation>
         </message>
@@ -6114,12 +6338,28 @@
             <translation>uma forma do padrão não é um círculo</translation>
         </message>
         <message>
+            <source>a share is at most the whole</source>
+            <translation>uma fração é no máximo o todo</translation>
+        </message>
+        <message>
+            <source>a signal lasts between 10 ns and a second</source>
+            <translation>um sinal dura entre 10 ns e um segundo</translation>
+        </message>
+        <message>
             <source>a single axis may not be homed here</source>
             <translation>aqui não se pode referenciar um só eixo</translation>
         </message>
         <message>
             <source>a spline moves X and Y only</source>
             <translation>uma spline só move X e Y</translation>
+        </message>
+        <message>
+            <source>a step comes between every microsecond and every minute</source>
+            <translation>um passo vem entre cada microssegundo e cada minuto</translation>
+        </message>
+        <message>
+            <source>a step is between a nanometre and 100 mm</source>
+            <translation>um passo fica entre um nanômetro e 100 mm</translation>
         </message>
         <message>
             <source>a subroutine in another file moves: it is not edited with the program</source>
@@ -6136,6 +6376,10 @@
         <message>
             <source>a subroutine takes {0} arguments at most</source>
             <translation>uma sub-rotina aceita no máximo {0} argumentos</translation>
+        </message>
+        <message>
+            <source>a symbolic link of another user in a folder that everybody may write to is not followed</source>
+            <translation>um link simbólico de outro usuário, em uma pasta na qual todos podem gravar, não é seguido</translation>
         </message>
         <message>
             <source>a tolerance must be above 0</source>
@@ -6250,6 +6494,10 @@
             <translation>uma ferramenta {0} não fresa rosca</translation>
         </message>
         <message>
+            <source>above 0 and below the least</source>
+            <translation>acima de 0 e abaixo do mínimo</translation>
+        </message>
+        <message>
             <source>above 0 mm</source>
             <translation>acima de 0 mm</translation>
         </message>
@@ -6338,6 +6586,10 @@
             <translation>uma entrada analógica só é lida, com L0</translation>
         </message>
         <message>
+            <source>an angle between two sides lies between 0 and 180 degrees</source>
+            <translation>um ângulo entre dois lados fica entre 0 e 180 graus</translation>
+        </message>
+        <message>
             <source>an arc by radius may not end where it starts</source>
             <translation>um arco dado pelo raio não pode terminar onde começa</translation>
         </message>
@@ -6412,6 +6664,14 @@
         <message>
             <source>another task is open in the task panel</source>
             <translation>outra tarefa está aberta no painel de tarefas</translation>
+        </message>
+        <message>
+            <source>another user listens there</source>
+            <translation>outro usuário escuta ali</translation>
+        </message>
+        <message>
+            <source>another user's</source>
+            <translation>de outro usuário</translation>
         </message>
         <message>
             <source>arcs are in XY</source>
@@ -6550,6 +6810,14 @@
             <translation>belt_pitch_mm e pulley_teeth andam juntos</translation>
         </message>
         <message>
+            <source>beyond a million nothing of the shape is left</source>
+            <translation>além de um milhão nada resta da forma</translation>
+        </message>
+        <message>
+            <source>beyond these a step lasts over a minute or no time</source>
+            <translation>além destes um passo dura mais de um minuto ou tempo nenhum</translation>
+        </message>
+        <message>
             <source>both radii must be positive</source>
             <translation>os dois semieixos devem ser positivos</translation>
         </message>
@@ -6602,6 +6870,10 @@
             <translation>verifique cabo e alimentação; referencie a máquina ou defina o zero de novo antes do próximo corte</translation>
         </message>
         <message>
+            <source>check cable, grounding and baud rate, and that the firmware is one that this program knows</source>
+            <translation>verifique o cabo, o aterramento e a velocidade (baud), e se o firmware é um dos que este programa conhece</translation>
+        </message>
+        <message>
             <source>check cable, power and other programs on this port</source>
             <translation>verifique cabo, alimentação e outros programas nesta porta</translation>
         </message>
@@ -6648,10 +6920,6 @@
         <message>
             <source>check the depth, or lay a spoil board under the stock</source>
             <translation>verifique a profundidade, ou ponha uma chapa de sacrifício sob o bloco</translation>
-        </message>
-        <message>
-            <source>check the file</source>
-            <translation>verifique o arquivo</translation>
         </message>
         <message>
             <source>check the probe's wiring and plate, then unlock with $X</source>
@@ -6742,6 +7010,10 @@
             <translation>escolha outro</translation>
         </message>
         <message>
+            <source>choose another name</source>
+            <translation>escolha outro nome</translation>
+        </message>
+        <message>
             <source>choose another side</source>
             <translation>escolha outro lado</translation>
         </message>
@@ -6758,8 +7030,16 @@
             <translation>escolha uma delas</translation>
         </message>
         <message>
+            <source>choose one of them, or cut them all with a pocket</source>
+            <translation>escolha um deles, ou usine todos com um bolsão</translation>
+        </message>
+        <message>
             <source>choose one of: {0}</source>
             <translation>escolha um destes: {0}</translation>
+        </message>
+        <message>
+            <source>choose other values, or try again</source>
+            <translation>escolha outros valores, ou tente de novo</translation>
         </message>
         <message>
             <source>choose the pass yourself: the program sends lines again, so line {0} alone is no place</source>
@@ -6768,6 +7048,10 @@
         <message>
             <source>choose the right machine profile, or correct the settings</source>
             <translation>escolha o perfil de máquina certo, ou corrija as configurações</translation>
+        </message>
+        <message>
+            <source>circles and points of several drawings that stand about the same centre, one hole each: {0}</source>
+            <translation>círculos e pontos de vários desenhos em torno do mesmo centro, um furo para cada: {0}</translation>
         </message>
         <message>
             <source>clear the cause, then reset the controller</source>
@@ -6890,6 +7174,10 @@
             <translation>corrija o arquivo de configuração e reinicie o controlador</translation>
         </message>
         <message>
+            <source>correct its configuration, then restart it</source>
+            <translation>corrija a configuração dele e reinicie-o</translation>
+        </message>
+        <message>
             <source>correct its spelling or take it out; known {0}are: {1}</source>
             <translation>corrija a grafia ou retire; as conhecidas {0}são: {1}</translation>
         </message>
@@ -6932,6 +7220,10 @@
         <message>
             <source>correct the diameters or pitch_mm</source>
             <translation>corrija os diâmetros ou pitch_mm</translation>
+        </message>
+        <message>
+            <source>correct the drawing's unit, or take out what is drawn twice</source>
+            <translation>corrija a unidade do desenho, ou retire o que está desenhado duas vezes</translation>
         </message>
         <message>
             <source>correct the end</source>
@@ -6978,8 +7270,8 @@
             <translation>corrija o caminho</translation>
         </message>
         <message>
-            <source>correct the path, or save the file as UTF-8 text</source>
-            <translation>corrija o caminho ou salve o arquivo como texto UTF-8</translation>
+            <source>correct the path or the file's permissions</source>
+            <translation>corrija o caminho ou as permissões do arquivo</translation>
         </message>
         <message>
             <source>correct the path, the tool's diameter or the depth</source>
@@ -6996,6 +7288,10 @@
         <message>
             <source>correct the word before</source>
             <translation>corrija a palavra anterior</translation>
+        </message>
+        <message>
+            <source>correct those that are, and check again</source>
+            <translation>corrija os que estão na lista e verifique de novo</translation>
         </message>
         <message>
             <source>correct work zero or program</source>
@@ -7040,6 +7336,10 @@
         <message>
             <source>cut on the stock that the moves before it have left; the wanted shape is not known, so it is not judged</source>
             <translation>cortado no material que os movimentos anteriores deixaram; a forma desejada não é conhecida, por isso não é julgado</translation>
+        </message>
+        <message>
+            <source>cut them together as a pocket, or this one with an operation of its own</source>
+            <translation>usine-os juntos como um bolsão, ou este com uma operação própria</translation>
         </message>
         <message>
             <source>cuts {0} mm before the place again</source>
@@ -7110,6 +7410,10 @@
             <translation>desenhe contornos com área</translation>
         </message>
         <message>
+            <source>draw polylines in place of single lines, or split it</source>
+            <translation>desenhe polilinhas em vez de linhas soltas, ou divida-o</translation>
+        </message>
+        <message>
             <source>draw something in it, or choose another drawing</source>
             <translation>desenhe algo nele, ou escolha outro desenho</translation>
         </message>
@@ -7172,6 +7476,10 @@
         <message>
             <source>enters there because {0}</source>
             <translation>entra ali porque {0}</translation>
+        </message>
+        <message>
+            <source>entities with its blocks taken apart</source>
+            <translation>entidades com seus blocos desfeitos</translation>
         </message>
         <message>
             <source>entry "plunge"</source>
@@ -7266,6 +7574,10 @@
             <translation>de 1 a {0}</translation>
         </message>
         <message>
+            <source>from here on findings of this kind are not listed</source>
+            <translation>daqui em diante os achados deste tipo não são listados</translation>
+        </message>
+        <message>
             <source>from {0} at line {1}, to {2} at line {3}</source>
             <translation>de {0} na linha {1} a {2} na linha {3}</translation>
         </message>
@@ -7326,6 +7638,10 @@
             <translation>informe uma linha</translation>
         </message>
         <message>
+            <source>give a smaller file</source>
+            <translation>dê um arquivo menor</translation>
+        </message>
+        <message>
             <source>give a start position of X, Y and Z</source>
             <translation>dê uma posição inicial de X, Y e Z</translation>
         </message>
@@ -7364,6 +7680,10 @@
         <message>
             <source>give every row as many</source>
             <translation>dê a mesma quantidade a cada linha</translation>
+        </message>
+        <message>
+            <source>give fewer points</source>
+            <translation>dê menos pontos</translation>
         </message>
         <message>
             <source>give heights over the bottom, and the largest as the stock's Z</source>
@@ -7406,8 +7726,8 @@
             <translation>informe a altura</translation>
         </message>
         <message>
-            <source>give the path of a TOML job file</source>
-            <translation>dê o caminho de um arquivo de trabalho TOML</translation>
+            <source>give the path of a file</source>
+            <translation>dê o caminho de um arquivo</translation>
         </message>
         <message>
             <source>give the stock and the tools</source>
@@ -7554,8 +7874,8 @@
             <translation>referencie-a</translation>
         </message>
         <message>
-            <source>home it, or set the zero of all axes again, before it is sent a program</source>
-            <translation>referencie-a, ou defina de novo o zero de todos os eixos, antes de enviar um programa</translation>
+            <source>home it, or set the zero of all axes; only jogging works until then</source>
+            <translation>referencie-a ou defina o zero de todos os eixos; até lá só funciona o movimento manual</translation>
         </message>
         <message>
             <source>home the machine</source>
@@ -7580,10 +7900,6 @@
         <message>
             <source>home the machine, or move it off the switch by hand</source>
             <translation>referencie a máquina, ou afaste-a do fim de curso à mão</translation>
-        </message>
-        <message>
-            <source>home the machine, or set the zero of all its axes</source>
-            <translation>referencie a máquina, ou defina o zero de todos os eixos</translation>
         </message>
         <message>
             <source>home the machine, or unlock it if it stands where it should</source>
@@ -7616,6 +7932,10 @@
         <message>
             <source>homing was interrupted by a reset</source>
             <translation>o referenciamento foi interrompido por um reset</translation>
+        </message>
+        <message>
+            <source>if it was cutting, the position is unknown: look at the machine, then see {0}</source>
+            <translation>se estava cortando, a posição é desconhecida: olhe a máquina e depois veja {0}</translation>
         </message>
         <message>
             <source>in absolute mode the control drives an axis without a word to 0</source>
@@ -7662,6 +7982,10 @@
             <translation>é lido em uma linha própria, em um programa inteiro, onde o dialeto tem sub-rotinas</translation>
         </message>
         <message>
+            <source>it closed the connection</source>
+            <translation>ele fechou a conexão</translation>
+        </message>
+        <message>
             <source>it cuts upwards on a helix, as thread mills do, and is entered at its begin, line {0}</source>
             <translation>o corte sobe em hélice, como fazem as fresas de roscar, e é retomado no seu início, linha {0}</translation>
         </message>
@@ -7694,6 +8018,14 @@
             <translation>ele tem: {0}</translation>
         </message>
         <message>
+            <source>it is a device</source>
+            <translation>é um dispositivo</translation>
+        </message>
+        <message>
+            <source>it is a folder</source>
+            <translation>é uma pasta</translation>
+        </message>
+        <message>
             <source>it is empty</source>
             <translation>ele está vazio</translation>
         </message>
@@ -7702,12 +8034,28 @@
             <translation>é um só programa</translation>
         </message>
         <message>
+            <source>it is there by itself when that is done</source>
+            <translation>ele aparece sozinho quando estiver pronto</translation>
+        </message>
+        <message>
+            <source>it is too long for its tolerance</source>
+            <translation>é longa demais para a sua tolerância</translation>
+        </message>
+        <message>
             <source>it is within a way into the cut, which begins at line {0}</source>
             <translation>está dentro de uma entrada no corte, que começa na linha {0}</translation>
         </message>
         <message>
             <source>it names no operation: choose a line</source>
             <translation>ele não nomeia nenhuma operação: escolha uma linha</translation>
+        </message>
+        <message>
+            <source>it removed its file</source>
+            <translation>ele removeu seu arquivo</translation>
+        </message>
+        <message>
+            <source>it says nothing</source>
+            <translation>ele não diz nada</translation>
         </message>
         <message>
             <source>it should be *{0}</source>
@@ -7726,6 +8074,18 @@
             <translation>o seu arquivo '{0}' não está aqui nem em ../Bit</translation>
         </message>
         <message>
+            <source>its host is not this computer</source>
+            <translation>o endereço não é deste computador</translation>
+        </message>
+        <message>
+            <source>its knots and points do not belong together</source>
+            <translation>seus nós e pontos não combinam</translation>
+        </message>
+        <message>
+            <source>its knots do not rise</source>
+            <translation>seus nós não crescem</translation>
+        </message>
+        <message>
             <source>its machine position is not 0</source>
             <translation>a posição de máquina não é 0</translation>
         </message>
@@ -7734,12 +8094,32 @@
             <translation>o seu número passa de {0}</translation>
         </message>
         <message>
+            <source>its numbers make no curve: {0}</source>
+            <translation>seus números não formam uma curva: {0}</translation>
+        </message>
+        <message>
             <source>its operations are: {0}</source>
             <translation>as operações dele são: {0}</translation>
         </message>
         <message>
             <source>its shape '{0}' is none of {1}</source>
             <translation>a sua forma '{0}' não é nenhuma de {1}</translation>
+        </message>
+        <message>
+            <source>its symbolic links form a circle</source>
+            <translation>seus links simbólicos formam um círculo</translation>
+        </message>
+        <message>
+            <source>its weights are not above 0</source>
+            <translation>seus pesos não são maiores que 0</translation>
+        </message>
+        <message>
+            <source>its {0} are no numbers in bounds</source>
+            <translation>{0}: não são números dentro dos limites</translation>
+        </message>
+        <message>
+            <source>its {0} is no number in bounds</source>
+            <translation>{0}: não é um número dentro dos limites</translation>
         </message>
         <message>
             <source>jog again if it is still wanted</source>
@@ -7758,6 +8138,10 @@
             <translation>mova com `cncstepper jog`: ele primeiro faz o controlador largar as suas linhas</translation>
         </message>
         <message>
+            <source>join them into one outline, or move one of them</source>
+            <translation>junte-os em um só contorno, ou mova um deles</translation>
+        </message>
+        <message>
             <source>kept only if the controller has had power ever since and was not reset in motion; a greeting, an alarm or a place that is not right says that it was: then {0}; {1}</source>
             <translation>mantida só se o controlador ficou ligado desde então e não foi reiniciado em movimento; uma saudação, um alarme ou um lugar errado dizem que foi: então {0}; {1}</translation>
         </message>
@@ -7768,6 +8152,10 @@
         <message>
             <source>large cuts are being prepared, once after an installation</source>
             <translation>cortes grandes estão sendo preparados, uma vez após a instalação</translation>
+        </message>
+        <message>
+            <source>larger than {0} MB</source>
+            <translation>maior que {0} MB</translation>
         </message>
         <message>
             <source>laser mode needs a spindle of the kind Laser</source>
@@ -7850,8 +8238,16 @@
             <translation>omitido: G64, o percurso exato é seguido até onde a máquina consegue</translation>
         </message>
         <message>
+            <source>left out: the lengths of tools; set the Z zero with each tool</source>
+            <translation>omitido: os comprimentos das ferramentas; ajuste o zero de Z com cada ferramenta</translation>
+        </message>
+        <message>
             <source>left out: {0}</source>
             <translation>omitido: {0}</translation>
+        </message>
+        <message>
+            <source>left out: {0}, which never moves; that axis stands at 0</source>
+            <translation>omitido: {0}, que nunca se move; esse eixo fica em 0</translation>
         </message>
         <message>
             <source>lengths of tools went into the coordinates</source>
@@ -7918,6 +8314,10 @@
             <translation>linha {0} a {1}</translation>
         </message>
         <message>
+            <source>lines of '{0}' that are no whole circles and want no holes: {1}</source>
+            <translation>linhas de '{0}' que não são círculos inteiros e não pedem furos: {1}</translation>
+        </message>
+        <message>
             <source>lines with / are {0}: no switch deletes them any more</source>
             <translation>linhas com / estão {0}: nenhuma chave as omite mais</translation>
         </message>
@@ -7970,12 +8370,12 @@
             <translation>verifique as configurações de Bluetooth</translation>
         </message>
         <message>
-            <source>look at the controller's file system, then try again</source>
-            <translation>verifique o sistema de arquivos do controlador e tente de novo</translation>
+            <source>look at the baud rate, and at what reports the controller sends by itself</source>
+            <translation>verifique a velocidade (baud) e quais relatórios o controlador envia por conta própria</translation>
         </message>
         <message>
-            <source>look at the machine</source>
-            <translation>veja a máquina</translation>
+            <source>look at the controller's file system, then try again</source>
+            <translation>verifique o sistema de arquivos do controlador e tente de novo</translation>
         </message>
         <message>
             <source>look at the machine, and restart the program by hand</source>
@@ -7992,6 +8392,10 @@
         <message>
             <source>look at what it says, and correct that line</source>
             <translation>veja o que ele diz e corrija essa linha</translation>
+        </message>
+        <message>
+            <source>look for a pendant or another program that is connected, set the zero again, then send again</source>
+            <translation>procure um pendente ou outro programa conectado, defina o zero de novo e envie outra vez</translation>
         </message>
         <message>
             <source>look how the machine stands now, then answer to that</source>
@@ -8012,6 +8416,10 @@
         <message>
             <source>look whether the file is whole</source>
             <translation>veja se o arquivo está completo</translation>
+        </message>
+        <message>
+            <source>look which machine moves, and stop it there</source>
+            <translation>veja qual máquina se move e pare-a ali</translation>
         </message>
         <message>
             <source>lower F, or turn the spindle faster</source>
@@ -8094,6 +8502,10 @@
             <translation>libere espaço no disco de {0} e verifique se você pode gravar ali; depois envie de novo</translation>
         </message>
         <message>
+            <source>make several jobs of this one</source>
+            <translation>faça vários trabalhos deste</translation>
+        </message>
+        <message>
             <source>make spacing_mm larger</source>
             <translation>aumente spacing_mm</translation>
         </message>
@@ -8112,6 +8524,10 @@
         <message>
             <source>make the leads or the tool smaller, move the parts apart, or do without leads</source>
             <translation>diminua as entradas e saídas ou a ferramenta, afaste as peças ou fique sem entradas e saídas</translation>
+        </message>
+        <message>
+            <source>make the list shorter</source>
+            <translation>encurte a lista</translation>
         </message>
         <message>
             <source>make the passes, the levels, the resolution or the entry angle larger</source>
@@ -8150,6 +8566,10 @@
             <translation>meça a largura do corte dela, ou omita kerf_mm</translation>
         </message>
         <message>
+            <source>mend one of them, or select others</source>
+            <translation>corrija um deles, ou selecione outros</translation>
+        </message>
+        <message>
             <source>mend that object first</source>
             <translation>corrija antes esse objeto</translation>
         </message>
@@ -8172,6 +8592,18 @@
         <message>
             <source>more than</source>
             <translation>mais de</translation>
+        </message>
+        <message>
+            <source>more than a million million</source>
+            <translation>mais de um trilhão</translation>
+        </message>
+        <message>
+            <source>more than a million of anything is a slip</source>
+            <translation>mais de um milhão de qualquer coisa é um engano</translation>
+        </message>
+        <message>
+            <source>more than {0} lines</source>
+            <translation>mais de {0} linhas</translation>
         </message>
         <message>
             <source>more than {0} mm</source>
@@ -8238,6 +8670,10 @@
             <translation>mova {0} em uma linha própria</translation>
         </message>
         <message>
+            <source>must be {0} from {1}</source>
+            <translation>deve ser {0} de {1}</translation>
+        </message>
+        <message>
             <source>name X and Y in a rapid above the stock first</source>
             <translation>indique antes X e Y em um rápido acima do bloco</translation>
         </message>
@@ -8256,6 +8692,10 @@
         <message>
             <source>name both axes</source>
             <translation>indique os dois eixos</translation>
+        </message>
+        <message>
+            <source>name it once</source>
+            <translation>nomeie-a uma só vez</translation>
         </message>
         <message>
             <source>name one of them</source>
@@ -8278,6 +8718,10 @@
             <translation>parâmetros com nome não fazem parte deste dialeto</translation>
         </message>
         <message>
+            <source>nested too deeply</source>
+            <translation>aninhado fundo demais</translation>
+        </message>
+        <message>
             <source>next is line {0}: {1}</source>
             <translation>a próxima é a linha {0}: {1}</translation>
         </message>
@@ -8290,12 +8734,44 @@
             <translation>nenhum eixo está configurado para referenciamento</translation>
         </message>
         <message>
+            <source>no axis lifts a tool by more than 10 m</source>
+            <translation>nenhum eixo levanta uma ferramenta mais de 10 m</translation>
+        </message>
+        <message>
+            <source>no axis pushes with more than 100 t</source>
+            <translation>nenhum eixo empurra com mais de 100 t</translation>
+        </message>
+        <message>
+            <source>no axis runs faster than 16 m/s</source>
+            <translation>nenhum eixo corre mais que 16 m/s</translation>
+        </message>
+        <message>
+            <source>no axis speeds up by more than 100 g</source>
+            <translation>nenhum eixo acelera mais que 100 g</translation>
+        </message>
+        <message>
             <source>no closed curves at that distance were found</source>
             <translation>não se encontraram curvas fechadas a essa distância</translation>
         </message>
         <message>
             <source>no code on this line uses the word {0}</source>
             <translation>nenhum código desta linha usa a palavra {0}</translation>
+        </message>
+        <message>
+            <source>no conversion makes this a program for {0}: {1}</source>
+            <translation>nenhuma conversão faz deste um programa para {0}: {1}</translation>
+        </message>
+        <message>
+            <source>no cutter's edge runs faster than 170 m/s</source>
+            <translation>nenhum gume corre mais que 170 m/s</translation>
+        </message>
+        <message>
+            <source>no drive changes its acceleration faster</source>
+            <translation>nenhum acionamento muda a aceleração mais depressa</translation>
+        </message>
+        <message>
+            <source>no encoder counts more in a turn</source>
+            <translation>nenhum encoder conta mais numa volta</translation>
         </message>
         <message>
             <source>no encoder for '{0}' is installed</source>
@@ -8310,6 +8786,14 @@
             <translation>nenhum sistema de arquivos está montado</translation>
         </message>
         <message>
+            <source>no gear turns ten thousand times faster</source>
+            <translation>nenhuma engrenagem gira dez mil vezes mais depressa</translation>
+        </message>
+        <message>
+            <source>no identity of a port: {0}</source>
+            <translation>não é a identidade de uma porta: {0}</translation>
+        </message>
+        <message>
             <source>no input may be read</source>
             <translation>nenhuma entrada pode ser lida</translation>
         </message>
@@ -8320,6 +8804,10 @@
         <message>
             <source>no job runs</source>
             <translation>nenhum trabalho está em execução</translation>
+        </message>
+        <message>
+            <source>no machine holds a tenth of a micron, and above 10 mm nothing is held</source>
+            <translation>nenhuma máquina mantém um décimo de mícron, e acima de 10 mm nada é mantido</translation>
         </message>
         <message>
             <source>no memory card is mounted</source>
@@ -8346,8 +8834,16 @@
             <translation>não há curva paralela tão para dentro</translation>
         </message>
         <message>
+            <source>no pass is narrower than a micron or wider than 10 m</source>
+            <translation>nenhum passe é mais estreito que um mícron ou mais largo que 10 m</translation>
+        </message>
+        <message>
             <source>no position may be stored</source>
             <translation>nenhuma posição pode ser guardada</translation>
+        </message>
+        <message>
+            <source>no process, or no port</source>
+            <translation>sem processo ou sem porta</translation>
         </message>
         <message>
             <source>no rapid leads to this way, and backwards it does not begin where the one before ends</source>
@@ -8358,12 +8854,52 @@
             <translation>nenhum avanço rápido do programa diz a que altura a ferramenta pode cruzar a peça</translation>
         </message>
         <message>
+            <source>no regular file</source>
+            <translation>nenhum arquivo comum</translation>
+        </message>
+        <message>
+            <source>no screw and rotor has more</source>
+            <translation>nenhum fuso com rotor tem mais</translation>
+        </message>
+        <message>
+            <source>no spindle turns faster than a million a minute</source>
+            <translation>nenhum fuso gira mais que um milhão de voltas por minuto</translation>
+        </message>
+        <message>
+            <source>no spline is cut in inverse time</source>
+            <translation>nenhuma spline é cortada em tempo inverso</translation>
+        </message>
+        <message>
             <source>no spline may be cut</source>
             <translation>nenhuma spline pode ser cortada</translation>
         </message>
         <message>
+            <source>no step is finer than a micron and no table longer than 100 m</source>
+            <translation>nenhum passo é mais fino que um mícron e nenhuma mesa mais longa que 100 m</translation>
+        </message>
+        <message>
+            <source>no stepper motor gives more than 10 kNm</source>
+            <translation>nenhum motor de passo dá mais que 10 kNm</translation>
+        </message>
+        <message>
             <source>no tab fits on any contour</source>
             <translation>nenhuma ponte cabe em nenhum contorno</translation>
+        </message>
+        <message>
+            <source>no table is longer than 100 m</source>
+            <translation>nenhuma mesa é mais longa que 100 m</translation>
+        </message>
+        <message>
+            <source>no token, or no path of a socket</source>
+            <translation>sem senha ou sem caminho de um socket</translation>
+        </message>
+        <message>
+            <source>no tool cuts thinner than a micron or deeper than 10 m</source>
+            <translation>nenhuma ferramenta corta mais fino que um mícron ou mais fundo que 10 m</translation>
+        </message>
+        <message>
+            <source>no tooth takes more than 10 mm</source>
+            <translation>nenhum dente tira mais que 10 mm</translation>
         </message>
         <message>
             <source>nobody has confirmed the work zero</source>
@@ -8372,6 +8908,10 @@
         <message>
             <source>nobody leads the tool along its cut; the program's lines for that are not at the controller</source>
             <translation>ninguém conduz a ferramenta ao longo do seu corte; as linhas do programa para isso não estão no controlador</translation>
+        </message>
+        <message>
+            <source>none of the selected drawings can be followed</source>
+            <translation>nenhum dos desenhos selecionados pode ser seguido</translation>
         </message>
         <message>
             <source>not a DXF file: {0}</source>
@@ -8390,12 +8930,32 @@
             <translation>não é uma curva com xy e bulge: {0}</translation>
         </message>
         <message>
+            <source>not a file</source>
+            <translation>não é um arquivo</translation>
+        </message>
+        <message>
             <source>not a job to send: {0}</source>
             <translation>não é um trabalho para enviar: {0}</translation>
         </message>
         <message>
+            <source>not a number: {0}</source>
+            <translation>não é um número: {0}</translation>
+        </message>
+        <message>
             <source>not a point: '{0}'</source>
             <translation>não é um ponto: '{0}'</translation>
+        </message>
+        <message>
+            <source>not a status: a vector has other things in it than numbers</source>
+            <translation>não é um estado: um vetor contém outra coisa que números</translation>
+        </message>
+        <message>
+            <source>not a status: its {0} is no {1}</source>
+            <translation>não é um estado: {0} não é do tipo {1}</translation>
+        </message>
+        <message>
+            <source>not a status: {0}</source>
+            <translation>não é um estado: {0}</translation>
         </message>
         <message>
             <source>not a text file</source>
@@ -8426,12 +8986,28 @@
             <translation>nem toda a parede é vista do meio do espaço</translation>
         </message>
         <message>
-            <source>not certain</source>
-            <translation>incerto</translation>
+            <source>not an error: its words are none</source>
+            <translation>não é um erro: suas palavras não são texto</translation>
         </message>
         <message>
-            <source>not finite: {0}</source>
-            <translation>não é finito: {0}</translation>
+            <source>not an error: {0}</source>
+            <translation>não é um erro: {0}</translation>
+        </message>
+        <message>
+            <source>not an object of JSON</source>
+            <translation>não é um objeto JSON</translation>
+        </message>
+        <message>
+            <source>not an outcome: it does not say how it ended</source>
+            <translation>não é um resultado: não diz como terminou</translation>
+        </message>
+        <message>
+            <source>not an outcome: {0}</source>
+            <translation>não é um resultado: {0}</translation>
+        </message>
+        <message>
+            <source>not certain</source>
+            <translation>incerto</translation>
         </message>
         <message>
             <source>not known on {0}</source>
@@ -8446,6 +9022,10 @@
             <translation>não são os números de uma curva: {0}</translation>
         </message>
         <message>
+            <source>notes must be a list</source>
+            <translation>notes deve ser uma lista</translation>
+        </message>
+        <message>
             <source>nothing answers</source>
             <translation>nada responde</translation>
         </message>
@@ -8456,6 +9036,10 @@
         <message>
             <source>nothing has been cut yet, so there is no way back</source>
             <translation>nada foi cortado ainda, portanto não há caminho de volta</translation>
+        </message>
+        <message>
+            <source>nothing here waits for more than a day</source>
+            <translation>nada aqui espera mais que um dia</translation>
         </message>
         <message>
             <source>nothing is certainly cut</source>
@@ -8506,6 +9090,10 @@
             <translation>nada que uma ferramenta possa seguir</translation>
         </message>
         <message>
+            <source>nothing that an axis moves weighs more than 100 t</source>
+            <translation>nada que um eixo move pesa mais que 100 t</translation>
+        </message>
+        <message>
             <source>numbers 1 to {0}</source>
             <translation>números de 1 a {0}</translation>
         </message>
@@ -8518,6 +9106,10 @@
             <translation>o&lt;nome&gt; sub é chamada por o&lt;nome&gt; call</translation>
         </message>
         <message>
+            <source>objects or lists are nested too deeply</source>
+            <translation>objetos ou listas estão aninhados fundo demais</translation>
+        </message>
+        <message>
             <source>on its line a contour has no scrap side for leads</source>
             <translation>sobre a linha, um contorno não tem lado de sobra para entradas e saídas</translation>
         </message>
@@ -8528,6 +9120,14 @@
         <message>
             <source>on the path</source>
             <translation>no caminho</translation>
+        </message>
+        <message>
+            <source>one more client beside {0}</source>
+            <translation>mais um cliente além de {0}</translation>
+        </message>
+        <message>
+            <source>one of its points is no number in bounds</source>
+            <translation>um de seus pontos não é um número dentro dos limites</translation>
         </message>
         <message>
             <source>one pass is {0} mm deep, deeper than the tool's diameter of {1} mm; give stepdown_mm</source>
@@ -8556,6 +9156,10 @@
         <message>
             <source>operation '{0}' uses tool {1}, which the job does not have</source>
             <translation>a operação '{0}' usa a ferramenta {1}, que o trabalho não tem</translation>
+        </message>
+        <message>
+            <source>operation {0} ({1}) will take long: about {2} m of cut in {3} levels</source>
+            <translation>a operação {0} ({1}) vai demorar: cerca de {2} m de corte em {3} níveis</translation>
         </message>
         <message>
             <source>outlines and islands lie too close to each other to be told apart</source>
@@ -8658,6 +9262,10 @@
             <translation>os pontos não são pares de x e y</translation>
         </message>
         <message>
+            <source>points with its blocks taken apart</source>
+            <translation>pontos com seus blocos desfeitos</translation>
+        </message>
+        <message>
             <source>positions are not compared with the path any more: {0}</source>
             <translation>as posições não são mais comparadas com o percurso: {0}</translation>
         </message>
@@ -8676,6 +9284,10 @@
         <message>
             <source>programs are read for machines with three axes, or with nine</source>
             <translation>programas são lidos para máquinas com três eixos ou com nove</translation>
+        </message>
+        <message>
+            <source>programs of these names are there already</source>
+            <translation>já existem programas com esses nomes</translation>
         </message>
         <message>
             <source>programs of {0} are in one unit only</source>
@@ -8758,6 +9370,10 @@
             <translation>os rápidos usam o avanço em vigor: nenhum F foi dado para eles</translation>
         </message>
         <message>
+            <source>read it whole</source>
+            <translation>leia-o inteiro</translation>
+        </message>
+        <message>
             <source>read the controller's start-up messages ($SS) and correct its configuration</source>
             <translation>leia as mensagens de partida do controlador ($SS) e corrija a configuração</translation>
         </message>
@@ -8808,6 +9424,10 @@
         <message>
             <source>renumber by hand</source>
             <translation>renumere à mão</translation>
+        </message>
+        <message>
+            <source>reset it, then home it or set its zero again</source>
+            <translation>reinicie-o; depois referencie a máquina ou defina o zero de novo</translation>
         </message>
         <message>
             <source>resolution_mm is too coarse for the tool</source>
@@ -8890,6 +9510,10 @@
             <translation>salve-o como arquivo</translation>
         </message>
         <message>
+            <source>save the file as UTF-8 text</source>
+            <translation>salve o arquivo como texto UTF-8</translation>
+        </message>
+        <message>
             <source>say it with M61 Q and the tool's number</source>
             <translation>informe-a com M61 Q e o número da ferramenta</translation>
         </message>
@@ -8914,12 +9538,24 @@
             <translation>veja o registro e relate-o</translation>
         </message>
         <message>
+            <source>see that it is a folder, that it is yours, and that you may write there</source>
+            <translation>verifique que é uma pasta, que é sua e que você pode escrever nela</translation>
+        </message>
+        <message>
             <source>see whether it is whole</source>
             <translation>veja se está completo</translation>
         </message>
         <message>
+            <source>select a sketch, wires, faces or edges</source>
+            <translation>selecione um esboço, arames, faces ou arestas</translation>
+        </message>
+        <message>
             <source>select the plane with G17, G18, G19</source>
             <translation>selecione o plano com G17, G18 ou G19</translation>
+        </message>
+        <message>
+            <source>select those of its faces or edges that count</source>
+            <translation>selecione as faces ou arestas dele que contam</translation>
         </message>
         <message>
             <source>send another one</source>
@@ -9126,8 +9762,16 @@
             <translation>steps_per_mm é {0}, mas o acionamento dá {1}</translation>
         </message>
         <message>
+            <source>stop it, then home it, or set the zero of all axes</source>
+            <translation>pare-a e depois referencie-a ou defina o zero de todos os eixos</translation>
+        </message>
+        <message>
             <source>stop the job: steps may be lost, or the machine was moved by hand</source>
             <translation>pare o trabalho: passos podem ter-se perdido, ou a máquina foi movida à mão</translation>
+        </message>
+        <message>
+            <source>stop the machine with its own buttons where it must stand now</source>
+            <translation>pare a máquina com os botões dela se ela precisa parar agora</translation>
         </message>
         <message>
             <source>stop with M5 and M0 before the new tool</source>
@@ -9182,12 +9826,20 @@
             <translation>table_ms não pode ter uma espera mais longa que a anterior</translation>
         </message>
         <message>
+            <source>tables or lists are nested too deeply</source>
+            <translation>tabelas ou listas estão aninhadas fundo demais</translation>
+        </message>
+        <message>
             <source>tabs need either count or spacing_mm</source>
             <translation>pontes precisam de count ou de spacing_mm</translation>
         </message>
         <message>
             <source>take it out</source>
             <translation>retire-o</translation>
+        </message>
+        <message>
+            <source>take it out of the name</source>
+            <translation>retire-o do nome</translation>
         </message>
         <message>
             <source>take it out of the program</source>
@@ -9390,6 +10042,10 @@
             <translation>a configuração não é válida</translation>
         </message>
         <message>
+            <source>the connection {0} is open, but its process does not answer</source>
+            <translation>a conexão {0} está aberta, mas seu processo não responde</translation>
+        </message>
+        <message>
             <source>the console does not pass on {0}</source>
             <translation>o console não repassa {0}</translation>
         </message>
@@ -9466,6 +10122,10 @@
             <translation>o controlador está travado: referencie a máquina, ou destrave-a se a posição está certa com certeza</translation>
         </message>
         <message>
+            <source>the controller is starting</source>
+            <translation>o controlador está iniciando</translation>
+        </message>
+        <message>
             <source>the controller raised an alarm</source>
             <translation>o controlador entrou em alarme</translation>
         </message>
@@ -9518,6 +10178,10 @@
             <translation>o controlador ainda espera pela nova ferramenta</translation>
         </message>
         <message>
+            <source>the controller stopped by a critical fault</source>
+            <translation>o controlador parou por uma falha crítica</translation>
+        </message>
+        <message>
             <source>the controller takes no jog while it is held</source>
             <translation>o controlador não aceita movimento manual enquanto está em pausa</translation>
         </message>
@@ -9536,6 +10200,10 @@
         <message>
             <source>the controller was reset while moving</source>
             <translation>o controlador foi reiniciado em movimento</translation>
+        </message>
+        <message>
+            <source>the controller's configuration is not valid</source>
+            <translation>a configuração do controlador não é válida</translation>
         </message>
         <message>
             <source>the controller's own test at power-up failed</source>
@@ -9578,12 +10246,20 @@
             <translation>a curva está aberta, é preciso uma fechada</translation>
         </message>
         <message>
+            <source>the cut</source>
+            <translation>o corte</translation>
+        </message>
+        <message>
             <source>the cut begins without waiting for the spindle</source>
             <translation>o corte começa sem esperar o spindle</translation>
         </message>
         <message>
             <source>the cut comes too near to the sheet's edge</source>
             <translation>o corte chega perto demais da borda da chapa</translation>
+        </message>
+        <message>
+            <source>the cut failed by a fault of its own: {0}: {1}</source>
+            <translation>o corte falhou por um defeito próprio: {0}: {1}</translation>
         </message>
         <message>
             <source>the cut goes into the part of another contour at X{0} Y{1}</source>
@@ -9602,16 +10278,24 @@
             <translation>o corte passa pela borda de uma peça que um contorno deixa em pé, {0}</translation>
         </message>
         <message>
+            <source>the cut takes more memory than there is</source>
+            <translation>o corte precisa de mais memória do que há</translation>
+        </message>
+        <message>
             <source>the cycle takes too many passes</source>
             <translation>o ciclo usa passes demais</translation>
         </message>
         <message>
-            <source>the desk cannot be started: {0}</source>
-            <translation>a mesa de controle não pode ser iniciada: {0}</translation>
+            <source>the degree of the spline is out of bounds</source>
+            <translation>o grau da spline está fora dos limites</translation>
         </message>
         <message>
-            <source>the desk does not answer</source>
-            <translation>a conexão da janela não responde</translation>
+            <source>the depth goes below the stock</source>
+            <translation>a profundidade passa abaixo do bloco</translation>
+        </message>
+        <message>
+            <source>the desk cannot be started: {0}</source>
+            <translation>a mesa de controle não pode ser iniciada: {0}</translation>
         </message>
         <message>
             <source>the desk failed by a fault of its own</source>
@@ -9674,12 +10358,24 @@
             <translation>o desenho não tem curvas em uma camada '{0}'</translation>
         </message>
         <message>
+            <source>the drawing has too many {0}</source>
+            <translation>o desenho tem demais: {0}</translation>
+        </message>
+        <message>
             <source>the drawing holds no curves</source>
             <translation>o desenho não contém curvas</translation>
         </message>
         <message>
             <source>the drawing {0} is damaged, a part of it may be missing: {1}</source>
             <translation>o desenho {0} está danificado, pode faltar parte dele: {1}</translation>
+        </message>
+        <message>
+            <source>the drawing's unit</source>
+            <translation>a unidade do desenho</translation>
+        </message>
+        <message>
+            <source>the drawings lie at heights from Z{0} to Z{1} mm; all depths count from the top of the stock</source>
+            <translation>os desenhos estão em alturas de Z{0} a Z{1} mm; todas as profundidades contam a partir do topo do bloco</translation>
         </message>
         <message>
             <source>the edited program has no job</source>
@@ -9810,8 +10506,8 @@
             <translation>o arquivo é somente leitura</translation>
         </message>
         <message>
-            <source>the file is too large for the editor</source>
-            <translation>o arquivo é grande demais para o editor</translation>
+            <source>the file is too large</source>
+            <translation>o arquivo é grande demais</translation>
         </message>
         <message>
             <source>the file system can only be read</source>
@@ -9834,6 +10530,10 @@
             <translation>o sistema de arquivos está ocupado</translation>
         </message>
         <message>
+            <source>the folder belongs to another user</source>
+            <translation>a pasta pertence a outro usuário</translation>
+        </message>
+        <message>
             <source>the folder cannot be deleted</source>
             <translation>a pasta não pode ser apagada</translation>
         </message>
@@ -9846,12 +10546,20 @@
             <translation>a pasta não existe</translation>
         </message>
         <message>
+            <source>the folder is a link</source>
+            <translation>a pasta é um link</translation>
+        </message>
+        <message>
+            <source>the folder of sessions cannot be used: {0}</source>
+            <translation>a pasta das sessões não pode ser usada: {0}</translation>
+        </message>
+        <message>
             <source>the grid has too many holes</source>
             <translation>a grade tem furos demais</translation>
         </message>
         <message>
-            <source>the heights '{0}' cannot be read: {1}</source>
-            <translation>as alturas '{0}' não podem ser lidas: {1}</translation>
+            <source>the heights cannot be read: {0}</source>
+            <translation>as alturas não podem ser lidas: {0}</translation>
         </message>
         <message>
             <source>the heights do not fit their box</source>
@@ -9988,6 +10696,10 @@
         <message>
             <source>the length offset of tool {0} is not known, it is taken as 0</source>
             <translation>a correção de comprimento da ferramenta {0} não é conhecida, vale como 0</translation>
+        </message>
+        <message>
+            <source>the library has too many tools</source>
+            <translation>a biblioteca tem ferramentas demais</translation>
         </message>
         <message>
             <source>the line before is not done yet</source>
@@ -10186,10 +10898,6 @@
             <translation>a posição da máquina é desconhecida: veja se o spindle e as saídas estão desligados, depois referencie ou defina o zero de novo</translation>
         </message>
         <message>
-            <source>the machine's position is unknown: only homing, jog and unlock are accepted</source>
-            <translation>a posição da máquina é desconhecida: só se aceitam referenciamento, movimento manual e destravar</translation>
-        </message>
-        <message>
             <source>the memory card cannot be mounted</source>
             <translation>o cartão de memória não pode ser montado</translation>
         </message>
@@ -10224,6 +10932,10 @@
         <message>
             <source>the name is not closed</source>
             <translation>o nome não está fechado</translation>
+        </message>
+        <message>
+            <source>the name of a parameter holds a comment</source>
+            <translation>o nome de um parâmetro contém um comentário</translation>
         </message>
         <message>
             <source>the number of turns is a whole number from 1</source>
@@ -10322,10 +11034,6 @@
             <translation>o bolsão é estreito demais para que o seu engajamento seja limitado</translation>
         </message>
         <message>
-            <source>the point list '{0}' cannot be read: {1}</source>
-            <translation>a lista de pontos '{0}' não pode ser lida: {1}</translation>
-        </message>
-        <message>
             <source>the points of a freehand line lie at different heights</source>
             <translation>os pontos de uma linha à mão livre estão em alturas diferentes</translation>
         </message>
@@ -10352,6 +11060,10 @@
         <message>
             <source>the probe was not in its start state</source>
             <translation>o apalpador não estava no estado inicial</translation>
+        </message>
+        <message>
+            <source>the process that cuts ended before it had an answer</source>
+            <translation>o processo que calcula o corte terminou antes de responder</translation>
         </message>
         <message>
             <source>the process that finds the way back has ended</source>
@@ -10400,6 +11112,10 @@
         <message>
             <source>the program changes no tool</source>
             <translation>o programa não troca de ferramenta</translation>
+        </message>
+        <message>
+            <source>the program computes or jumps, so it cannot be read piece by piece</source>
+            <translation>o programa calcula ou desvia, por isso não pode ser lido por partes</translation>
         </message>
         <message>
             <source>the program cuts along no way at one height</source>
@@ -10618,10 +11334,6 @@
             <translation>o emissor ou seu computador parou sem avisar; o controlador pode ter executado o que tinha na memória</translation>
         </message>
         <message>
-            <source>the sender's process does not answer</source>
-            <translation>o processo de envio não responde</translation>
-        </message>
-        <message>
             <source>the sender's process does not come up</source>
             <translation>o processo de envio não inicia</translation>
         </message>
@@ -10642,8 +11354,20 @@
             <translation>a sessão ainda está em curso</translation>
         </message>
         <message>
+            <source>the session {0} answers what this program does not understand</source>
+            <translation>a sessão {0} responde o que este programa não entende</translation>
+        </message>
+        <message>
+            <source>the session {0} has ended, and its outcome cannot be read: {1}</source>
+            <translation>a sessão {0} terminou, e o resultado não pode ser lido: {1}</translation>
+        </message>
+        <message>
             <source>the session {0} is not there, or was killed</source>
             <translation>a sessão {0} não existe ou foi encerrada</translation>
+        </message>
+        <message>
+            <source>the session {0} runs, but its process does not answer</source>
+            <translation>a sessão {0} está em execução, mas seu processo não responde</translation>
         </message>
         <message>
             <source>the session's log</source>
@@ -10750,16 +11474,12 @@
             <translation>a sub-rotina o&lt;{0}&gt; não tem fim</translation>
         </message>
         <message>
-            <source>the subroutine's file {0} cannot be read: {1}</source>
-            <translation>o arquivo {0} da sub-rotina não pode ser lido: {1}</translation>
-        </message>
-        <message>
-            <source>the subroutine's file {0} is too large</source>
-            <translation>o arquivo {0} da sub-rotina é grande demais</translation>
-        </message>
-        <message>
             <source>the table gives it no diameter</source>
             <translation>a tabela não lhe dá diâmetro</translation>
+        </message>
+        <message>
+            <source>the table has too many tools</source>
+            <translation>a tabela tem ferramentas demais</translation>
         </message>
         <message>
             <source>the tabs are as high as the contour is deep</source>
@@ -10950,6 +11670,10 @@
             <translation>o zero da peça não pode ser definido aqui: o que ficou para trás foi cortado a partir de outro</translation>
         </message>
         <message>
+            <source>the work zero changed while the program ran, and not by the program</source>
+            <translation>o zero da peça mudou durante a execução do programa, e não pelo programa</translation>
+        </message>
+        <message>
             <source>the work zero is not known, so the program's place on the table is unknown</source>
             <translation>o zero-peça não é conhecido, por isso o lugar do programa na mesa é desconhecido</translation>
         </message>
@@ -11010,16 +11734,8 @@
             <translation>não há dialeto '{0}'</translation>
         </message>
         <message>
-            <source>there is no drawing '{0}'</source>
-            <translation>não há desenho '{0}'</translation>
-        </message>
-        <message>
             <source>there is no function {0}</source>
             <translation>não há função {0}</translation>
-        </message>
-        <message>
-            <source>there is no job file '{0}'</source>
-            <translation>não há arquivo de trabalho '{0}'</translation>
         </message>
         <message>
             <source>there is no key {0}</source>
@@ -11072,6 +11788,10 @@
         <message>
             <source>there is no subroutine o&lt;{0}&gt;</source>
             <translation>não há sub-rotina o&lt;{0}&gt;</translation>
+        </message>
+        <message>
+            <source>there is no such file</source>
+            <translation>não existe tal arquivo</translation>
         </message>
         <message>
             <source>there is no such part of the program</source>
@@ -11142,6 +11862,10 @@
             <translation>isto está desligado na configuração do controlador</translation>
         </message>
         <message>
+            <source>this is {0}, not a file</source>
+            <translation>isto é {0}, não um arquivo</translation>
+        </message>
+        <message>
             <source>this language is in millimetres</source>
             <translation>esta linguagem é em milímetros</translation>
         </message>
@@ -11178,6 +11902,14 @@
             <translation>esta configuração não pode mudar com o controlador em funcionamento</translation>
         </message>
         <message>
+            <source>this system has no Unix sockets</source>
+            <translation>este sistema não tem sockets Unix</translation>
+        </message>
+        <message>
+            <source>this takes long, and is being made beside the window</source>
+            <translation>isto demora, e está sendo feito ao lado da janela</translation>
+        </message>
+        <message>
             <source>threads can be cut only in the plane ZX</source>
             <translation>roscas só podem ser cortadas no plano ZX</translation>
         </message>
@@ -11186,8 +11918,20 @@
             <translation>tip_diameter_mm deve ser menor que diameter_mm</translation>
         </message>
         <message>
+            <source>to end its process would not stop the machine</source>
+            <translation>encerrar o processo não pararia a máquina</translation>
+        </message>
+        <message>
             <source>to turn a side round use mirror</source>
             <translation>para inverter um lado use o espelhamento</translation>
+        </message>
+        <message>
+            <source>too many ends of lines lie within {0} mm of each other</source>
+            <translation>extremos de linhas demais ficam a menos de {0} mm uns dos outros</translation>
+        </message>
+        <message>
+            <source>too many points</source>
+            <translation>pontos demais</translation>
         </message>
         <message>
             <source>tool changes by a pause</source>
@@ -11458,6 +12202,10 @@
             <translation>use a entrada "ramp" ou "plunge"</translation>
         </message>
         <message>
+            <source>use larger steps or a smaller depth</source>
+            <translation>use passos maiores ou uma profundidade menor</translation>
+        </message>
+        <message>
             <source>use method "tolerance" or a smaller tool</source>
             <translation>use o método "tolerance" ou uma ferramenta menor</translation>
         </message>
@@ -11488,6 +12236,10 @@
         <message>
             <source>use side "inside", "outside" or "on"</source>
             <translation>use o lado "inside", "outside" ou "on"</translation>
+        </message>
+        <message>
+            <source>use the version of CNCStepper that started it</source>
+            <translation>use a versão do CNCStepper que a iniciou</translation>
         </message>
         <message>
             <source>use {0} or ATAN</source>
@@ -11578,6 +12330,10 @@
             <translation>o que ela faz depende da máquina: omita-a</translation>
         </message>
         <message>
+            <source>what lies inside an outline is faced with it</source>
+            <translation>o que fica dentro de um contorno é faceado com ele</translation>
+        </message>
+        <message>
             <source>what stands here is no word that can be edited</source>
             <translation>o que está aqui não é uma palavra que possa ser editada</translation>
         </message>
@@ -11586,8 +12342,16 @@
             <translation>o que foi escolhido de '{0}' não existe mais</translation>
         </message>
         <message>
+            <source>what {0} follows is not known</source>
+            <translation>não se sabe o que {0} segue</translation>
+        </message>
+        <message>
             <source>where a probe stops only the controller knows</source>
             <translation>onde um apalpador para, só o controlador sabe</translation>
+        </message>
+        <message>
+            <source>where the machine is cannot be seen: every report of the controller is damaged</source>
+            <translation>não é possível ver onde a máquina está: todos os relatórios do controlador chegam danificados</translation>
         </message>
         <message>
             <source>where the tool stands along {0} is not known here, and turning needs both coordinates</source>
@@ -11682,6 +12446,10 @@
             <translation>escreva G17 antes</translation>
         </message>
         <message>
+            <source>write G17 before, or tap with G33.1</source>
+            <translation>escreva G17 antes, ou rosqueie com G33.1</translation>
+        </message>
+        <message>
             <source>write G17 on a line before</source>
             <translation>escreva G17 em uma linha anterior</translation>
         </message>
@@ -11718,12 +12486,20 @@
             <translation>escreva G5.2 antes</translation>
         </message>
         <message>
+            <source>write G5.3 on a line before</source>
+            <translation>escreva G5.3 em uma linha antes</translation>
+        </message>
+        <message>
             <source>write G90 (absolute) or G91 (incremental): they are the words for straight cuts</source>
             <translation>escreva G90 (absoluto) ou G91 (incremental): são as palavras para cortes retos</translation>
         </message>
         <message>
             <source>write G90 first</source>
             <translation>escreva antes G90</translation>
+        </message>
+        <message>
+            <source>write G94 and an F word before</source>
+            <translation>escreva G94 e uma palavra F antes</translation>
         </message>
         <message>
             <source>write G94 before</source>
@@ -11786,6 +12562,10 @@
             <translation>escreva antes dele um movimento com G90 ou mova o zero-peça</translation>
         </message>
         <message>
+            <source>write a number within these bounds: {0}</source>
+            <translation>escreva um número dentro destes limites: {0}</translation>
+        </message>
+        <message>
             <source>write a number, #parameter or [expression]</source>
             <translation>escreva um número, #parâmetro ou [expressão]</translation>
         </message>
@@ -11808,6 +12588,14 @@
         <message>
             <source>write endsub, or M99 in a subprogram of Fanuc's form</source>
             <translation>escreva endsub, ou M99 em um subprograma na forma Fanuc</translation>
+        </message>
+        <message>
+            <source>write fewer digits</source>
+            <translation>escreva menos algarismos</translation>
+        </message>
+        <message>
+            <source>write flatter tables</source>
+            <translation>escreva tabelas mais rasas</translation>
         </message>
         <message>
             <source>write for example XYZ, or Z alone</source>
@@ -11950,6 +12738,10 @@
             <translation>escreva x,y em mm, ou x;y onde a vírgula é o sinal decimal</translation>
         </message>
         <message>
+            <source>write {0} = "file"</source>
+            <translation>escreva {0} = "arquivo"</translation>
+        </message>
+        <message>
             <source>write {0} = "name"</source>
             <translation>escreva {0} = "nome"</translation>
         </message>
@@ -11964,6 +12756,10 @@
         <message>
             <source>write {0} before</source>
             <translation>escreva {0} antes</translation>
+        </message>
+        <message>
+            <source>write {0} within these bounds: {1}</source>
+            <translation>escreva {0} dentro destes limites: {1}</translation>
         </message>
         <message>
             <source>zero of</source>
@@ -11982,6 +12778,10 @@
             <translation>{0} e {1} não podem ficar na mesma linha: definem o mesmo modo</translation>
         </message>
         <message>
+            <source>{0} and {1} may not share a line: they use the same word</source>
+            <translation>{0} e {1} não podem dividir uma linha: usam a mesma palavra</translation>
+        </message>
+        <message>
             <source>{0} and {1} would both use the axis words</source>
             <translation>{0} e {1} usariam os dois as palavras de eixo</translation>
         </message>
@@ -11992,6 +12792,10 @@
         <message>
             <source>{0} asks for more than {1} passes</source>
             <translation>{0} pede mais de {1} passes</translation>
+        </message>
+        <message>
+            <source>{0} at one place</source>
+            <translation>{0} num só lugar</translation>
         </message>
         <message>
             <source>{0} at work {1}, machine {2} mm, {3}</source>
@@ -12086,6 +12890,10 @@
             <translation>{0} falhou por um defeito próprio: {1}: {2}</translation>
         </message>
         <message>
+            <source>{0} follows one drawing</source>
+            <translation>{0} segue um só desenho</translation>
+        </message>
+        <message>
             <source>{0} goes into clamp {1}</source>
             <translation>{0} bate no grampo {1}</translation>
         </message>
@@ -12170,6 +12978,10 @@
             <translation>{0} está ocupada por um trabalho seu, {1}, no estado {2}</translation>
         </message>
         <message>
+            <source>{0} is held by a process of yours that does not answer</source>
+            <translation>{0} está em uso por um processo seu que não responde</translation>
+        </message>
+        <message>
             <source>{0} is held by a window or a console of yours</source>
             <translation>{0} está ocupada por uma janela ou um console seu</translation>
         </message>
@@ -12234,8 +13046,20 @@
             <translation>{0} não é o sistema de coordenadas em vigor</translation>
         </message>
         <message>
+            <source>{0} is out of its bounds</source>
+            <translation>{0} está fora de seus limites</translation>
+        </message>
+        <message>
             <source>{0} is out of range</source>
             <translation>{0} está fora da faixa</translation>
+        </message>
+        <message>
+            <source>{0} is read in the plane XY only: LinuxCNC moves along the wrong axes in {1}</source>
+            <translation>{0} só é lido no plano XY: o LinuxCNC move os eixos errados em {1}</translation>
+        </message>
+        <message>
+            <source>{0} is too long</source>
+            <translation>{0} é longo demais</translation>
         </message>
         <message>
             <source>{0} is {1}, wanted {2} mm</source>
@@ -12268,6 +13092,10 @@
         <message>
             <source>{0} may not be used</source>
             <translation>{0} não pode ser usado</translation>
+        </message>
+        <message>
+            <source>{0} messages were left out: more came than could be read</source>
+            <translation>{0} mensagens foram omitidas: chegaram mais do que se podia ler</translation>
         </message>
         <message>
             <source>{0} mm ({1} mm²) at X{2} Y{3}</source>
@@ -12340,6 +13168,18 @@
         <message>
             <source>{0} must be the name of a shape, or a list of names</source>
             <translation>{0} tem de ser o nome de uma forma ou uma lista de nomes</translation>
+        </message>
+        <message>
+            <source>{0} must be {1} within its bounds</source>
+            <translation>{0} deve ser {1} dentro de seus limites</translation>
+        </message>
+        <message>
+            <source>{0} must name a file</source>
+            <translation>{0} deve nomear um arquivo</translation>
+        </message>
+        <message>
+            <source>{0} names the shape '{1}' twice</source>
+            <translation>{0} nomeia a forma '{1}' duas vezes</translation>
         </message>
         <message>
             <source>{0} names the shape '{1}', which the job does not have</source>
@@ -12430,6 +13270,10 @@
             <translation>{0} usa grbl {1}</translation>
         </message>
         <message>
+            <source>{0} says more than anybody asked for</source>
+            <translation>{0} envia mais do que foi pedido</translation>
+        </message>
+        <message>
             <source>{0} says nothing with G10 L{1}</source>
             <translation>{0} não diz nada com G10 L{1}</translation>
         </message>
@@ -12440,6 +13284,10 @@
         <message>
             <source>{0} sets the zero from where the tool stands after moves of the path</source>
             <translation>{0} define o zero a partir de onde a ferramenta está depois de movimentos do percurso</translation>
+        </message>
+        <message>
+            <source>{0} stands between G5.2 and G5.3</source>
+            <translation>{0} está entre G5.2 e G5.3</translation>
         </message>
         <message>
             <source>{0} stands in line {1} of {2} already</source>
@@ -12602,6 +13450,17 @@
         </message>
     </context>
     <context>
+        <name>CNCStepper_Duplicate</name>
+        <message>
+            <source>Duplicate</source>
+            <translation>Duplicar</translation>
+        </message>
+        <message>
+            <source>Puts a copy of each selected operation behind it in the job</source>
+            <translation>Põe uma cópia de cada operação selecionada logo depois dela no trabalho</translation>
+        </message>
+    </context>
+    <context>
         <name>CNCStepper_EditProgram</name>
         <message>
             <source>Edit program</source>
@@ -12665,6 +13524,28 @@
         <message>
             <source>Import tools…</source>
             <translation>Importar ferramentas…</translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_MoveDown</name>
+        <message>
+            <source>Cuts the selected operations after the one below them</source>
+            <translation>Usina as operações selecionadas depois da que está abaixo delas</translation>
+        </message>
+        <message>
+            <source>Move down</source>
+            <translation>Mover para baixo</translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_MoveUp</name>
+        <message>
+            <source>Cuts the selected operations before the one above them</source>
+            <translation>Usina as operações selecionadas antes da que está acima delas</translation>
+        </message>
+        <message>
+            <source>Move up</source>
+            <translation>Mover para cima</translation>
         </message>
     </context>
     <context>

@@ -128,7 +128,7 @@ def test_a_file_is_proven_with_machine_stock_and_tools_alone(job: Any, tmp_path:
     assert not read_question(tmp_path)[1].operation
     file.write_text("G21 G90\nG0 Z7\nM30\n", "utf-8")
     assert api.load_program(job, file) is loaded and "Z7" in program_file.load(loaded)
-    with pytest.raises(JobError, match="cannot be read"):
+    with pytest.raises(JobError, match="no such file"):
         api.load_program(job, tmp_path / "gone.nc")
 
 

@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 
-from CNCStepper.errors import JobError
+from CNCStepper.errors import JobError, OutputError
 from CNCStepper.job.prove import earlier_proofs, prove_job
 from CNCStepper.workbench import api, program_file
 from CNCStepper.workbench.features.base import problem_of
@@ -50,6 +50,17 @@ def test_all_are_saved_beside_each_other(job: Any, tmp_path: Path) -> None:
     files = api.save_program(job, tmp_path / "peça ç.nc")
     assert [file.name for file in files] == ["peça ç-1-T1.nc", "peça ç-2-T2.nc"]
     assert [file.read_text("ascii") for file in files] == [text for _, text in programs(job)]
+
+
+def test_files_that_nobody_was_asked_about_stay(job: Any, tmp_path: Path) -> None:
+    (tmp_path / "peça-2-T2.nc").write_text("(mine)\n", "ascii")
+    with pytest.raises(OutputError, match=r"peça-2-T2\.nc") as caught:
+        api.save_program(job, tmp_path / "peça.nc")
+    assert caught.value.code == "output-exists"
+    assert sorted(path.name for path in tmp_path.glob("peça*")) == ["peça-2-T2.nc"]
+    assert (tmp_path / "peça-2-T2.nc").read_text("ascii") == "(mine)\n"
+    assert len(api.save_program(job, tmp_path / "peça.nc", overwrite=True)) == 2
+    assert "(mine)" not in (tmp_path / "peça-2-T2.nc").read_text("ascii")
 
 
 def test_the_second_is_proven_on_what_the_first_has_cut(document: Any, job: Any) -> None:

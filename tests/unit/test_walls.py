@@ -24,8 +24,9 @@ FLOORS = [  # from the top; rooms on one line do not know each other
     {"scan"},
     {"toolpath"},
     {"geometry", "machine", "state", "canned"},
-    {"errors", "units", "kernels"},
-    {"kernel_cache"},
+    {"output_files", "input_file", "quantities"},
+    {"errors", "units", "kernels", "whole_file", "checkpoint", "needs"},
+    {"kernel_cache", "printable"},
 ]
 FLOOR_OF = {room: floor for floor, rooms in enumerate(FLOORS) for room in rooms}
 
