@@ -18,6 +18,7 @@ from CNCStepper.errors import JobError, Place
 from CNCStepper.printable import printable
 
 ERROR_TYPE = "quantity"  # of pydantic's error for a number out of its bounds
+ROUNDING = 1e-9  # what is smaller is the rounding error of a calculation that gives 0, such as 0.1 + 0.2 - 0.3
 
 
 @dataclass(frozen=True)
@@ -84,8 +85,9 @@ MOST_ITEMS: dict[str, int] = {  # of a list in a file; longer ones are a slip, a
 class Bounds:
     """The bounds of one key: those of its kind, narrower where `least` or `most` say so.
 
-    zero: whether 0 is allowed too, where it means "none" or "not given". As an annotation (`Annotated[float,
-    Bounds("feed")]`) it makes pydantic take only a number, no text and no truth value, within the bounds.
+    zero: whether 0 is allowed too, where it means "none" or "not given"; rounding errors of 0 are 0. As an annotation
+    (`Annotated[float, Bounds("feed")]`) it makes pydantic take only a number, no text and no truth value, within the
+    bounds.
     """
 
     kind: str
@@ -123,7 +125,7 @@ class Bounds:
         """Return whether a value is a number (no truth value, no text) within the bounds."""
         if isinstance(value, bool) or not isinstance(value, int | float):
             return False
-        return bool(self.low <= value <= self.high) or (self.zero and value == 0)
+        return bool(self.low <= value <= self.high) or (self.zero and _is_zero(value))
 
     def refusal(self, value: Any, says: str, place: Place | None = None) -> JobError:
         """Return the error for a value that is not allowed; `says` is how its key or option is called."""
@@ -136,14 +138,15 @@ class Bounds:
         """Return `value` as a float; raises JobError that names `says`, value, limit and why for one not allowed."""
         if not self.allows(value):
             raise self.refusal(value, says, place)
-        return float(value)
+        return 0.0 if self.low > 0 and _is_zero(value) else float(value)
 
     def __get_pydantic_core_schema__(self, source: Any, handler: Any) -> Any:
         """Return pydantic's schema for a number within the bounds, which it checks itself."""
         from pydantic_core import core_schema
 
         zero, kind = self.zero and self.low > 0, handler(source)
-        kind |= {"strict": True, "ge": 0 if zero else _whole(self.low), "le": _whole(self.high)}
+        least = -ROUNDING if kind["type"] == "float" else 0
+        kind |= {"strict": True, "ge": least if zero else _whole(self.low), "le": _whole(self.high)}
         if kind["type"] == "float":
             kind["allow_inf_nan"] = False
         schema = core_schema.no_info_after_validator_function(self._not_between, kind) if zero else kind
@@ -167,7 +170,11 @@ class Bounds:
     def _not_between(self, value: float) -> float:
         if not self.allows(value):
             raise ValueError("above 0 and below the least")
-        return value
+        return 0.0 if isinstance(value, float) and _is_zero(value) else value
+
+
+def _is_zero(value: float) -> bool:
+    return abs(value) <= ROUNDING
 
 
 def _whole(bound: float) -> float | int:

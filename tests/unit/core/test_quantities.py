@@ -56,7 +56,9 @@ def test_what_is_no_number_within_the_bounds_is_refused(value: Any) -> None:
 def test_zero_is_taken_only_where_it_means_none() -> None:
     assert Numbers(finish=0).finish == 0.0
     assert Bounds("feed", zero=True).words == "0.001 to 1000000 mm/min, or 0"
-    for between in (1e-9, 5e-324, -0.001):
+    for rounded in (0.1 + 0.2 - 0.3, -4e-16, 5e-324, 1e-9):
+        assert Numbers(finish=rounded).finish == 0.0 == Bounds("width", zero=True).require(rounded, "--finish")
+    for between in (1e-8, -1e-8, -0.001):
         with pytest.raises(ValidationError, match="or 0"):
             Numbers(finish=between)
 
