@@ -131,14 +131,15 @@ def _require_writable(target: Path, path: Path) -> None:
 
 
 def _take_mode(descriptor: int, target: Path) -> None:
-    """Give a new file the mode and, where we may, the owner of the one whose place it takes."""
+    """Give a new file the mode and the owner of the one whose place it takes, as far as user and file system allow."""
     if os.name != "posix":
         return
     with suppress(FileNotFoundError):
         old = target.stat()
-        with suppress(PermissionError):  # only root can give a file away
+        with suppress(OSError):  # only root can give a file away; some file systems know no owners
             os.fchown(descriptor, old.st_uid, old.st_gid)
-        os.fchmod(descriptor, stat.S_IMODE(old.st_mode))
+        with suppress(OSError):  # nor modes: the file stays its owner's only
+            os.fchmod(descriptor, stat.S_IMODE(old.st_mode))
 
 
 def sync_folder(folder: Path) -> None:

@@ -36,6 +36,23 @@ def test_a_file_keeps_its_rights(tmp_path: Path) -> None:
 
 
 @posix
+@pytest.mark.parametrize("fails", ["fchmod", "fchown"])
+@pytest.mark.parametrize("number", [errno.EPERM, errno.EINVAL, errno.EOPNOTSUPP])
+def test_a_file_system_without_modes_and_owners_is_written(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, fails: str, number: int
+) -> None:
+    path = tmp_path / "peça.nc"
+    path.write_bytes(b"old")
+
+    def refuse(*_: int) -> None:
+        raise OSError(number, os.strerror(number))
+
+    monkeypatch.setattr(os, fails, refuse)
+    write_whole(path, b"new")
+    assert path.read_bytes() == b"new"
+
+
+@posix
 def test_a_new_file_has_the_rights_that_the_user_wants(tmp_path: Path) -> None:
     (tmp_path / "plain").touch()
     write_whole(tmp_path / "ours", b"")
