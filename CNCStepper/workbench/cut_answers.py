@@ -3,13 +3,15 @@
 
     a question (plain data) ──► key ──► Cut or Programs, or the error that refuses it
 
-Of programs their paths are kept too, as FreeCAD's Path takes them. The oldest go first.
+Of programs their paths are kept too, as FreeCAD's Path takes them. The oldest go first. Where the process failed, that
+is kept for whoever makes the object now, and asked anew when somebody tries again later.
 """
 
 from __future__ import annotations
 
 import hashlib
 import json
+import time
 from collections import OrderedDict
 from dataclasses import dataclass
 from typing import Any
@@ -19,6 +21,8 @@ from CNCStepper.errors import CNCStepperError
 
 MOST_BYTES = 64_000_000  # of all that is kept
 ENTRY_BYTES = 1_000  # of an answer besides its texts
+PROCESS_FAILURES = ("cut-lost", "cut-memory", "cut-fault")  # they say nothing of the values that were asked for
+RETRY_S = 2.0  # after which such a question is asked anew
 
 
 @dataclass(frozen=True)
@@ -46,6 +50,7 @@ Answer = Cut | Programs | CNCStepperError
 
 _answers: OrderedDict[str, Answer] = OrderedDict()
 _paths: dict[str, str] = {}  # by the key of a program's text
+_failed_s: dict[str, float] = {}  # when the process failed, by the key of what it was asked
 _bytes = 0
 
 
@@ -65,6 +70,8 @@ def keep(key: str, answer: Answer) -> None:
     _drop(key)
     _answers[key] = answer
     _bytes += _size(answer)
+    if isinstance(answer, CNCStepperError) and answer.code in PROCESS_FAILURES:
+        _failed_s[key] = time.monotonic()
     if isinstance(answer, Programs):
         _paths.update({_text_key(text): path for (_, text), path in zip(answer.texts, answer.paths, strict=True)})
     while _bytes > MOST_BYTES and len(_answers) > 1:
@@ -76,6 +83,11 @@ def known(key: str) -> Answer | None:
     if key in _answers:
         _answers.move_to_end(key)
     return _answers.get(key)
+
+
+def may_ask(key: str) -> bool:
+    """Return whether a question has no answer, or only that its process failed, some time ago."""
+    return key not in _answers or (key in _failed_s and time.monotonic() - _failed_s[key] > RETRY_S)
 
 
 def answer_to(question: dict[str, Any]) -> Cut | Programs | None:
@@ -101,12 +113,14 @@ def forget() -> None:
     global _bytes
     _answers.clear()
     _paths.clear()
+    _failed_s.clear()
     _bytes = 0
 
 
 def _drop(key: str) -> None:
     global _bytes
     answer = _answers.pop(key, None)
+    _failed_s.pop(key, None)
     if answer is not None:
         _bytes -= _size(answer)
     if isinstance(answer, Programs):

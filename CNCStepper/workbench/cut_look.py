@@ -65,11 +65,10 @@ def _look_for(obj: Any, look: Look) -> None:
     if question is None or process().unavailable:
         return
     key = cut_answers.key_of(question)
-    answer = cut_answers.known(key)
-    if isinstance(answer, CNCStepperError):
-        raise answer.with_traceback(None)
-    if answer is None:
+    if cut_answers.may_ask(key):
         look.unknown[key] = question
+    elif isinstance(answer := cut_answers.known(key), CNCStepperError):
+        raise answer.with_traceback(None)
 
 
 @contextmanager

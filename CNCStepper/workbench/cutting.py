@@ -125,7 +125,7 @@ class CutProcess(QtCore.QObject):
         self._heard = False
         self.unavailable = isinstance(error, MissingPackage)
         for key in self._asked[self._current].parts if self._current in self._asked else ():
-            if not self.unavailable and cut_answers.known(key) is None:
+            if not self.unavailable and cut_answers.may_ask(key):
                 cut_answers.keep(key, error)
         self._finish()
 

@@ -60,6 +60,25 @@ def test_a_refusal_is_an_answer(told: list[dict[str, Any]]) -> None:
     assert isinstance(known, CycleError) and "stepover_mm" in known.what
 
 
+@pytest.mark.parametrize("code", ["cut-lost", "cut-memory", "cut-fault"])
+def test_what_a_failed_process_left_unanswered_is_asked_anew(monkeypatch: pytest.MonkeyPatch, code: str) -> None:
+    now_s = [100.0]
+    monkeypatch.setattr(cut_answers.time, "monotonic", lambda: now_s[0])
+    key = cut_answers.key_of({"a": 1})
+    cut_answers.keep(key, CNCStepperError(code, "the process ended"))
+    assert not cut_answers.may_ask(key)  # the recompute that asked takes it for its answer
+    now_s[0] += 10
+    assert cut_answers.may_ask(key)
+    with pytest.raises(CNCStepperError):  # nothing is calculated in the window's thread meanwhile
+        cut_answers.answer_to({"a": 1})
+    cut_answers.keep(key, cut_answers.Cut({}, ()))
+    assert not cut_answers.may_ask(key) and cut_answers.answer_to({"a": 1}) is not None
+    cut_answers.keep("b", CycleError("stepover", "refused"))
+    now_s[0] += 10
+    assert not cut_answers.may_ask("b")
+    cut_answers.forget()
+
+
 def test_a_newer_question_ends_the_work_on_the_one_before(told: list[dict[str, Any]]) -> None:
     job, machine = one_operation()
     questions: SimpleQueue[dict[str, Any]] = SimpleQueue()
