@@ -21,7 +21,7 @@ from CNCStepper import whole_file
 from CNCStepper.cli.main import VERBS, group, main
 from CNCStepper.cli.verb import InputFolder, InputPath, OutputFolder, OutputPath, Verb
 
-SHARED = Path(__file__).parents[4] / "shared" / "data"
+EXAMPLES = Path(__file__).parents[3] / "examples"
 PROGRAM = "G21 G90\nG0 X1 Y1 Z1\nG1 X10 F600\no<sub> call\nM2\n"
 IN_FOLDERS = {
     ("run",): ["program.nc", "report.json", "certificate-1-T2.json", "part.png"],
@@ -88,7 +88,7 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     (folder / "sub").mkdir(parents=True)
     (folder / "p.nc").write_text(PROGRAM, "ascii")
     (folder / "sub" / "sub.nc").write_text("o<sub> sub\nG1 X20\no<sub> endsub\n", "ascii")
-    (folder / "m.toml").write_bytes((SHARED / "machines" / "table-a.toml").read_bytes())
+    (folder / "m.toml").write_bytes((EXAMPLES / "machines" / "table-a.toml").read_bytes())
     (folder / "outline.csv").write_text("x,y\n0,0\n10,0\n10,10\n", "ascii")
     (folder / "j.toml").write_text('machine = "m.toml"\n[[operation]]\npoints = "outline.csv"\n', "ascii")
     for name in ("i.txt", "i.tbl"):
@@ -221,7 +221,7 @@ def test_two_outputs_of_a_call_are_two_files(folder: Path) -> None:
 
 def test_a_job_runs_into_its_own_old_results_without_a_word(folder: Path) -> None:
     job = folder / "placa.toml"
-    text = (SHARED / "jobs" / "brazil-engraving.toml").read_text("utf-8")
+    text = (EXAMPLES / "jobs" / "brazil-engraving.toml").read_text("utf-8")
     text = text.replace("../brazil-outline.csv", "outline.csv").replace("../machines/table-a.toml", "m.toml")
     job.write_text(text.replace("[200, 200, 6]", "[30, 30, 6]"), "utf-8")
     for _ in range(2):
