@@ -314,6 +314,12 @@ class TableBuilder:
         self._flush()
         return self.take_whole()
 
+    def forget(self) -> None:
+        """Forget whole chunks, events and spans, for who only wants to know where the rows lead."""
+        self._chunks.clear()
+        self.events.clear()
+        self.spans.clear()
+
     def toolpath(self) -> Toolpath:
         """Return all rows not yet taken as a Toolpath."""
         while self._open_spans:

@@ -84,7 +84,7 @@ def command(
     """
     check_stock(stock, tool, job_path)
     language, start = dialect_name(dialect, machine), given.start()
-    if not job_path and _can_be_read_in_pieces(program, machine, language, tool):
+    if not job_path and program.is_file():  # a pipe can be read only once
         _check_in_pieces(program, machine, language, start, stock_of(stock, origin), tool, json_path, certificate)
     from CNCStepper.job.model import read_job
     from CNCStepper.job.prove import prove, prove_job
@@ -118,13 +118,6 @@ def _conclude(proof: Proof | FileProof, program: Path, json_path: Path | None, c
     verdict = "refused" if proof.refused else "clean"
     click.echo(f"{program}: {verdict}; {proof.report['blocks']} blocks that move, {proof.report['time_s']:.1f} s")
     sys.exit(1 if proof.refused else 0)
-
-
-def _can_be_read_in_pieces(program: Path, machine: Machine, language: str, tool: Tool | None) -> bool:
-    """Whether a program need not be held whole; a pipe can be read only once."""
-    from CNCStepper.job.prove_file import can_be_proven_in_pieces
-
-    return program.is_file() and can_be_proven_in_pieces(program, machine, language, tool)
 
 
 def _check_in_pieces(

@@ -12,17 +12,17 @@ position is computed from the start state, so that the lines are right for that 
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 from CNCStepper.gcode.dialects import Dialect
-from CNCStepper.gcode.flow import run
+from CNCStepper.gcode.flow import run_on
 from CNCStepper.gcode.flow_lines import is_plain
 from CNCStepper.gcode.interpret import Interpreter
 from CNCStepper.gcode.items import Items
 from CNCStepper.gcode.parse import Plan
 from CNCStepper.gcode.subprograms import library_of
-from CNCStepper.gcode.words import Comment, Word
+from CNCStepper.gcode.words import Comment, Word, program_lines
 from CNCStepper.state import Start
 
 DECIMALS = 6  # of computed numbers: far below a step, and within what controllers count with
@@ -38,14 +38,25 @@ class Block(NamedTuple):
 
 def is_expanded(text: str, dialect: Dialect) -> bool:
     """Whether a program's lines must be written out before they are sent."""
-    computes = dialect.expressions or dialect.o_words
-    return computes and not dialect.reads_files and not is_plain(text)
+    return writes_out(dialect) and not is_plain(text)
+
+
+def writes_out(dialect: Dialect) -> bool:
+    """Whether the lines of programs that compute or jump are written out in this dialect."""
+    return (dialect.expressions or dialect.o_words) and not dialect.reads_files
 
 
 def expanded(text: str, dialect: Dialect, start: Start | None = None, file: str = "") -> Iterator[Block]:
     """Yield the blocks of a program in the order in which they are run; raises ProgramError as the interpreter does."""
+    yield from expanded_lines(program_lines(text), dialect, start, file)
+
+
+def expanded_lines(
+    lines: Sequence[str], dialect: Dialect, start: Start | None = None, file: str = ""
+) -> Iterator[Block]:
+    """Yield the same of a program's lines, of which no more is held than they hold themselves."""
     reader = _Recorder(start, dialect, file)
-    for _ in run(reader, text, library_of(file, start)):
+    for _ in run_on(reader, lines, library_of(file, start)):
         yield from reader.taken()
 
 
@@ -62,8 +73,9 @@ class _Recorder(Interpreter):
         return False
 
     def taken(self) -> list[Block]:
-        """Return and forget the blocks since last time."""
+        """Return and forget the blocks since last time, and the rows that they have made."""
         blocks, self._blocks = self._blocks, []
+        self.table.forget()
         return blocks
 
     def _line(self, text: str) -> None:

@@ -11,7 +11,7 @@ The labels of loops and branches belong to the subroutine that they stand in ("s
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -53,7 +53,7 @@ def run(
 ) -> Iterator[None]:
     """Read a whole program with a new interpreter and yield after each line; raises ProgramError at its place."""
     if not (yield from read_runs(interpreter, text)):
-        yield from run_on(interpreter, text, library, limits)
+        yield from run_on(interpreter, program_lines(text), library, limits)
 
 
 def run_whole(
@@ -69,15 +69,14 @@ def run_whole(
 
 
 def run_on(
-    interpreter: Interpreter, text: str, library: Library | None = None, limits: Limits | None = None
+    interpreter: Interpreter, lines: Sequence[str], library: Library | None = None, limits: Limits | None = None
 ) -> Iterator[None]:
     """Read what comes after the lines that an interpreter has read of a program, none of which led elsewhere."""
-    lines = program_lines(text)
     if interpreter.dialect.o_words:
         yield from Flow(interpreter, lines, library or Library(), limits or Limits()).run()
         return
-    for line in lines[interpreter.line_number :]:
-        interpreter.line(line)
+    for index in range(interpreter.line_number, len(lines)):
+        interpreter.line(lines[index])
         yield
 
 
@@ -105,7 +104,7 @@ def refusals(interpreter: Interpreter, text: str, library: Library | None = None
 class Flow:
     """The way through a program that has O-words."""
 
-    def __init__(self, interpreter: Interpreter, lines: list[str], library: Library, limits: Limits):
+    def __init__(self, interpreter: Interpreter, lines: Sequence[str], library: Library, limits: Limits):
         self.interpreter = interpreter
         self.main = Source(interpreter.file, lines)
         self.library = library

@@ -16,7 +16,7 @@ import numpy as np
 
 from CNCStepper.errors import Place, ProgramError
 from CNCStepper.gcode.dialects import Dialect, dialect_named
-from CNCStepper.gcode.expand import expanded, is_expanded
+from CNCStepper.gcode.expand import Block, expanded, is_expanded
 from CNCStepper.gcode.first_motion import FirstMove, with_first_motion
 from CNCStepper.gcode.flow_lines import is_plain
 from CNCStepper.gcode.front import Piece, pieces
@@ -157,13 +157,13 @@ class WireEncoder:
 
 def _expanded(text: str, language: Dialect, start: Start | None, file: str) -> Iterator[Wire]:
     """Yield the same of a program that is written out."""
-    for line, words, comments in expanded(text, language, start, file):
-        yield (
-            line,
-            list(comments),
-            "".join(map(_short, _sent([words]))),
-            min((word.column for word in words), default=1),
-        )
+    yield from map(wire_of_block, expanded(text, language, start, file))
+
+
+def wire_of_block(block: Block) -> Wire:
+    """Return what is sent of a block that is written out, "" for nothing."""
+    column = min((word.column for word in block.words), default=1)
+    return block.line, list(block.comments), "".join(map(_short, _sent([block.words]))), column
 
 
 def _words(code: str, piece: Piece) -> list[Word]:

@@ -11,7 +11,7 @@ import numpy as np
 
 from CNCStepper.errors import Place, ProgramError
 from CNCStepper.gcode.dialects import Dialect
-from CNCStepper.gcode.expand import expanded, is_expanded
+from CNCStepper.gcode.expand import Block, expanded, is_expanded
 from CNCStepper.gcode.flow import refusals, run_whole
 from CNCStepper.gcode.interpret import Interpreter, interpret
 from CNCStepper.gcode.prepare import prepare
@@ -57,22 +57,27 @@ def read_back(
 
 def _read_expanded(reader: Interpreter, wire: WireText, text: str, start: Start | None) -> None:
     """Read the lines that are sent, in their order, and the comments that stand between them."""
-    sent = _groups(wire)
-    for line, words, comments in expanded(text, reader.dialect, start, reader.file):
-        place = Place(reader.file, line)
-        for comment in comments:
-            reader.line_at(f"({'MSG,' * comment.message}{comment.text})", line, place)
-        if any(word.letter != "N" for word in words):
-            group = next(sent, None)
-            if group is None:
-                raise _of_another_program(place)
-            for one in group:
-                reader.line_at(one, line, place)
+    sent = groups_of(wire)
+    for block in expanded(text, reader.dialect, start, reader.file):
+        read_block(reader, block, sent)
     if next(sent, None) is not None:
         raise _of_another_program(Place(reader.file))
 
 
-def _groups(wire: WireText) -> Iterator[list[str]]:
+def read_block(reader: Interpreter, block: Block, sent: Iterator[list[str]]) -> None:
+    """Read the comments of a block that was written out, and the next lines that are sent, which are its own."""
+    place = Place(reader.file, block.line)
+    for comment in block.comments:
+        reader.line_at(f"({'MSG,' * comment.message}{comment.text})", block.line, place)
+    if any(word.letter != "N" for word in block.words):
+        group = next(sent, None)
+        if group is None:
+            raise _of_another_program(place)
+        for one in group:
+            reader.line_at(one, block.line, place)
+
+
+def groups_of(wire: WireText) -> Iterator[list[str]]:
     """Yield the lines that are sent for each line of the program, nearly always one."""
     group: list[str] = []
     leads = repeat(False) if wire.leads is None else iter(wire.leads.tolist())

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Generator, Iterator
+from collections.abc import Callable, Generator, Iterator, Sequence
 from pathlib import Path
 
 from CNCStepper.errors import Place, ProgramError
@@ -12,6 +12,7 @@ from CNCStepper.gcode.file_form import BOM
 from CNCStepper.gcode.file_pieces import byte_pieces, encoding_of
 from CNCStepper.gcode.flow import run_on
 from CNCStepper.gcode.interpret import Interpreter
+from CNCStepper.gcode.line_store import LineStore
 from CNCStepper.gcode.read_runs import compiled_reader
 from CNCStepper.gcode.subprograms import library_of
 from CNCStepper.gcode.words import program_lines
@@ -69,7 +70,7 @@ class FileReading:
         yield from self.interpreter.toolpath().chunks
 
     def _read(self, encoding: str) -> Iterator[None]:
-        """Read the file in pieces up to the first line that leads elsewhere, and then whole; yield now and then."""
+        """Read the file in pieces up to the first line that leads elsewhere, then line by line; yield now and then."""
         size, read, mark = self.path.stat().st_size, 0, BOM if encoding == "utf-8" else b""
         reader = compiled_reader(self.interpreter, size)
         for piece in self._pieces(mark):
@@ -83,8 +84,14 @@ class FileReading:
 
     def _run_on(self, mark: bytes, encoding: str) -> Iterator[None]:
         """Read what comes after the lines that were read, wherever it leads."""
-        text = b"".join(self._pieces(mark)).decode(encoding)
-        yield from run_on(self.interpreter, text, self._library)
+        with LineStore.of(piece.decode(encoding) for piece in self._pieces(mark)) as lines:
+            yield from self._run(lines)
+
+    def _run(self, lines: Sequence[str]) -> Iterator[None]:
+        """Read what comes after the lines that were read of a program's."""
+        for _ in run_on(self.interpreter, lines, self._library):
+            self._progress(min(1.0, self.interpreter.line_number / len(lines)))
+            yield
 
     def refusals(self) -> Iterator[ProgramError]:
         """Read the file and yield why lines are refused, as `flow.refusals` does for its text."""

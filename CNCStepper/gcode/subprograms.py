@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -22,7 +23,7 @@ class Source:
     """A text that is being run: `file` as errors name it."""
 
     file: str
-    lines: list[str]
+    lines: Sequence[str]
 
 
 @dataclass

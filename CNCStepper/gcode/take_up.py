@@ -70,6 +70,7 @@ class TakeUp:
         before = self._reader.model.copy()
         self._reader.line_at(line, number, place)
         made = self._reader.table.take()
+        self._reader.table.forget()
         try:
             return list(self._sent(line, words_of(line), before, made[0] if made else None))
         except ProgramError as error:

@@ -5,8 +5,9 @@
                │                            │
                └── its other lines ─────────┴──► Interpreter ──► chunks, naming the file's lines
 
-It gives what `prepare` and `read_back` give of a whole text. Programs whose lines are written out before they are sent
-(`expand.is_expanded`) cannot be read so: a loop leads back.
+It gives what `prepare` and `read_back` give of a whole text. From the first line that leads elsewhere on, it is read
+from the disk, line by line. Programs whose lines are written out before they are sent (`expand.is_expanded`) are
+read by `wire_blocks.py`.
 """
 
 from __future__ import annotations
@@ -22,6 +23,7 @@ from CNCStepper.errors import Place, ProgramError
 from CNCStepper.gcode.dialects import Dialect, dialect_named
 from CNCStepper.gcode.file_form import BOM
 from CNCStepper.gcode.file_pieces import byte_pieces, encoding_of
+from CNCStepper.gcode.line_store import LineStore
 from CNCStepper.gcode.prepare import WireEncoder
 from CNCStepper.gcode.read_back import joined_lines
 from CNCStepper.gcode.read_file import FileReading
@@ -78,20 +80,25 @@ class WireFile:
     def chunks(self) -> Iterator[Chunk]:
         """Read the file and yield its chunks, each when it is whole; raises ProgramError at the file's line."""
         try:
-            for chunk in self._reading.chunks_of(self._joined()):
-                yield replace(chunk, line=self._numbers.of(chunk.line)) if self._take_up else chunk
+            yield from self._chunks()
         except ProgramError:
             for _ in FileReading(self._path, self._start, self._language).chunks():
                 pass  # refuses the same line, naming the column in the file
             raise
 
+    def _chunks(self) -> Iterator[Chunk]:
+        for chunk in self._reading.chunks_of(self._joined(), self._progress):
+            yield replace(chunk, line=self._numbers.of(chunk.line)) if self._take_up else chunk
+
     def take_events(self) -> list[Event]:
         """Take the events out of the table, which would keep every comment of the file."""
         events, self.table.events[:] = list(self.table.events), []
-        if self._take_up:
-            lines = self._numbers.of_events(np.array([event.line for event in events], np.int64))
-            events = [replace(event, line=line) for event, line in zip(events, lines.tolist(), strict=True)]
-        return events
+        return self._with_lines(events) if self._take_up else events
+
+    def _with_lines(self, events: list[Event]) -> list[Event]:
+        """Return events of the lines that are read with the lines of the file."""
+        lines = self._numbers.of_events(np.array([event.line for event in events], np.int64))
+        return [replace(event, line=line) for event, line in zip(events, lines.tolist(), strict=True)]
 
     def _joined(self) -> Iterator[bytes]:
         """Yield the program with the lines that are sent in place of those that they were made from."""
@@ -100,10 +107,8 @@ class WireFile:
         for data in byte_pieces(self._path, BOM if encoding == "utf-8" else b""):
             text = data.decode(encoding)
             lines = program_lines(text)
-            wire = self._sent(text, first)
-            self._digest.update(wire.lines.data)
-            self._sink(wire)
-            self.count += len(wire.lines)
+            wire = self._sent(*self._encoder.encode(runs_of_piece(text, first, self._language)))
+            self._hand_on(wire)
             if self._take_up:
                 numbers, joined = joined_lines(wire, lines, first)
                 self._numbers.add(numbers)
@@ -113,9 +118,14 @@ class WireFile:
             first, read = first + len(lines), read + len(data)
             self._progress(min(1.0, read / size))
 
-    def _sent(self, text: str, first: int) -> WireText:
-        """Return what is sent of a piece whose first line is line `first`."""
-        lines, numbers = self._encoder.encode(runs_of_piece(text, first, self._language))
+    def _hand_on(self, wire: WireText) -> None:
+        """Hand on what is sent of a piece."""
+        self._digest.update(wire.lines.data)
+        self._sink(wire)
+        self.count += len(wire.lines)
+
+    def _sent(self, lines: bytes, numbers: np.ndarray) -> WireText:
+        """Return what is sent of a piece that was encoded."""
         wire = WireText(self._encoder.started(WireLines(lines), numbers), numbers)
         if self._take_up is None:
             self.messages = self._encoder.messages
@@ -125,7 +135,7 @@ class WireFile:
     def _taken_up(self, wire: WireText) -> WireText:
         """Return a piece with what takes up play; a message is told at the last line that its line has become."""
         assert self._take_up
-        lines, numbers = bytearray(), []
+        lines, numbers, leads = bytearray(), [], bytearray()
         before = self._encoder.count - len(wire.lines)
         for index, (line, number) in enumerate(zip(wire.lines, wire.file_lines.tolist(), strict=True)):
             sent = self._take_up.lines(line, number)
@@ -133,9 +143,10 @@ class WireFile:
                 check_wire_line(one, self._language, Place(str(self._path), number))
                 lines += f"{one}\n".encode("ascii")
             numbers += [number] * len(sent)
+            leads += bytes([*[1] * (len(sent) - 1), 0])
             if before + index in self._encoder.messages:
                 self.messages[self.count + len(numbers) - 1] = self._encoder.messages[before + index]
-        return WireText(WireLines(bytes(lines)), np.array(numbers, np.int32))
+        return WireText(WireLines(bytes(lines)), np.array(numbers, np.int32), leads=np.frombuffer(bytes(leads), bool))
 
 
 def _filled(wire: WireText, lines: list[str], first: int) -> Iterator[bytes]:
@@ -153,18 +164,29 @@ def _filled(wire: WireText, lines: list[str], first: int) -> Iterator[bytes]:
 class _Reading(FileReading):
     """Reads pieces that somebody makes in place of those of the file."""
 
-    def chunks_of(self, pieces: Iterator[bytes]) -> Iterator[Chunk]:
-        """Yield the chunks of whole lines in UTF-8."""
-        self._made = pieces
-        yield from self.chunks("utf-8")
+    def chunks_of(self, pieces: Iterator[bytes], progress: Callable[[float], None]) -> Iterator[Chunk]:
+        """Yield the chunks of whole lines in UTF-8; they are kept on the disk where one of them may lead elsewhere.
+
+        progress: called where one does, with the share of the lines that is reached.
+        """
+        self._told = progress
+        with LineStore() as self._store:
+            self._made = self._stored(pieces) if self.interpreter.dialect.o_words else pieces
+            yield from self.chunks("utf-8")
+
+    def _stored(self, pieces: Iterator[bytes]) -> Iterator[bytes]:
+        for piece in pieces:
+            self._store.add(piece.decode("utf-8", "surrogatepass"))
+            yield piece
 
     def _pieces(self, mark: bytes = b"") -> Iterator[bytes]:
         yield from self._made
 
     def _run_on(self, mark: bytes, encoding: str) -> Iterator[None]:
-        what = "the program computes or jumps, so it cannot be read piece by piece"
-        place = Place(str(self.path), self.interpreter.line_number + 1)
-        raise ProgramError("not-in-pieces", what, advice="read it whole", place=place)
+        for _ in self._made:
+            pass  # what the rest becomes is sent, and stored
+        self._progress = self._told
+        yield from self._run(self._store)
 
 
 class _LineNumbers:

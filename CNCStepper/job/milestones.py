@@ -27,27 +27,29 @@ def milestones(lines: ArrayLike, ends_s: ArrayLike) -> list[list[float]]:
 
 
 class Milestones:
-    """Those of a program that is planned piece by piece and whose lines come in their order."""
+    """Those of a program that is planned piece by piece; its lines may be run in any order, and again.
+
+    buckets    lines 1 to w | w+1 to 2w | ...     of each the last line that was run, and when its last run ends
+    """
 
     def __init__(self) -> None:
-        self._lines, self._ends_s = np.zeros(0, np.int64), np.zeros(0)
-        self._every, self._seen = 1, 0  # of so many lines one is kept; lines so far
-        self._last: tuple[int, float] | None = None
+        self._lines, self._ends_s = np.zeros(KEPT, np.int64), np.zeros(KEPT)
+        self._width = 1
 
     def see(self, lines: np.ndarray, ends_s: np.ndarray) -> None:
         """Take the lines of further rows, and when these end."""
-        if not len(lines):
-            return
-        last = np.flatnonzero(np.append(np.diff(lines) != 0, True))
-        kept = last[(-self._seen) % self._every :: self._every]
-        self._seen += len(last)
-        self._lines, self._ends_s = np.append(self._lines, lines[kept]), np.append(self._ends_s, ends_s[kept])
-        self._last = int(lines[-1]), float(ends_s[-1])
-        while len(self._lines) > KEPT:
-            self._lines, self._ends_s, self._every = self._lines[::2], self._ends_s[::2], 2 * self._every
+        while len(lines) and lines.max() >= KEPT * self._width:
+            self._widen()
+        np.maximum.at(self._lines, lines // self._width, lines)
+        np.maximum.at(self._ends_s, lines // self._width, ends_s)
 
     def all(self) -> list[list[float]]:
         """Return them as `milestones` does."""
-        if self._last is None:
-            return []
-        return milestones(np.append(self._lines, self._last[0]), np.append(self._ends_s, self._last[1]))
+        used = self._lines > 0
+        return milestones(self._lines[used], self._ends_s[used])
+
+    def _widen(self) -> None:
+        """Join each two buckets."""
+        for column in (self._lines, self._ends_s):
+            column[: KEPT // 2], column[KEPT // 2 :] = column.reshape(-1, 2).max(axis=1), 0
+        self._width *= 2

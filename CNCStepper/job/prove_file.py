@@ -4,8 +4,7 @@
     WireFile ─chunks─► tool's way ─► planner ─► parts of PART_ROWS rows ─► Checks · Figures · the cut part
         └── what is sent ─► spool, for the certificate
 
-It finds and reports what `prove.prove` does of the whole text. What needs the whole program at once is left to that:
-jobs, whose shapes are judged, and tools that say how much material they may meet.
+It finds and reports what `prove.prove` does of the whole text. Jobs, whose shapes are judged, are left to that.
 """
 
 from __future__ import annotations
@@ -20,16 +19,13 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from CNCStepper.gcode.dialects import dialect_named
 from CNCStepper.gcode.file_pieces import text_pieces
-from CNCStepper.gcode.flow_lines import is_plain
 from CNCStepper.gcode.take_up import play_of
-from CNCStepper.gcode.wire_file import WireFile
+from CNCStepper.gcode.wire_blocks import wire_of_file
 from CNCStepper.gcode.wire_text import WireText
 from CNCStepper.job.given import Given
 from CNCStepper.job.milestones import Milestones
 from CNCStepper.machine.profile import Machine
-from CNCStepper.machine.tool import Tool
 from CNCStepper.motion.backlash import ToolMoves
 from CNCStepper.motion.chunk_window import ChunkWindow
 from CNCStepper.motion.memory import TICKS_PER_S
@@ -92,19 +88,6 @@ class SpooledWire:
     count: int
 
 
-def can_be_proven_in_pieces(path: Path, machine: Machine, dialect: str, tools: Tools | None) -> bool:
-    """Whether `prove_file` can prove a program: none of its lines leads elsewhere, and no check needs all of it."""
-    language = dialect_named(dialect or machine.controller)
-    computes = language.expressions or language.o_words
-    if computes and not all(map(is_plain, text_pieces(path))):
-        return False
-    if tools is None:
-        return True
-    from CNCStepper.simulation.load_checks import needs_material
-
-    return not needs_material([tools] if isinstance(tools, Tool) else tools.values())
-
-
 def prove_file(
     path: Path,
     machine: Machine,
@@ -116,7 +99,7 @@ def prove_file(
     spool: Path | None = None,
     share: Callable[[float], None] = lambda share: None,
 ) -> FileProof:
-    """Return the proof of a program's file for which `can_be_proven_in_pieces`; raises ProgramError as `prove` does.
+    """Return the proof of a program's file; raises ProgramError as `prove` does.
 
     tools: by number, or one that stands for every number. spool: a new file for what is sent. share: called with the
     share that is done.
@@ -141,7 +124,7 @@ class _FileProof:
         self._path, self._machine, self._dialect = path, machine, dialect
         self._stock, self._tools, self._spool = stock, tools, spool
         self._play = play_of(machine, dialect)
-        self._wire = WireFile(path, start, dialect, self._play, sink=self._keep, progress=share)
+        self._wire = wire_of_file(path, start, dialect, self._play, sink=self._keep, progress=share)
         self._kept: KeptCuts | None = None
         self._part: HeightMap | None = None
         if stock is not None and tools is not None:

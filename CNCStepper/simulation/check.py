@@ -18,6 +18,7 @@ if TYPE_CHECKING:  # what looks at the stock is loaded where there is one: a sho
     from CNCStepper.simulation.clamps import Clamp
     from CNCStepper.simulation.cutter import Tools
     from CNCStepper.simulation.kept_cuts import KeptCuts
+    from CNCStepper.simulation.load_checks import Loads
     from CNCStepper.simulation.stock import Stock
     from CNCStepper.simulation.stock_checks import StillSpindle
     from CNCStepper.simulation.sweep import Judgement
@@ -91,6 +92,7 @@ class Checks:
         self._findings = Findings()
         self._of_motors = [one() for one in PART_CHECKS]
         self._beams: Beams | None = None
+        self._loads: Loads | None = None
         self._still_spindle: StillSpindle | None = None
         self._kept = kept
         self._tools_seen: set[int] = set()
@@ -116,7 +118,7 @@ class Checks:
             of_motors, of_cut = self._last
             for one in self._of_motors:
                 self._findings.add(one.end(of_motors))
-            found = list(self._beams.end(of_cut)) if self._beams else []
+            found = [one for check in (self._beams, self._loads) if check for one in check.end(of_cut)]
             if judgement:
                 from CNCStepper.simulation.stock_checks import verdict
 
@@ -149,6 +151,7 @@ class Checks:
         yield from checks.below()
         yield from tool_checks.plunges(checks)
         yield from tool_checks.sideways(checks)
-        yield from load_checks.loads(subject, stock, tools)
+        self._loads = self._loads or load_checks.Loads(stock, tools)
+        yield from self._loads(subject)
         if self._kept is not None:
             self._kept.add(checks.cuts)

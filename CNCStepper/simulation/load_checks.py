@@ -4,6 +4,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from itertools import tee
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -11,37 +13,88 @@ from CNCStepper.machine.tool import Tool
 from CNCStepper.simulation.cutter import Tools, tool_numbered
 from CNCStepper.simulation.finding import Finding, Severity
 from CNCStepper.simulation.stock import Stock
-from CNCStepper.simulation.subject import Subject
+from CNCStepper.simulation.subject import PartCheck, Subject
+
+if TYPE_CHECKING:
+    from CNCStepper.simulation.engagement import Area, Engagement
 
 DEPTH_ERROR_MM = 0.01
 ANGLE_ERROR_DEG = 15.0  # of the map in which the angle is measured
 CHIP_SHARE = 1.001
 
 
-def loads(subject: Subject, stock: Stock, tools: Tools) -> Iterator[Finding]:
-    """Yield for each tool where it is loaded more than it may; what a tool does not say is not checked.
+class Loads(PartCheck):
+    """Finds for each tool where it is loaded more than it may; what a tool does not say is not checked.
 
-    Where a tool says something of the material that it may meet, the subject must be the whole program.
+    What the tools meet is measured when the whole path is known: it is kept on the disk until then.
     """
-    numbers = subject.tool_numbers
-    known = {number: tool_numbered(tools, number) for number in np.unique(numbers).tolist()}
-    for number, tool in known.items():
-        if tool is not None:
-            yield from _thin_chips(subject, number, tool, numbers == number, stock)
-    if not needs_material(known.values()):
-        return
-    from CNCStepper.simulation.engagement import Engagement, engagement
 
-    met: Engagement = engagement(subject.toolpath, tools, stock)
-    for number, tool in known.items():
-        mine = numbers[met.row] == number
-        if tool is not None and _says_something(tool):
-            yield from _along(subject, tool, met, mine)
+    def __init__(self, stock: Stock, tools: Tools):
+        self._stock, self._tools = stock, tools
+        self._area: Area | None = None
+        self._rows = 0
+        if _any_says_something([tools] if isinstance(tools, Tool) else tools.values()):
+            from CNCStepper.simulation.engagement import Area
+            from CNCStepper.simulation.kept_path import KeptPath
+
+            self._area, self._path = Area(stock, tools), KeptPath()
+
+    def __call__(self, subject: Subject) -> Iterator[Finding]:
+        numbers = subject.tool_numbers
+        for number in np.unique(numbers).tolist():
+            tool = tool_numbered(self._tools, number)
+            if tool is not None:
+                yield from _thin_chips(subject, number, tool, numbers == number, self._stock)
+        if self._area:
+            self._keep(subject, self._area)
+
+    def end(self, last: Subject) -> Iterator[Finding]:
+        if self._area and self._area.used:
+            yield from self._above_limits(last, self._area)
+        if self._area:
+            self._path.close()
+
+    def _keep(self, subject: Subject, area: Area) -> None:
+        """Keep the path of a part of the program."""
+        from CNCStepper.simulation.engagement import path_of
+        from CNCStepper.simulation.kept_path import RECORD
+
+        path, numbers = path_of(subject.toolpath)
+        area.see(path, numbers)
+        records = np.zeros(len(path), RECORD)
+        records["begin"], records["end"], records["tool"] = path.begin, path.end, numbers
+        records["row"], records["line"] = path.row + self._rows, subject.table.line[path.row]
+        records["is_feed"] = subject.is_feed[path.row]
+        for number in np.unique(numbers).tolist():
+            tool, mine = tool_numbered(self._tools, number), numbers == number
+            if tool is not None:
+                records["chip_mm"][mine] = _chip_load_mm(subject, tool)[path.row[mine]]
+        self._path.add(records)
+        self._rows += len(subject.table)
+
+    def _above_limits(self, last: Subject, area: Area) -> Iterator[Finding]:
+        """Yield what the tools met along the path that is more than they may."""
+        from CNCStepper.simulation.kept_path import path_of_records
+
+        tools = {number: _Load(tool) for number, tool in sorted(area.used.items()) if _says_something(tool)}
+        parts, again = tee(self._parts(area))
+        paths = ((path_of_records(records), records["tool"]) for records in again)
+        for records, met in zip(parts, area.followed(paths), strict=True):
+            of_place = records[met.row]
+            for number, load in tools.items():
+                load.add(met, of_place, of_place["tool"] == number)
+        for load in tools.values():
+            yield from load.findings(last)
+
+    def _parts(self, area: Area) -> Iterator[np.ndarray]:
+        from CNCStepper.simulation.kept_path import path_of_records
+
+        for records in self._path:
+            yield from np.split(records, area.split_at(path_of_records(records), records["tool"]))
 
 
-def needs_material(tools: Iterable[Tool | None]) -> bool:
-    """Whether one of the tools says how much material it may meet: that is measured along the whole program."""
-    return any(tool is not None and _says_something(tool) for tool in tools)
+def _any_says_something(tools: Iterable[Tool]) -> bool:
+    return any(map(_says_something, tools))
 
 
 def _says_something(tool: Tool) -> bool:
@@ -49,76 +102,91 @@ def _says_something(tool: Tool) -> bool:
     return bool(tool.flute_length_mm or holder or tool.engagement_max_deg or tool.chip_load_max_mm)
 
 
-def _along(subject: Subject, tool: Tool, met, mine: np.ndarray) -> Iterator[Finding]:
-    feed = mine & subject.is_feed[met.row]
-    if tool.flute_length_mm:
+class _Load:
+    """What one tool meets on its way, against all that it says of it."""
+
+    def __init__(self, tool: Tool):
+        self._tool = tool
+        self._cut, self._wall = (_Most(tool.flute_length_mm, DEPTH_ERROR_MM) for _ in range(2))
+        self._holder = _Most(tool.length_mm, DEPTH_ERROR_MM)
+        self._angle = _Most(tool.engagement_max_deg, ANGLE_ERROR_DEG)
+        self._chip = _Most(tool.chip_load_max_mm, tool.chip_load_max_mm * (CHIP_SHARE - 1))
+        self._first_line = 0  # of a feed
+        self._is_measured = True  # the angle, which a map's cells may be too large for
+
+    def add(self, met: Engagement, of_place: np.ndarray, mine: np.ndarray) -> None:
+        """Take further places; of_place: the record of each one's segment, mine: where it is this tool."""
+        tool, feed = self._tool, mine & of_place["is_feed"]
+        if not self._first_line and feed.any():
+            self._first_line = int(of_place["line"][feed][0])
+            self._is_measured = tool.radius_mm >= met.least_radius_mm
+        self._cut.add(met, of_place, feed, met.uncut_mm)
+        self._wall.add(met, of_place, feed, met.beside_mm)
+        if tool.holder_diameter_mm:
+            self._holder.add(met, of_place, mine, met.holder_mm)
+        self._angle.add(met, of_place, feed, met.angle_deg)
+        chip = of_place["chip_mm"] * np.sin(np.radians(np.minimum(np.nan_to_num(met.angle_deg), 90)))
+        self._chip.add(met, of_place, feed, chip)
+
+    def findings(self, subject: Subject) -> Iterator[Finding]:
+        """Yield what was more than the tool may meet."""
+        tool = self._tool
         text = f"the {tool.words} tool cuts deeper than its flutes are long"
         advice = "cut in more levels, or take a longer tool"
-        limit = tool.flute_length_mm
-        cut = _worst(
-            subject, met, feed, met.uncut_mm, limit, DEPTH_ERROR_MM, "error", "flute-length", text, advice, "mm"
-        )
-        yield from cut
-        text = f"the shank of the {tool.words} tool rubs along the wall over its flutes"
-        wall = _worst(subject, met, feed, met.beside_mm, limit, DEPTH_ERROR_MM, "warning", "shank", text, advice, "mm")
-        yield from wall if not cut else ()
-    if tool.length_mm and tool.holder_diameter_mm:
+        yield from self._cut.finding(subject, "error", "flute-length", text, advice, "mm")
+        if not self._cut.count:
+            text = f"the shank of the {tool.words} tool rubs along the wall over its flutes"
+            yield from self._wall.finding(subject, "warning", "shank", text, advice, "mm")
         text, advice = f"the holder of the {tool.words} tool goes into stock", "let the tool stick out farther"
-        yield from _worst(
-            subject, met, mine, met.holder_mm, tool.length_mm, DEPTH_ERROR_MM, "error", "holder", text, advice, "mm"
-        )
-    if (tool.engagement_max_deg or tool.chip_load_max_mm) and feed.any() and tool.radius_mm < met.least_radius_mm:
-        text = f"the {tool.words} tool is too small against its path for its engagement to be measured"
-        row = int(met.row[feed][0])
-        yield subject.finding(row, "info", "engagement-unknown", text, advice="prove parts of the program alone")
-    if tool.engagement_max_deg:
+        yield from self._holder.finding(subject, "error", "holder", text, advice, "mm")
+        if (tool.engagement_max_deg or tool.chip_load_max_mm) and self._first_line and not self._is_measured:
+            text = f"the {tool.words} tool is too small against its path for its engagement to be measured"
+            advice, code = "prove parts of the program alone", "engagement-unknown"
+            yield subject.finding_at(self._first_line, "info", code, text, advice=advice)
         text = f"more of the {tool.words} tool's rim is in the material than it may"
         advice = "lower the stepover, enter by a helix, or leave less in the corners"
-        yield from _worst(
-            subject, met, feed, met.angle_deg, tool.engagement_max_deg, ANGLE_ERROR_DEG, "warning", "engagement", text,
-            advice, "deg",
-        )  # fmt: skip
-    if tool.chip_load_max_mm:
+        yield from self._angle.finding(subject, "warning", "engagement", text, advice, "deg")
         text, advice = f"a tooth of the {tool.words} tool takes too thick a chip", "lower F, or turn the spindle faster"
-        limit = tool.chip_load_max_mm
-        chip = _chip_load_mm(subject, tool)[met.row] * np.sin(np.radians(np.minimum(np.nan_to_num(met.angle_deg), 90)))
-        yield from _worst(
-            subject, met, feed, chip, limit, limit * (CHIP_SHARE - 1), "warning", "chip-load", text, advice, "mm"
-        )
+        yield from self._chip.finding(subject, "warning", "chip-load", text, advice, "mm")
 
 
-def _worst(
-    subject: Subject,
-    met,
-    where: np.ndarray,
-    value: np.ndarray,
-    limit: float,
-    error: float,
-    severity: Severity,
-    code: str,
-    text: str,
-    advice: str,
-    unit: str,
-) -> list[Finding]:
-    """Return one finding where the value is largest, if that is above the limit by more than the measuring error."""
-    over = np.flatnonzero(where & (np.nan_to_num(value, nan=-np.inf) > limit + error))
-    if not len(over):
-        return []
-    k = int(over[value[over].argmax()])
-    return [
-        subject.finding(
-            int(met.row[k]),
-            severity,
-            code,
-            text,
-            advice=advice,
-            place_mm=tuple(met.place_mm[k].tolist()),
-            value=float(value[k]),
-            limit=limit,
-            unit=unit,
-            count=len(np.unique(met.row[over])),
-        )
-    ]
+class _Most:
+    """The place where a value is largest, of those where it is above its limit by more than the measuring error.
+
+    limit: 0 where the tool does not say it. count: rows with such places.
+    """
+
+    def __init__(self, limit: float, error: float):
+        self._limit, self._error = limit, error
+        self._value, self._line = -np.inf, 0
+        self._place_mm: tuple[float, ...] = ()
+        self._last_row = -1
+        self.count = 0
+
+    def add(self, met: Engagement, of_place: np.ndarray, where: np.ndarray, value: np.ndarray) -> None:
+        """Take the values at further places, those with `where`."""
+        if not self._limit:
+            return
+        over = np.flatnonzero(where & (np.nan_to_num(value, nan=-np.inf) > self._limit + self._error))
+        if not len(over):
+            return
+        rows = np.unique(of_place["row"][over])
+        self.count += len(rows) - int(rows[0] == self._last_row)
+        self._last_row = int(rows[-1])
+        k = int(over[value[over].argmax()])
+        if value[k] > self._value:
+            self._value, self._line = float(value[k]), int(of_place["line"][k])
+            self._place_mm = tuple(met.place_mm[k].tolist())
+
+    def finding(
+        self, subject: Subject, severity: Severity, code: str, text: str, advice: str, unit: str
+    ) -> Iterator[Finding]:
+        """Yield the finding, where there is one."""
+        if self.count:
+            numbers: dict[str, Any] = {"value": self._value, "limit": self._limit, "unit": unit, "count": self.count}
+            yield subject.finding_at(
+                self._line, severity, code, text, advice=advice, place_mm=self._place_mm, **numbers
+            )
 
 
 def _thin_chips(subject: Subject, number: int, tool: Tool, mine: np.ndarray, stock: Stock) -> Iterator[Finding]:

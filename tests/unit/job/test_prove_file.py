@@ -16,14 +16,15 @@ import pytest
 
 from CNCStepper.control.certificate import Certificate
 from CNCStepper.errors import ProgramError
-from CNCStepper.gcode import file_pieces
+from CNCStepper.gcode import file_pieces, line_store, wire_blocks
 from CNCStepper.gcode.wire_file import WireFile
 from CNCStepper.job import prove_file as prove_file_module
 from CNCStepper.job.certify import certificate_of
 from CNCStepper.job.prove import prove
-from CNCStepper.job.prove_file import FileProof, can_be_proven_in_pieces, prove_file
+from CNCStepper.job.prove_file import FileProof, prove_file
 from CNCStepper.machine.profile import Machine, Motor, load_machine
 from CNCStepper.machine.tool import Tool
+from CNCStepper.simulation import engagement, kept_path
 from CNCStepper.simulation.stock import Stock
 from CNCStepper.state import Start
 from CNCStepper.toolpath import COLUMNS, Chunk
@@ -64,6 +65,9 @@ def pieces(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> N
     monkeypatch.setattr(WireFile, "chunks", small)
     monkeypatch.setattr(prove_file_module, "PART_ROWS", 2 * rows)
     monkeypatch.setattr(file_pieces, "PIECE", size)
+    monkeypatch.setattr(line_store, "BLOCK", rows)
+    monkeypatch.setattr(line_store, "MOST_BLOCKS", 2)
+    monkeypatch.setattr(wire_blocks, "BLOCKS", 2 * rows)
 
 
 def both(folder: Path, text: str, machine: Machine, dialect: str = "grbl", **more: Any) -> tuple[Any, FileProof]:
@@ -71,7 +75,6 @@ def both(folder: Path, text: str, machine: Machine, dialect: str = "grbl", **mor
     file.write_text(text, encoding="utf-8", newline="")
     stock, tools, start = (more.get(name) for name in ("stock", "tools", "start"))
     whole = prove(text, machine, file=str(file), dialect=dialect, stock=stock, tools=tools, start=start)
-    assert can_be_proven_in_pieces(file, machine, dialect, tools)
     spool = folder / "sent"
     spool.unlink(missing_ok=True)
     parts = prove_file(file, machine, dialect=dialect, stock=stock, tools=tools, start=start, spool=spool)
@@ -131,6 +134,44 @@ def test_the_torque_of_motors_and_beams_that_are_never_on(tmp_path: Path) -> Non
     assert_same(*both(tmp_path, text.replace("X3", "M3 S900 X3"), machine, stock=STOCK, tools=beam))
 
 
+LIMITED = {
+    "flutes": 2,
+    "flute_length_mm": 3.0,
+    "length_mm": 6.0,
+    "holder_diameter_mm": 20.0,
+    "engagement_max_deg": 120.0,
+    "chip_load_max_mm": 0.004,
+    "chip_load_min_mm": 0.002,
+}
+LOADED = (  # loads rise and fall, tools change and come back, the path breaks off, goes straight down, round and far
+    "G21 G90 G17 T1\nG0 X-40 Y0 Z5\nM3 S10000\nG4 P3\nG1 Z-2 F300\nX-10\nX-12 Y2\nZ-4\nX0 F90\nG0 Z-5\nG0 Z5\n"
+    "T2\nG0 X-20 Y-10\nG1 Z-2.5 F20\nX20 F900\nG2 X20 Y-10 I0 J5\nG1 X21\nX20.9\nX20.8\nZ-2.6\nX19\nG0 Z5\nX300\n"
+    "X0\nT1\nG0 X10 Y10\nG1 Z-8 F200\nX20\nG3 X20 Y10 I-4 J0\nG1 Y-20 Z-9 F2000\nG0 Z5\nT3\nG0 X0 Y15\nG1 Z-1 F100\n"
+    "X9\nG0 Z5\nT2\nG0 X-25 Y-20\nG1 Z-2.8 F500\nX25\nY-19.9\nX-25\nG0 Z9\nM5\nM2\n"
+)
+
+
+@pytest.mark.parametrize("small", [False, True], ids=["all-at-once", "few-at-once"])
+@pytest.mark.usefixtures("pieces")
+def test_tools_that_say_what_they_may_meet(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, small: bool) -> None:
+    first = Tool(number=1, shape="flat", diameter_mm=6, **LIMITED)
+    second = Tool(number=2, shape="ball", diameter_mm=4, **LIMITED | {"flute_length_mm": 2.55, "length_mm": 20.0})
+    third = Tool(number=3, shape="flat", diameter_mm=3)
+    tools = {tool.number: tool for tool in (first, second, third)}
+    file = tmp_path / "whole.nc"
+    file.write_text(LOADED, encoding="ascii")
+    whole = prove(LOADED, TABLE, file=str(file), dialect="grbl", stock=STOCK, tools=tools)
+    if small:
+        monkeypatch.setattr(kept_path, "BLOCK", 3)
+        monkeypatch.setattr(engagement, "MOST_PLACES", 7)
+    parts = prove_file(file, TABLE, dialect="grbl", stock=STOCK, tools=tools, spool=tmp_path / "sent")
+    assert_same(whole, parts)
+    found = Counter(finding.code for finding in whole.findings)
+    assert found["flute-length"] == found["engagement"] == 2 and found["holder"] == 1, found
+    assert any("too thick" in finding.text for finding in whole.findings)
+    assert_same(*both(tmp_path, LOADED, TABLE, stock=STOCK, tools=first))
+
+
 @pytest.mark.slow
 @pytest.mark.usefixtures("pieces")
 def test_programs_with_planted_faults(tmp_path: Path) -> None:
@@ -138,18 +179,11 @@ def test_programs_with_planted_faults(tmp_path: Path) -> None:
     for seed in range(3):
         clean = clean_program(seed)
         for program in (clean, *(fault.program for fault in faults_of(clean, seed))):
-            tools = {number: replace_limits(tool) for number, tool in program.tools.items()}
-            whole, parts = both(tmp_path, program.text, TABLE, stock=program.stock, tools=tools, start=program.start)
+            more = {"stock": program.stock, "tools": program.tools, "start": program.start}
+            whole, parts = both(tmp_path, program.text, TABLE, **more)
             assert_same(whole, parts)
             found.update(finding.code for finding in whole.findings)
     assert found["rapid-in-stock"] and found["spindle-off"] and found["plunge"] and found["travel"], found
-
-
-def replace_limits(tool: Tool) -> Tool:
-    """Return a tool that says nothing of the material that it may meet."""
-    return tool.model_copy(
-        update={"flute_length_mm": 0.0, "length_mm": 0.0, "engagement_max_deg": 0.0, "chip_load_max_mm": 0.0}
-    )
 
 
 @pytest.mark.usefixtures("pieces")
@@ -162,14 +196,6 @@ def test_a_refused_line_is_named_as_in_the_whole_text(tmp_path: Path, line: str)
     with pytest.raises(ProgramError) as parts:
         prove_file(file, TABLE)
     assert str(parts.value) == str(whole.value)
-
-
-def test_what_leads_elsewhere_is_not_read_in_pieces(tmp_path: Path) -> None:
-    file = tmp_path / "p.ngc"
-    file.write_text("O100 repeat [3]\nG0 X1\nO100 endrepeat\nM2\n", encoding="ascii")
-    assert not can_be_proven_in_pieces(file, TABLE, "linuxcnc", None)
-    with pytest.raises(ProgramError, match="not-in-pieces"):
-        prove_file(file, TABLE, dialect="linuxcnc")
 
 
 def test_a_certificate_of_a_spool_is_read_back(tmp_path: Path) -> None:
