@@ -17,6 +17,8 @@ from CNCStepper.workbench.features.base import (
     HIDDEN,
     JOB,
     LINK,
+    NUMBERS,
+    POSITION,
     PROBLEM,
     TEXT,
     Feature,
@@ -30,6 +32,7 @@ from CNCStepper.workbench.features.base import (
     values,
 )
 from CNCStepper.workbench.shapes import Seen, all_same, containers_of, edges_of, require_closed
+from CNCStepper.workbench.within_reach import require_within_reach
 from CNCStepper.workbench.words import later
 
 OPERATION_GROUP = later("Operation")
@@ -53,11 +56,15 @@ def drawn(group: str, text: str, only: tuple[str, tuple[str, ...]] | tuple[()] =
 
 @dataclass(frozen=True)
 class Kept:
-    """The cycle that an operation was made into with that tool's number and that work zero, and the remarks on it."""
+    """The cycle that an operation was made into with that tool's number and that work zero, and the remarks on it.
+
+    measures: those of the operation's values by key that stock and machine limit.
+    """
 
     made_with: tuple[Any, ...]
     cycle: Any
     remarks: tuple[str, ...]
+    measures: dict[str, Any]
 
     @functools.cached_property
     def content(self) -> dict[str, Any]:
@@ -169,7 +176,7 @@ class Operation(Feature):
         made_with = (_tool(obj).Number, tuple(origin_mm))
         if self.kept is None or self.kept.made_with != made_with:
             self.remarks = ()
-            self.kept = Kept(made_with, self._checked(obj, *made_with), self.remarks)
+            self.kept = Kept(made_with, self._checked(obj, *made_with), self.remarks, self._measures(obj))
         self.remarks = self.kept.remarks
         return self.kept
 
@@ -179,6 +186,11 @@ class Operation(Feature):
         if not all_same(drawn, self.drawn):
             self.kept = None
         self.drawn = drawn
+
+    def _measures(self, obj: Any) -> dict[str, Any]:
+        found = values(obj)
+        measured = [entry for entry in self.PROPERTIES if entry.type in (*NUMBERS, POSITION) and entry.key in found]
+        return {entry.key: found[entry.key] for entry in measured if self.counts(entry, found)}
 
     def _checked(self, obj: Any, tool: int, origin_mm: tuple[float, ...]) -> Any:
         from CNCStepper.cycles.catalogue import cycle_class
@@ -262,6 +274,7 @@ class Operation(Feature):
         origin_mm = tuple(jobs[0].WorkOrigin) if jobs else (0.0, 0.0, 0.0)
         self.follow(obj, origin_mm)
         job, kept = (jobs[0] if jobs else None), self._keep(obj, origin_mm)
+        require_within_reach(job, kept.measures)
         return job, kept.cycle
 
     def _known(self, job: Any, obj: Any, cycle: Any) -> Any:
