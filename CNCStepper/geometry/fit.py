@@ -21,6 +21,7 @@ from collections.abc import Callable, Sequence
 
 import numpy as np
 
+from CNCStepper.checkpoint import checkpoint
 from CNCStepper.errors import GeometryError
 from CNCStepper.geometry.corners import corner_parameters
 from CNCStepper.geometry.curve import Curve, joined
@@ -56,6 +57,7 @@ def fit_arcs(point: Function, first: float, last: float, tolerance_mm: float, kn
         raise GeometryError("fit", "the tolerance must be above 0", value=f"{tolerance_mm:g} mm")
     parameters, bulges = [first], []
     while parameters[-1] != last:
+        checkpoint()
         end, bulge = _longest(point, parameters[-1], last, SAMPLED * tolerance_mm, inner)
         parameters.append(end)
         bulges.append(bulge)

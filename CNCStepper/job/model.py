@@ -201,8 +201,7 @@ class Job(BaseModel):
         """Return what the job gives that operation besides its own parameters."""
         keep: tuple[Curve, ...] = ()
         parts: tuple[tuple[Curve, ...], ...] = ()
-        clears = isinstance(operation, AreaCycle | EllipticalPocket)
-        if operation.cycle == "contour" or clears:  # a cut is kept by its setup: no more
+        if looks_at_others(operation):  # a cut is kept by its setup: no more
             others = [other for other in self.operation if other is not operation]
             if operation.cycle == "contour":
                 keep = tuple(curve for other in others for curve in _kept_by(other))
@@ -211,6 +210,11 @@ class Job(BaseModel):
         tool = self.tools[operation.tool]
         outline, thickness_mm = self.stock.outline(), self.stock.size_mm[2]
         return Setup(tool, self.clearance_mm, self.retract_mm, outline, keep, thickness_mm, parts)
+
+
+def looks_at_others(operation: Cycle) -> bool:
+    """Return whether the setup of an operation depends on the contours of the job."""
+    return operation.cycle == "contour" or isinstance(operation, AreaCycle | EllipticalPocket)
 
 
 def _kept_by(operation: Cycle) -> tuple[Curve, ...]:

@@ -24,7 +24,6 @@ from CNCStepper.cycles.elliptical_pocket import EllipticalPocket
 from CNCStepper.cycles.engrave import Engrave
 from CNCStepper.cycles.face import Face
 from CNCStepper.cycles.form import Cycle
-from CNCStepper.cycles.patterns import Hole
 from CNCStepper.cycles.pocket import Pocket
 from CNCStepper.cycles.rectangular_pocket import RectangularPocket
 from CNCStepper.cycles.thread import Thread
@@ -62,7 +61,7 @@ def region_outside_stock(parts: Iterable[np.ndarray], stock: Stock) -> Finding |
 
     parts: points float64[n, 2] of its lines, in mm.
     """
-    points = np.concatenate([np.empty((0, 2)), *parts])
+    points = _outermost(np.concatenate([np.empty((0, 2)), *parts]), stock)
     outside_mm = shapely.distance(shapely.points(points), stock.outline)
     if not len(points) or outside_mm.max() <= ON_EDGE_MM:
         return None
@@ -71,6 +70,13 @@ def region_outside_stock(parts: Iterable[np.ndarray], stock: Stock) -> Finding |
         "move the shape or the work zero, or take larger stock",
     )
     return Finding("warning", "beside-stock", Place(""), text, advice, value=float(outside_mm.max()), unit="mm")
+
+
+def _outermost(points: np.ndarray, stock: Stock) -> np.ndarray:
+    """Return those of some points that may lie farthest outside: of a convex outline, the corners of their hull."""
+    if len(points) < 3 or not stock.outline.convex_hull.equals(stock.outline):
+        return points
+    return shapely.get_coordinates(shapely.linestrings(points).convex_hull)  # type: ignore[no-any-return]
 
 
 @singledispatch
@@ -113,15 +119,19 @@ def _of_ellipse(cycle: EllipticalPocket) -> list[np.ndarray]:
 def _of_holes(cycle: Drill | Bore | Thread) -> list[np.ndarray]:
     own_mm = float(getattr(cycle, "diameter_mm", 0.0) or getattr(cycle, "major_diameter_mm", 0.0))
     dx_mm, dy_mm = cycle.offset_mm
-    return [_hole(Hole(x + dx_mm, y + dy_mm, own_mm or diameter)) for x, y, diameter in cycle.pattern.holes()]
+    holes = np.array([(x + dx_mm, y + dy_mm, own_mm or diameter) for x, y, diameter in cycle.pattern.holes()])
+    lines: list[np.ndarray] = []
+    for diameter_mm in np.unique(holes[:, 2]):
+        lines += list(holes[holes[:, 2] == diameter_mm, None, :2] + _round(float(diameter_mm)))
+    return lines
 
 
 def _points(curves: Iterable[Curve], offset_mm: tuple[float, float]) -> list[np.ndarray]:
     return [curve.points(FLAT_MM) + np.asarray(offset_mm) for curve in curves]
 
 
-def _hole(hole: Hole) -> np.ndarray:
-    """Return the outline of a hole; its centre alone where its diameter is the tool's."""
-    if not hole.diameter_mm:
-        return np.array([[hole.x_mm, hole.y_mm]])
-    return circle((hole.x_mm, hole.y_mm), hole.diameter_mm / 2.0).points(FLAT_MM)
+def _round(diameter_mm: float) -> np.ndarray:
+    """Return the outline of a hole about its centre; the centre alone where its diameter is the tool's."""
+    if not diameter_mm:
+        return np.zeros((1, 2))
+    return circle((0.0, 0.0), diameter_mm / 2.0).points(FLAT_MM)

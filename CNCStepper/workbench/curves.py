@@ -7,25 +7,19 @@ sampled between any two knots of a B-spline, with a vertex at each of their corn
 
 from __future__ import annotations
 
-import itertools
 import math
 from collections.abc import Sequence
-from functools import partial
 from typing import Any
 
 import numpy as np
 
 from CNCStepper.errors import GeometryError
 from CNCStepper.geometry.curve import Curve
-from CNCStepper.geometry.fit import fit_arcs, fit_curve
+from CNCStepper.workbench.fitting import Ellipse, Line, Spline, fit_of
 from CNCStepper.workbench.shapes import edges_of, sorted_chains
 
 SHORTEST_MM = 1e-7  # FreeCAD's own measure of "the same point"
-SAMPLED = 0.99  # of the tolerance: the fit measures at samples, between them it may be a little worse
-MOST_FITS = 256  # kept
-QUARTERS = 4  # parts of a curve without inner knots, such as a whole ellipse
-
-_fits: dict[tuple[Any, ...], Curve] = {}  # by all that an edge's fit depends on, the oldest first
+Piece = Curve | Line
 
 
 def curves_of(
@@ -37,7 +31,7 @@ def curves_of(
     one that is not flat, or a tolerance that cannot be kept.
     """
     require_tolerance(tolerance_mm)
-    chains = sorted_chains(edges_of(drawing, picked), SHORTEST_MM)
+    chains = [pieces_of(chain) for chain in sorted_chains(edges_of(drawing, picked), SHORTEST_MM)]
     return tuple(curve_of_chain(chain, tolerance_mm).moved(-origin_mm[0], -origin_mm[1]) for chain in chains)
 
 
@@ -47,20 +41,22 @@ def require_tolerance(tolerance_mm: float) -> None:
         raise GeometryError("tolerance", "the tolerance must be above 0", value=f"{tolerance_mm:g} mm")
 
 
-def curve_of(edge: Any, tolerance_mm: float) -> Curve:
-    """Return one edge as a curve, run along its increasing parameter."""
+def pieces_of(edges: Sequence[Any]) -> list[Piece]:
+    """Return edges, each run along its increasing parameter, as curves; those that are fitted as plain data."""
+    return [_piece_of(edge) for edge in edges]
+
+
+def _piece_of(edge: Any) -> Piece:
     import Part
 
     if isinstance(edge.Curve, Part.Line):
         return Curve(_points(edge, np.array(edge.ParameterRange)), np.zeros(1))
-    if isinstance(edge.Curve, Part.Circle):
-        return _arcs(edge)
-    return _fitted(edge, tolerance_mm * SAMPLED)
+    return _arcs(edge) if isinstance(edge.Curve, Part.Circle) else _line_of(edge)
 
 
-def curve_of_chain(edges: list[Any], tolerance_mm: float) -> Curve:
-    """Return edges in the order in which they touch as one curve, each turned so that it goes on."""
-    pieces = [curve_of(edge, tolerance_mm) for edge in edges]
+def curve_of_chain(chain: Sequence[Piece], tolerance_mm: float) -> Curve:
+    """Return pieces in the order in which they touch as one curve, each turned so that it goes on."""
+    pieces = [fit_of(piece, tolerance_mm) if isinstance(piece, Line) else piece for piece in chain]
     if len(pieces) > 1 and _gap(pieces[0].xy[-1], pieces[1]) > _gap(pieces[0].xy[0], pieces[1]):
         pieces[0] = pieces[0].reversed()
     for number, piece in enumerate(pieces[1:], start=1):
@@ -93,25 +89,30 @@ def _arcs(edge: Any) -> Curve:
     return Curve(points[::2], np.full(parts, sense * math.tan((last - first) / parts / 4)))
 
 
-def _fitted(edge: Any, tolerance_mm: float) -> Curve:
-    """Return the fit of an edge; those of the last edges are kept, because FreeCAD asks for each several times."""
-    key = edge.Curve.Content, edge.Placement.toMatrix().A, edge.ParameterRange, tolerance_mm
-    if key not in _fits:
-        if len(_fits) == MOST_FITS:
-            del _fits[next(iter(_fits))]
-        _fits[key] = _fit(edge, tolerance_mm)
-    return _fits[key]
-
-
-def _fit(edge: Any, tolerance_mm: float) -> Curve:
-    """Return a B-spline from corner to corner, all else in quarters, so that an ellipse comes out symmetrical."""
+def _line_of(edge: Any) -> Line:
     import Part
 
-    point, (first, last) = partial(_points, edge), edge.ParameterRange
-    if isinstance(edge.Curve, Part.BSplineCurve):
-        return fit_curve(point, first, last, tolerance_mm, edge.Curve.getKnots())
-    bounds = np.linspace(first, last, QUARTERS + 1).tolist()
-    return _one([fit_arcs(point, *span, tolerance_mm) for span in itertools.pairwise(bounds)])
+    curve, (first, last) = edge.Curve, edge.ParameterRange
+    if isinstance(curve, Part.Ellipse):
+        centre = curve.Center
+        ends = [curve.value(angle) - centre for angle in (0.0, math.pi / 2)]
+        return Ellipse(first, last, *((at.x, at.y) for at in (centre, *ends)))
+    return _spline(curve, first, last, corners=isinstance(curve, Part.BSplineCurve))
+
+
+def _spline(curve: Any, first: float, last: float, corners: bool) -> Spline:
+    if not corners:
+        curve = curve.toBSpline(first, last)
+        first, last = curve.FirstParameter, curve.LastParameter
+    period = 0.0
+    if curve.isPeriodic():
+        period = curve.LastParameter - curve.FirstParameter
+        curve = curve.copy()
+        curve.setNotPeriodic()
+    pairs = zip(curve.getKnots(), curve.getMultiplicities(), strict=True)
+    knots = tuple(knot for knot, times in pairs for _ in range(times))
+    poles = tuple((pole.x, pole.y) for pole in curve.getPoles())
+    return Spline(first, last, curve.Degree, poles, tuple(curve.getWeights()), knots, period, corners)
 
 
 def _points(edge: Any, parameters: np.ndarray) -> np.ndarray:

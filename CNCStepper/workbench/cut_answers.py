@@ -46,7 +46,12 @@ class Programs:
         return sum(len(text) for _, text in self.texts) + sum(map(len, self.paths))
 
 
-Answer = Cut | Programs | CNCStepperError
+@dataclass(frozen=True)
+class Fits:
+    """Lines were fitted; `fitting` keeps what came out."""
+
+
+Answer = Cut | Programs | Fits | CNCStepperError
 
 _answers: OrderedDict[str, Answer] = OrderedDict()
 _paths: dict[str, str] = {}  # by the key of a program's text
@@ -90,7 +95,7 @@ def may_ask(key: str) -> bool:
     return key not in _answers or (key in _failed_s and time.monotonic() - _failed_s[key] > RETRY_S)
 
 
-def answer_to(question: dict[str, Any]) -> Cut | Programs | None:
+def answer_to(question: dict[str, Any]) -> Cut | Programs | Fits | None:
     """Return what is known of a question, None where nothing is; raises the CNCStepperError that refused it."""
     answer = known(key_of(question))
     if isinstance(answer, CNCStepperError):
@@ -139,6 +144,11 @@ def _text_key(text: str) -> str:
 def _answer(content: dict[str, Any]) -> Answer:
     if "error" in content:
         return error_from_json(content["error"])
+    if "fits" in content:
+        from CNCStepper.workbench import fitting
+
+        fitting.take(content)
+        return Fits()
     if "texts" in content:
         return Programs(tuple((name, text) for name, text in content["texts"]), tuple(content["paths"]))
     return Cut(dict(content["figures"]), tuple(content["warnings"]))

@@ -15,6 +15,8 @@ from CNCStepper.workbench.remake import remake
 from CNCStepper.workbench.tell import guarded, note
 from CNCStepper.workbench.words import tr
 
+AGAIN_MS = 50
+
 _asked: dict[str, frozenset[str]] = {}  # by document: what was asked last
 
 
@@ -23,14 +25,17 @@ def begin() -> None:
     patience.long_refused = _soon
 
 
-def _soon() -> None:
+def _soon(in_ms: int = 0) -> None:
     """Ask when FreeCAD has ended its recompute."""
-    QtCore.QTimer.singleShot(0, guarded(_ask))
+    QtCore.QTimer.singleShot(in_ms, guarded(_ask))
 
 
 def _ask() -> None:
     import FreeCAD
 
+    if any(document.Recomputing for document in FreeCAD.listDocuments().values()):
+        _soon(AGAIN_MS)  # its progress bar lets timers run: what were touched now would stay so
+        return
     patience.hurry = False
     for document in FreeCAD.listDocuments().values():
         waiting = _waiting(document)

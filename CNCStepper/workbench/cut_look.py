@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, nullcontext
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -13,6 +13,7 @@ from CNCStepper.workbench import cut_answers
 from CNCStepper.workbench.cutting import Parts, process
 from CNCStepper.workbench.features.base import FAILED, JOB, edit, entry_of, named, proxy_type
 from CNCStepper.workbench.features.job import active_operations
+from CNCStepper.workbench.looking import Unfitted, only_looking
 
 
 @dataclass
@@ -34,12 +35,10 @@ def look_at(
     obj, changes: an object, and new values by key that it would have; the document is left as it was. while_tried:
     called while it has them.
     """
-    if obj is None or not changes:
+    changed = {obj.Name} if obj is not None else set()
+    with _trial(obj, changes) if changes else nullcontext(), nullcontext() if process().unavailable else only_looking():
         while_tried()
-        return _look(document, {obj.Name} if obj is not None else set())
-    with _trial(obj, changes):
-        while_tried()
-        return _look(document, {obj.Name})
+        return _look(document, changed)
 
 
 def _look(document: Any, changed: set[str]) -> Look:
@@ -61,7 +60,10 @@ def _look_for(obj: Any, look: Look) -> None:
         for operation in active_operations(obj):
             if error := look.refusals.get(operation.Name):
                 raise JobError(FAILED, named(operation, error.sentence))
-    question = obj.Proxy.question(obj)
+    try:
+        question = obj.Proxy.question(obj)
+    except Unfitted as unfitted:  # once they are fitted it is asked for the cut
+        question = unfitted.question
     if question is None or process().unavailable:
         return
     key = cut_answers.key_of(question)

@@ -7,7 +7,8 @@ before. Each line on standard output tells something of the newest:
     {"mark": 3, "compiled": true, "parts": {KEY: PART, ...}}      what is asked; compiled: kernels may be compiled
 
     {"begun": 3}                                                  before anything else
-    {"stage": "cut"}   {"stage": "write"}                         what is being done
+    {"stage": "fit"}   {"stage": "cut"}   {"stage": "write"}      what is being done
+    {"key": KEY, "answer": {"fits": {key: [xy, bulge], ...}}}             of a PART {"fit": lines, "tolerance_mm": 0.01}
     {"key": KEY, "answer": {"figures": {...}, "warnings": [...]}}         of a PART {"cut": job, "machine": machine}:
                                                                           the first operation of the job
     {"key": KEY, "answer": {"texts": [[name, text]], "paths": [text]}}    of a PART {"program": job, "machine": machine,
@@ -97,7 +98,7 @@ class Answers:
         from CNCStepper.control.outcome import error_to_json
 
         try:
-            return self._cut(part) if "cut" in part else self._programs(part)
+            return self._fits(part) if "fit" in part else self._cut(part) if "cut" in part else self._programs(part)
         except CNCStepperError as refusal:
             error = refusal
         except MemoryError:
@@ -110,6 +111,12 @@ class Answers:
             what = f"the cut failed by a fault of its own: {type(fault).__name__}: {fault}"
             error = CNCStepperError("cut-fault", what, advice="please report it, with the program")
         return {"error": error_to_json(error)}
+
+    def _fits(self, part: dict[str, Any]) -> dict[str, Any]:
+        from CNCStepper.workbench.fitting import answer_to
+
+        tell({"stage": "fit"})
+        return answer_to(part)
 
     def _cut(self, part: dict[str, Any]) -> dict[str, Any]:
         from CNCStepper.workbench.setting import setting_from

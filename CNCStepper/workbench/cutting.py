@@ -26,7 +26,7 @@ TURNS_WITHIN_MS = 1000
 LOST = CNCStepperError(
     "cut-lost", "the process that cuts ended before it had an answer", advice="choose other values, or try again"
 )
-STAGES = {"cut": later("Cutting…"), "write": later("Writing the program…")}
+STAGES = {"fit": later("Fitting arcs…"), "cut": later("Cutting…"), "write": later("Writing the program…")}
 Parts = dict[str, dict[str, Any]]  # questions by their keys
 
 

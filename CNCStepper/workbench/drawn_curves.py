@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import itertools
 import math
-from collections import defaultdict
+from collections import OrderedDict, defaultdict
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -18,11 +18,13 @@ from typing import Any
 import numpy as np
 
 from CNCStepper.geometry.curve import Curve
-from CNCStepper.workbench.curves import SHORTEST_MM, curve_of_chain, require_tolerance
-from CNCStepper.workbench.shapes import FLAT_MM, line_groups, refuse_unflat, sorted_chains
+from CNCStepper.workbench.curves import SHORTEST_MM, Piece, curve_of_chain, pieces_of, require_tolerance
+from CNCStepper.workbench.fitting import Line, require
+from CNCStepper.workbench.shapes import FLAT_MM, Seen, line_groups, refuse_unflat, sorted_chains
 
 SAME_MM = 1e-3  # two curves that are nearer than this everywhere are one that is drawn twice
 CELL_MM = 0.01  # of the grid in which ends that meet are looked for
+MOST_DRAWINGS = 64  # whose chains are kept
 SAMPLES = 16  # places along a curve where its distance from another one is looked at
 Pair = tuple[Any, tuple[str, ...]]
 
@@ -67,21 +69,43 @@ def drawn_of(pairs: Sequence[Pair], tolerance_mm: float) -> Drawn:
     Raises GeometryError for an empty drawing, one that is not flat, or a tolerance that cannot be kept.
     """
     require_tolerance(tolerance_mm)
-    found = [each for pair in pairs for each in _of_one(pair, tolerance_mm)]
+    chains = [(drawing, chain) for drawing, names in pairs for chain in _chains_of(drawing, names)]
+    require([piece for _, chain in chains for piece in chain.pieces if isinstance(piece, Line)], tolerance_mm)
+    found = [
+        DrawnCurve(curve_of_chain(chain.pieces, tolerance_mm), (drawing,), chain.height_mm) for drawing, chain in chains
+    ]
     doubled = _doubled([each.curve for each in found])
     kept = [each for number, each in enumerate(found) if number not in doubled]
     return Drawn(tuple(_joined(kept)), tuple((found[out], found[same]) for out, same in doubled.items()))
 
 
-def _of_one(pair: Pair, tolerance_mm: float) -> list[DrawnCurve]:
-    drawing, names = pair
+@dataclass(frozen=True)
+class _Chain:
+    """The pieces of a line of a drawing in the order in which they touch, and its height in the document."""
+
+    pieces: list[Piece]
+    height_mm: float
+
+
+_chains: OrderedDict[tuple[Any, ...], tuple[Seen, list[_Chain]]] = OrderedDict()  # of the last drawings
+
+
+def _chains_of(drawing: Any, names: tuple[str, ...]) -> list[_Chain]:
+    """Return the chains of a drawing, or of what is picked of it, looked for anew where it has changed."""
+    key, seen = (drawing.Document.Name, drawing.Name, names), Seen.of(drawing)
+    if key not in _chains or not seen.same(_chains[key][0]):
+        _chains[key] = seen, _looked_for(drawing, names)
+        while len(_chains) > MOST_DRAWINGS:
+            _chains.popitem(last=False)
+    _chains.move_to_end(key)
+    return _chains[key][1]
+
+
+def _looked_for(drawing: Any, names: tuple[str, ...]) -> list[_Chain]:
     chains = [chain for group in line_groups(drawing, names) for chain in sorted_chains(group, SHORTEST_MM)]
     for chain in chains:
         refuse_unflat(chain, drawing.Label)
-    return [
-        DrawnCurve(curve_of_chain(chain, tolerance_mm), (drawing,), chain[0].valueAt(chain[0].FirstParameter).z)
-        for chain in chains
-    ]
+    return [_Chain(pieces_of(chain), chain[0].valueAt(chain[0].FirstParameter).z) for chain in chains]
 
 
 def _doubled(curves: Sequence[Curve]) -> dict[int, int]:

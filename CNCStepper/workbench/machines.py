@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import functools
 from pathlib import Path
 from typing import Any
 
@@ -14,5 +15,19 @@ def machine_of(obj: Any) -> Machine:
     name = obj.Machine
     if name not in profile_names() and obj.Document.FileName:
         name = str(Path(obj.Document.FileName).parent / name)
+    return _machine(name, obj.Dialect, _stamp(name))
+
+
+@functools.lru_cache(maxsize=16)
+def _machine(name: str, dialect: str, stamp: tuple[int, ...]) -> Machine:
     machine = load_machine(name)
-    return machine.model_copy(update={"controller": obj.Dialect}) if obj.Dialect else machine
+    return machine.model_copy(update={"controller": dialect}) if dialect else machine
+
+
+def _stamp(name: str) -> tuple[int, ...]:
+    """Return what changes with the content of a profile's file, () where there is none."""
+    try:
+        found = Path(name).stat()
+    except (OSError, ValueError):
+        return ()
+    return found.st_mtime_ns, found.st_ctime_ns, found.st_size, found.st_ino

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from CNCStepper.cycles.form import Setup
-from CNCStepper.job.model import Job, StockForm
+from CNCStepper.job.model import Job, StockForm, looks_at_others
 from CNCStepper.machine.profile import validated
 from CNCStepper.toolpath import Toolpath
 from CNCStepper.workbench import cut_answers, setting
@@ -48,7 +48,7 @@ def programs(obj: Any) -> list[tuple[str, str]]:
 def program_question(obj: Any) -> dict[str, Any]:
     """Return what the cut process is asked for the programs of a job object; raises JobError for a bad job."""
     return {
-        "program": content_of(job_of(obj)),
+        "program": content_of(job_of(obj), _contents(obj, active_operations(obj))),
         "machine": machine_content(machine_of(obj)),
         "title": obj.Label,
     }
@@ -56,7 +56,15 @@ def program_question(obj: Any) -> dict[str, Any]:
 
 def cut_question(obj: Any, operation: Any, cycle: Any) -> dict[str, Any]:
     """Return what the cut process is asked for the cut of an operation of a job object, whose cycle is given."""
-    return {"cut": content_of(_setting(obj, operation, cycle)), "machine": machine_content(machine_of(obj))}
+    contents = _contents(obj, [operation, *_seen_by(obj, operation, cycle)])
+    return {
+        "cut": content_of(_setting(obj, operation, cycle), contents),
+        "machine": machine_content(machine_of(obj)),
+    }
+
+
+def _contents(obj: Any, operations: Sequence[Any]) -> list[dict[str, Any]]:
+    return [each.Proxy.content(each, tuple(obj.WorkOrigin)) for each in operations]
 
 
 def job_of(obj: Any) -> Job:
@@ -90,8 +98,7 @@ def setup_of(obj: Any, operation: Any, cycle: Any) -> Setup:
 
 def _setting(obj: Any, operation: Any, cycle: Any) -> Job:
     """Return a job of one operation and of what else counts for it."""
-    sound = [other for other in active_operations(obj) if other is not operation and not problem_of(other)]
-    contours = [other.Proxy.cycle(other, tuple(obj.WorkOrigin)) for other in sound if other.Proxy.CYCLE == "contour"]
+    contours = [each.Proxy.cycle(each, tuple(obj.WorkOrigin)) for each in _seen_by(obj, operation, cycle)]
     return Job.model_construct(
         machine=obj.Machine,
         clearance_mm=float(obj.Clearance),
@@ -101,6 +108,14 @@ def _setting(obj: Any, operation: Any, cycle: Any) -> Job:
         operation=(cycle, *contours),
         material=obj.Material,
     )
+
+
+def _seen_by(obj: Any, operation: Any, cycle: Any) -> list[Any]:
+    """Return the other operations that the cut of one depends on, without those that cannot be made."""
+    if not looks_at_others(cycle):
+        return []
+    others = [other for other in active_operations(obj) if other is not operation and other.Proxy.CYCLE == "contour"]
+    return [other for other in others if not problem_of(other)]
 
 
 def read_back(job: Any, text: str) -> Toolpath:

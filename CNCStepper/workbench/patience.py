@@ -18,10 +18,13 @@ from CNCStepper.errors import CNCStepperError
 WAITS = "kernels-prepared"  # the code of the refusal of what has to wait for the kernels
 LONG = "cut-long"  # of what the cut process makes
 PATIENCE_S = 1.0
-MOST_S = 3.0  # of the window thread's processor time, for one object
-HURRY_S = 0.2  # the same, for those after one that took too long
+MOST_S = 1.0  # of the window thread's processor time, for one object
+FIRST_S = 3.0  # the same, until one has taken as long as loading the kernels does
+LOADED_S = 0.3
+HURRY_S = 0.05  # the same, for those after one that took too long
 
 compiling_elsewhere = False
+loaded = False  # one has taken that long
 hurry = False  # one has taken too long, and the window has not been free since
 long_refused: Callable[[], None] | None = None  # called where something was left to the cut process; only in a window
 
@@ -38,11 +41,21 @@ def patience() -> Iterator[None]:
         with uncompiled(_until(time.monotonic() + PATIENCE_S, time.monotonic, _waits)):
             yield
     elif long_refused is not None:
-        most_s = HURRY_S if hurry else MOST_S
-        with interruptible(_until(time.thread_time() + most_s, time.thread_time, _is_long)):
+        with _short_time():
             yield
     else:
         yield
+
+
+@contextmanager
+def _short_time() -> Iterator[None]:
+    global loaded
+    begun_s, most_s = time.thread_time(), HURRY_S if hurry else MOST_S if loaded else FIRST_S
+    try:
+        with interruptible(_until(begun_s + most_s, time.thread_time, _is_long)):
+            yield
+    finally:
+        loaded = loaded or time.thread_time() - begun_s > LOADED_S
 
 
 def _until(end_s: float, clock: Callable[[], float], refusal: Callable[[], CNCStepperError]) -> Callable[[], None]:

@@ -52,13 +52,22 @@ def _outcome(english: str) -> str:
 
 def _known(english: str, strict: bool = True) -> str:
     """Return the translation of a sentence that the catalogue holds, else ""; `strict`: its values are no sentences."""
+    sentence, values = _recognised(english, strict)
+    if not values:
+        return _look_up(sentence) if sentence else ""
+    return _look_up(sentence).format(*(_known(value) or value for value in values))
+
+
+@functools.lru_cache(maxsize=1000)  # a list of refused operations says the same at each change
+def _recognised(english: str, strict: bool) -> tuple[str, list[str]]:
+    """Return the catalogue's sentence and the values in it, "" and none where it has no such sentence."""
     plain, with_values = _catalogue()
     if english in plain:
-        return _look_up(english)
+        return english, []
     for pieces, sentence in with_values:
         if (values := _values(pieces, english)) and not (strict and _joins(pieces, values)):
-            return _look_up(sentence).format(*(_known(value) or value for value in values))
-    return ""
+            return sentence, values
+    return "", []
 
 
 def _joins(pieces: list[str], values: list[str]) -> bool:
@@ -107,6 +116,8 @@ def _look_up(sentence: str) -> str:
 
 def _values(pieces: list[str], english: str) -> list[str]:
     """Return what stands between the pieces of a sentence, [] where it is another one; no value is empty."""
+    if not (english.startswith(pieces[0]) and english.endswith(pieces[-1])):
+        return []
     at, values = len(pieces[0]), []
     for piece in pieces[1:-1]:
         end = english.find(piece, at + 1)
@@ -115,8 +126,7 @@ def _values(pieces: list[str], english: str) -> list[str]:
         if end < 0:
             return []
     end = len(english) - len(pieces[-1])
-    fits = english.startswith(pieces[0]) and english.endswith(pieces[-1]) and at < end
-    return [*values, english[at:end]] if fits else []
+    return [*values, english[at:end]] if at < end else []
 
 
 @functools.cache

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import functools
 import json
+from collections import deque
 from pathlib import Path
 from typing import Any
 
@@ -18,19 +19,23 @@ from CNCStepper.state import Start
 from CNCStepper.toolpath import Toolpath
 from CNCStepper.workbench.picture import commands, gcode
 
+_machines: deque[tuple[Machine, dict[str, Any]]] = deque(maxlen=4)
 
-def content_of(job: Job) -> dict[str, Any]:
-    """Return a job as plain data, its curves within it."""
-    return {
-        **job.model_dump(mode="json", exclude={"operation"}),
-        "operation": [operation.model_dump(mode="json") for operation in job.operation],
-    }
+
+def content_of(job: Job, operations: list[dict[str, Any]] | None = None) -> dict[str, Any]:
+    """Return a job as plain data, its curves within it; operations: theirs, where that is at hand."""
+    if operations is None:
+        operations = [operation.model_dump(mode="json") for operation in job.operation]
+    return {**job.model_dump(mode="json", exclude={"operation"}), "operation": operations}
 
 
 def machine_content(machine: Machine) -> dict[str, Any]:
-    """Return a machine as plain data."""
-    content: dict[str, Any] = machine.model_dump(mode="json")
-    return content
+    """Return a machine as plain data, which is kept for the last ones."""
+    found = next((content for known, content in _machines if known is machine), None)
+    if found is None:
+        found = machine.model_dump(mode="json")
+        _machines.append((machine, found))
+    return found
 
 
 def job_from(content: dict[str, Any], machine: dict[str, Any]) -> Job:

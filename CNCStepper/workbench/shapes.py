@@ -8,12 +8,39 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from dataclasses import dataclass
 from typing import Any
 
 from CNCStepper.errors import GeometryError
 
 CURVE_POINTS = 64  # of an edge, where its distance from the middle is looked for
 FLAT_MM = 1e-4  # a drawing whose heights differ by less is flat
+
+
+@dataclass(frozen=True)
+class Seen:
+    """A drawing as it was seen: its shape, which lives as long as this, where that lies, and its label."""
+
+    shape: Any
+    placement: Any
+    label: str
+
+    @classmethod
+    def of(cls, drawing: Any) -> Seen:
+        """Return how a drawing is now."""
+        placed = drawing.getGlobalPlacement() if hasattr(drawing, "getGlobalPlacement") else None
+        return cls(getattr(drawing, "Shape", None), placed, str(drawing.Label))
+
+    def same(self, other: Seen) -> bool:
+        """Return whether two drawings are the same one, unchanged."""
+        if self.shape is None or other.shape is None or (self.label, self.placement) != (other.label, other.placement):
+            return False
+        return bool(self.shape.isSame(other.shape))
+
+
+def all_same(some: Sequence[Seen], others: Sequence[Seen]) -> bool:
+    """Return whether several drawings are the same ones, unchanged."""
+    return len(some) == len(others) and all(map(Seen.same, some, others))
 
 
 def edges_of(drawing: Any, picked: Sequence[str] = ()) -> list[Any]:

@@ -2351,6 +2351,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Fitting arcs…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Flood</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7286,6 +7290,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>correct the value or its unit</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>correct the word before</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7999,6 +8007,10 @@
         </message>
         <message>
             <source>it ends too early</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>it goes on by itself</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10770,6 +10782,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the lines are being fitted</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the lines have different numbers of heights</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12891,6 +12907,22 @@
         </message>
         <message>
             <source>{0} follows one drawing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} goes beyond what the machine can travel</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} goes far beyond the machine's fastest axis</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} goes far beyond the stock</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} goes far beyond the stock and the machine</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

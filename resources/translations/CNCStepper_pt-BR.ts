@@ -2351,6 +2351,10 @@
             <translation>Ajustar ao desenho</translation>
         </message>
         <message>
+            <source>Fitting arcs…</source>
+            <translation>Ajustando arcos…</translation>
+        </message>
+        <message>
             <source>Flood</source>
             <translation>Jorro</translation>
         </message>
@@ -7286,6 +7290,10 @@
             <translation>corrija o programa e verifique-o de novo</translation>
         </message>
         <message>
+            <source>correct the value or its unit</source>
+            <translation>corrija o valor ou a unidade</translation>
+        </message>
+        <message>
             <source>correct the word before</source>
             <translation>corrija a palavra anterior</translation>
         </message>
@@ -8000,6 +8008,10 @@
         <message>
             <source>it ends too early</source>
             <translation>termina cedo demais</translation>
+        </message>
+        <message>
+            <source>it goes on by itself</source>
+            <translation>continua sozinho</translation>
         </message>
         <message>
             <source>it has none</source>
@@ -10770,6 +10782,10 @@
             <translation>as linhas depois desta troca de ferramenta não se sustentam sozinhas</translation>
         </message>
         <message>
+            <source>the lines are being fitted</source>
+            <translation>as linhas estão sendo ajustadas</translation>
+        </message>
+        <message>
             <source>the lines have different numbers of heights</source>
             <translation>as linhas têm quantidades diferentes de alturas</translation>
         </message>
@@ -12892,6 +12908,22 @@
         <message>
             <source>{0} follows one drawing</source>
             <translation>{0} segue um só desenho</translation>
+        </message>
+        <message>
+            <source>{0} goes beyond what the machine can travel</source>
+            <translation>{0} vai além do curso da máquina</translation>
+        </message>
+        <message>
+            <source>{0} goes far beyond the machine's fastest axis</source>
+            <translation>{0} vai muito além do eixo mais rápido da máquina</translation>
+        </message>
+        <message>
+            <source>{0} goes far beyond the stock</source>
+            <translation>{0} vai muito além da peça bruta</translation>
+        </message>
+        <message>
+            <source>{0} goes far beyond the stock and the machine</source>
+            <translation>{0} vai muito além da peça bruta e da máquina</translation>
         </message>
         <message>
             <source>{0} goes into clamp {1}</source>

@@ -152,6 +152,10 @@ class Watchdog:
         self._timer.stop()
         self._timer.deleteLater()
 
+    def key_seen(self) -> None:
+        """End the block here, in the interface thread: keys that wait in a row there are several blocks, not one."""
+        self._tick()
+
     def _tick(self) -> None:
         now_s, cpu_s, queued_s = time.perf_counter(), time.thread_time(), waited_for_a_core_s(self._thread)
         took_ms, cpu_ms = 1000 * (now_s - self._seen_s), 1000 * (cpu_s - self._cpu_s)

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Typing never freezes the window: every beginning of ten texts, by real keys, in every field of every panel.
 
-All texts are typed as fast as the X server takes them, so that a panel leaves out some of what stands there only for a
-moment; and one of them, in turn, so slowly that the panel applies what stands there after every key.
+The panel applies what stands there after every single key: nothing is left out as too short-lived. Nobody waits for a
+cut before the next key, because the last value wins. What stood there before is typed as fast as the X server takes
+it, so that the panel's own pause between keys is seen at work too.
 
 What is bounded is the longest time between two ticks of a timer in the window's thread (`interface.Watchdog`), in two
 ways. Its own processor time there must stay below 50 ms: other programs on the machine do not count. What it waits for
@@ -13,19 +14,23 @@ times what a graphics card takes.
 
 from __future__ import annotations
 
+import queue
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 from functools import partial
 from typing import Any
 
+import FreeCAD
 import FreeCADGui
+import Part
 import screen_places as places
+from FreeCAD import Vector
 from hand import Hand
 from PySide import QtCore, QtGui
 from test_cycle_panels import PANEL, every_panel, unfold
 
-from CNCStepper.workbench import api, editing
+from CNCStepper.workbench import api, editing, fitting
 from CNCStepper.workbench.features.base import problem_of, proxy_type, values
 from CNCStepper.workbench.features.catalogue import OPERATIONS
 
@@ -34,6 +39,8 @@ WHOLE = [text for text in TEXTS if not any(other.startswith(text) for other in T
 AT_ONCE_MS = 50.0  # of processor time, of any call of ours
 DRAWN_MS = 150.0  # of processor time in which Qt lays out and paints a large panel, all by itself
 WAITS_MS = 250.0
+TRIES = 3
+SPLINES = 60
 KEY_S = 10.0  # so long may a key take to be seen
 SHOWING = {  # values with which more lines are seen
     "pocket": {"pattern": "engagement"},
@@ -59,7 +66,10 @@ class Typist:
     """A person at one open panel."""
 
     def __init__(self, hand: Hand, obj: Any):
-        self.hand, self.obj, self.applied, self.slow = hand, obj, 0, False
+        self.hand, self.obj, self.applied, self.each_key = hand, obj, 0, False
+        self.watch: Any = None  # the watchdog, while it watches
+        self.shown: queue.Queue[str] = queue.Queue()  # what the line that is typed into has shown, key by key
+        self.typed: list[str] = []  # the same, since its text was typed anew
         hand.main(editing.edit, obj)
         hand.wait(lambda: self.panel() is not None, 10, "the panel")
         hand.main(unfold)
@@ -71,7 +81,7 @@ class Typist:
         return found if found is not None and found.isVisible() else None
 
     def _hurry(self) -> list[Any]:
-        """Let every single key be applied at once while the typist is slow, without the time that a pause takes."""
+        """Let every key be applied at once where that is wanted, without the time that a pause takes."""
         editors = [self.panel(), *self.panel().findChildren(QtGui.QWidget)]
         editors = [widget for widget in editors if hasattr(widget, "apply") and hasattr(widget, "waiting")]
         for editor in editors:
@@ -79,42 +89,64 @@ class Typist:
         return editors
 
     def _apply(self, editor: Any) -> None:
-        if self.slow:
+        if self.each_key:
             self.applied += 1
             editor.apply()
 
     def lines(self) -> list[Any]:
-        """Return what can be typed into, from top to bottom."""
+        """Return what can be typed into, from top to bottom; each tells from now on what it shows."""
         kinds = (QtGui.QLineEdit, QtGui.QPlainTextEdit)
         found = [widget for kind in kinds for widget in self.panel().findChildren(kind)]
-        return [widget for widget in found if widget.isVisible() and widget.isEnabled() and not widget.isReadOnly()]
+        found = [widget for widget in found if widget.isVisible() and widget.isEnabled() and not widget.isReadOnly()]
+        for line in found:
+            line.textChanged.connect(partial(self._show, line))
+        return found
 
-    def type_all(self, line: Any, slow: str) -> None:
-        """Type all texts, one after the other, then one slowly, then what stood there."""
+    def _show(self, line: Any, *_: Any) -> None:
+        """Note what a line shows; what was typed there has been applied by then.
+
+        A person's keys come apart: what the next one takes, which may wait here already, is a block of its own.
+        """
+        if line.hasFocus():
+            self.typed.append(content(line))
+            self.shown.put(content(line))
+            if self.watch is not None:
+                self.watch.key_seen()
+
+    def type_all(self, line: Any) -> None:
+        """Type all texts, one after the other, each key applied; then what stood there, at speed."""
         before = self.hand.main(partial(content, line))
         self.hand.main(partial(focus, line))
-        for text in WHOLE:
+        self.each_key = True
+        for text in (*WHOLE, ""):
             self.replace(line, text)
-        self.slow = True
-        self.replace(line, slow)
-        self.slow = False
+        self.each_key = False
         self.replace(line, before)
 
     def replace(self, line: Any, text: str) -> None:
         """Type a text in place of what stands in a line."""
+        if self.hand.main(partial(content, line)) == text:
+            return
+        self.shown, self.typed = queue.Queue(), []
         self.hand.keyboard.stroke("Ctrl+A")
-        self.hand.keyboard.stroke("BackSpace")
-        for number, letter in enumerate(text, start=1):
+        if not text:
+            self.hand.keyboard.stroke("BackSpace")
+        for letter in text:
             self.hand.keyboard.write(letter)
-            if self.slow:
-                self.seen(line, text[:number])
         self.seen(line, text)
+        beginnings = {text[:number] for number in range(1, len(text))}
+        assert beginnings <= set(self.typed), f"{line.objectName()} has not shown all beginnings of {text!r}"
 
     def seen(self, line: Any, text: str) -> None:
-        """Wait until all keys have arrived."""
+        """Wait until a line shows a text."""
         until_s = time.monotonic() + KEY_S
-        while self.hand.main(partial(content, line)) != text:
-            assert time.monotonic() < until_s, f"{line.objectName()} does not show {text!r}; {self.hand.describe()}"
+        shown = None
+        while shown != text:
+            try:
+                shown = self.shown.get(timeout=max(0.0, until_s - time.monotonic()))
+            except queue.Empty:
+                shown = self.hand.main(partial(content, line))
+                assert shown == text, f"{line.objectName()} shows {shown!r}, not {text!r}; {self.hand.describe()}"
 
     def done(self) -> bool:
         return not any(editor.waiting or editor.timer.isActive() for editor in self.editors)
@@ -134,11 +166,50 @@ def test_no_beginning_of_a_text_freezes_a_panel(hand: Hand) -> None:
     hand.keyboard.learn("".join(TEXTS))
     with hidden_view(hand):
         for kind in KINDS:
-            watch = type_into_all(hand, kind, plate[kind])
-            if watch.max_python_ms >= AT_ONCE_MS or watch.max_waited_ms >= WAITS_MS:
-                watch = type_into_all(hand, kind, plate[kind])  # what is slow is slow again; a shared core is not
-            assert watch.max_python_ms < AT_ONCE_MS and watch.max_cpu_ms < DRAWN_MS, f"{kind}: {watch}"
-            assert watch.max_waited_ms < WAITS_MS, f"{kind}: {watch}"
+            type_into_all(hand, kind, plate[kind])
+
+
+def draw_splines() -> Any:
+    """Make an engraving along many B-splines."""
+    document = FreeCAD.newDocument("Splines")
+    lines = document.addObject("Part::Feature", "Lines")
+    lines.Shape = Part.Compound([spline(number) for number in range(SPLINES)])
+    job = api.new_job(document, stock_size_mm=(100, 80, 10))
+    api.add_tool(job)
+    engraving = api.add_operation(job, "engrave", lines, depth_mm=0.5, tolerance_mm=0.2)
+    document.recompute()
+    return engraving
+
+
+def spline(number: int) -> Any:
+    curve = Part.BSplineCurve()
+    x_mm, y_mm = 8 * (number % 10) - 40, 8 * (number // 10) - 30
+    curve.interpolate([Vector(x_mm + step, y_mm + (3 * step + number) % 7) for step in range(7)])
+    return curve.toShape()
+
+
+def test_a_new_tolerance_is_fitted_beside_the_window(hand: Hand) -> None:
+    engraving = hand.main(draw_splines, limit_s=120)
+    hand.wait(lambda: not problem_of(engraving), 120, "the engraving")
+    hand.keyboard.learn("0123456789., m")
+    with hidden_view(hand):
+        typist = Typist(hand, engraving)
+        lines = {line.objectName(): line for line in hand.main(typist.lines)}
+        tolerance = lines[f"{PANEL}tolerance_mm"]
+        hand.main(partial(focus, tolerance))
+        for value in ("0.011", "0.012", "0.013"):
+            before = hand.main(lambda: len(fitting._fits))
+            with hand.watchdog() as watch:
+                typist.replace(tolerance, f"{value} mm")
+                hand.wait(lambda value=value: float(engraving.Tolerance) == float(value), 120, "the fit")
+            print(f"{SPLINES} splines with {value} mm: {watch}".partition(" in\n")[0], flush=True)
+            assert hand.main(lambda: len(fitting._fits)) >= before + SPLINES
+            if is_quick(watch):
+                break
+        else:
+            raise AssertionError(str(watch))
+        hand.wait(typist.done, 60, "the cut")
+        hand.key("Esc")
 
 
 @contextmanager
@@ -155,22 +226,45 @@ def hidden_view(hand: Hand) -> Iterator[None]:
         hand.main(show, True)
 
 
-def type_into_all(hand: Hand, kind: str, obj: Any) -> Any:
-    """Type into every line of the panel of one object; return the watchdog of that time."""
+def type_into_all(hand: Hand, kind: str, obj: Any) -> None:
+    """Type into every line of the panel of one object; none of its keys may take long."""
     before, typist, begun_s = hand.main(values, obj), Typist(hand, obj), time.monotonic()
     lines = hand.main(typist.lines)
     assert lines
-    with hand.watchdog() as watch:
-        for number, line in enumerate(lines):
-            typist.type_all(line, TEXTS[number % len(TEXTS)])
+    watches = [quickly_typed(typist, line) for line in lines]
+    with hand.watchdog() as last:
         hand.wait(typist.done, 60, "the last cut")
+    assert is_quick(last), f"{kind}: {last}"
     took_s = time.monotonic() - begun_s
     print(
-        f"{kind}: {len(lines)} fields, {typist.applied} values in {took_s:.1f} s, {watch}".partition(" in\n")[0],
+        f"{kind}: {len(lines)} fields, {typist.applied} values in {took_s:.1f} s, of work at most "
+        f"{max(watch.max_python_ms for watch in watches):.0f} ms with Python in it and "
+        f"{max(watch.max_cpu_ms for watch in watches):.0f} ms in all, of waiting at most "
+        f"{max(watch.max_waited_ms for watch in watches):.0f} ms",
         flush=True,
     )
     assert hand.main(values, obj) == before, kind
     assert hand.main(problem_of, obj) == "", kind
     hand.key("Esc")
     hand.wait(lambda: not FreeCADGui.Control.activeDialog(), 20, "the panel to close")
-    return watch
+
+
+def quickly_typed(typist: Typist, line: Any) -> Any:
+    """Type all texts into a line and return the watchdog of that time.
+
+    What is slow is slow again, and a shared core is not: a line that took long is typed into anew.
+    """
+    for _ in range(TRIES):
+        with typist.hand.watchdog() as watch:
+            typist.watch = watch
+            typist.type_all(line)
+            typist.watch = None
+        if is_quick(watch):
+            return watch
+    raise AssertionError(f"{line.objectName()}: {watch}")
+
+
+def is_quick(watch: Any) -> bool:
+    """Return whether no block of a time took long."""
+    quick = watch.max_python_ms < AT_ONCE_MS and watch.max_cpu_ms < DRAWN_MS
+    return bool(quick and watch.max_waited_ms < WAITS_MS)

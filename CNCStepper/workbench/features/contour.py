@@ -18,7 +18,7 @@ from CNCStepper.workbench.features.common import (
     STOCK_TO_LEAVE,
     TOLERANCE,
 )
-from CNCStepper.workbench.features.operation import OPERATION, Operation, drawn, drawn_curves
+from CNCStepper.workbench.features.operation import OPERATION, Operation, drawn, drawn_lines
 from CNCStepper.workbench.words import later
 
 TABS, LEADS = later("Tabs"), later("Leads")
@@ -97,5 +97,5 @@ class Contour(Operation):
 
     def cycle_values(self, obj: Any, origin_mm: tuple[float, ...]) -> dict[str, Any]:
         """Return the parameters and the drawings' curves."""
-        curves = drawn_curves(obj, origin_mm, "choose a sketch, wires or faces for it")
+        curves = drawn_lines(obj, origin_mm, "choose a sketch, wires or faces for it").curves
         return {**self.given(values(obj)), "curves": tuple(each.curve for each in curves)}

@@ -7,7 +7,7 @@ from typing import Any
 
 from CNCStepper.workbench.features.base import DISTANCE, ENUMERATION, Property, values
 from CNCStepper.workbench.features.common import CUT, LEVELS, RESULT
-from CNCStepper.workbench.features.operation import OPERATION, Operation, drawn, drawn_curves
+from CNCStepper.workbench.features.operation import OPERATION, Operation, drawn, drawn_lines
 from CNCStepper.workbench.words import later
 
 LINES = later("Lines")
@@ -38,5 +38,5 @@ class Engrave(Operation):
 
     def cycle_values(self, obj: Any, origin_mm: tuple[float, ...]) -> dict[str, Any]:
         """Return the parameters and the drawings' curves."""
-        curves = drawn_curves(obj, origin_mm, "choose a sketch, wire, B-spline or freehand line for it")
+        curves = drawn_lines(obj, origin_mm, "choose a sketch, wire, B-spline or freehand line for it").curves
         return {**self.given(values(obj)), "curves": tuple(each.curve for each in curves)}

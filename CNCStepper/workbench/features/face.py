@@ -21,7 +21,7 @@ from CNCStepper.workbench.features.common import (
     STEPOVER,
     TOLERANCE,
 )
-from CNCStepper.workbench.features.operation import OPERATION, Operation, drawings_of, drawn, drawn_curves
+from CNCStepper.workbench.features.operation import OPERATION, Operation, drawings_of, drawn, drawn_lines
 from CNCStepper.workbench.words import later
 
 ANGLED = PATTERN_VALUES[0]
@@ -56,10 +56,7 @@ class Face(Operation):
         """Return the parameters, and the drawings' outermost closed curves where there are some."""
         if not drawings_of(obj):
             return self.given(values(obj))
-        from CNCStepper.workbench.nesting import nested
-
-        curves = drawn_curves(obj, origin_mm, "")
-        outlines, islands = nested(curves)
+        outlines, islands = drawn_lines(obj, origin_mm, "").nested
         if islands:
             self.remarks = (*self.remarks, "what lies inside an outline is faced with it")
         return {**self.given(values(obj)), "outlines": outlines}

@@ -21,9 +21,11 @@ from CNCStepper.workbench.features.base import (
     Property,
     proxy_type,
     require_parts,
+    values,
 )
 from CNCStepper.workbench.stock import FORMS, stock_content, stock_of
 from CNCStepper.workbench.undo import follow
+from CNCStepper.workbench.within_reach import require_within_reach
 from CNCStepper.workbench.words import later
 
 MACHINE, STOCK, HEIGHTS, PROGRAM = later("Machine"), later("Stock"), later("Heights"), later("Program")
@@ -31,6 +33,7 @@ JOB_GROUP = later("Job")
 LINKS = "App::PropertyLinkList"
 SOLIDS = CONTAINERS  # a clamp may lie inside a part, the job outside
 ORIGINS = ("top-centre", "top-left-front")
+HEIGHT_KEYS = ("clearance_mm", "retract_mm")
 FED_BY = {"Machine", "Material"}  # what the tools' feeds depend on
 STOCK_SHAPE = {"StockForm", "StockSize", "StockOrigin"}
 SETUP = {"Clearance", "Retract", "WorkOrigin", "Operations", *STOCK_SHAPE}  # what an operation's figures depend on
@@ -94,13 +97,14 @@ class Job(Feature):
     )  # fmt: skip
 
     def check(self, obj: Any) -> None:
-        """Raise JobError for a machine that there is not, or a stock that none can be."""
+        """Raise JobError for a machine that there is not, a stock that none can be, or heights beyond both."""
         packages.require()
         from CNCStepper.workbench.machines import machine_of
 
         machine_of(obj)
         stock_of(obj)
         stock_content(obj)
+        require_within_reach(obj, {key: value for key, value in values(obj).items() if key in HEIGHT_KEYS})
 
     def question(self, obj: Any) -> dict[str, Any] | None:
         """Return what the cut process is asked for the programs; None while there are no operations."""

@@ -4,7 +4,8 @@
 from __future__ import annotations
 
 import functools
-from dataclasses import replace
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 from typing import Any
 
 from CNCStepper.errors import CNCStepperError, CycleError
@@ -16,6 +17,8 @@ from CNCStepper.workbench.features.base import (
     HIDDEN,
     JOB,
     LINK,
+    NUMBERS,
+    POSITION,
     PROBLEM,
     TEXT,
     Feature,
@@ -28,7 +31,8 @@ from CNCStepper.workbench.features.base import (
     show,
     values,
 )
-from CNCStepper.workbench.shapes import containers_of, edges_of, require_closed
+from CNCStepper.workbench.shapes import Seen, all_same, containers_of, edges_of, require_closed
+from CNCStepper.workbench.within_reach import require_within_reach
 from CNCStepper.workbench.words import later
 
 OPERATION_GROUP = later("Operation")
@@ -50,6 +54,42 @@ def drawn(group: str, text: str, only: tuple[str, tuple[str, ...]] | tuple[()] =
     )  # fmt: skip
 
 
+@dataclass(frozen=True)
+class Kept:
+    """The cycle that an operation was made into with that tool's number and that work zero, and the remarks on it.
+
+    measures: those of the operation's values by key that stock and machine limit.
+    """
+
+    made_with: tuple[Any, ...]
+    cycle: Any
+    remarks: tuple[str, ...]
+    measures: dict[str, Any]
+
+    @functools.cached_property
+    def content(self) -> dict[str, Any]:
+        """The cycle as plain data."""
+        content: dict[str, Any] = self.cycle.model_dump(mode="json")
+        return content
+
+
+@dataclass(frozen=True)
+class Lines:
+    """The curves of an operation's drawings, and of what they were made."""
+
+    made_of: tuple[Any, ...]
+    drawings: Sequence[Seen]
+    curves: list[Any]
+    remarks: tuple[str, ...]
+
+    @functools.cached_property
+    def nested(self) -> tuple[tuple[Any, ...], tuple[Any, ...]]:
+        """The closed curves as outlines and islands; raises GeometryError for an open one or two that cross."""
+        from CNCStepper.workbench.nesting import nested
+
+        return nested(self.curves)
+
+
 class Operation(Feature):
     """The proxy of an operation: its properties are its cycle's parameters, under the same keys.
 
@@ -69,6 +109,9 @@ class Operation(Feature):
     WHY_FIXED = later("The drawing gives this value")
     removed_label = ""
     last_cut: Any = None  # a CutOnce
+    kept: Kept | None = None  # until the object or what it stands on changes
+    drawn: Sequence[Seen] = ()  # its drawings when it was made
+    lines: Lines | None = None  # of its drawings when it was made
     warnings: tuple[str, ...] = ()  # what the last cut says that a person should know
     remarks: tuple[str, ...] = ()  # what there is to know of the drawings
     unused: tuple[CNCStepperError, ...] = ()  # why what was selected with the drawings is none of them
@@ -121,11 +164,39 @@ class Operation(Feature):
 
     def cycle(self, obj: Any, origin_mm: tuple[float, ...]) -> Any:
         """Return the checked cycle of `obj` in work coordinates; raises CycleError, GeometryError or JobError."""
+        return self._keep(obj, origin_mm).cycle
+
+    def content(self, obj: Any, origin_mm: tuple[float, ...]) -> dict[str, Any]:
+        """Return the cycle of `obj` as plain data; raises what `cycle` raises."""
+        return self._keep(obj, origin_mm).content
+
+    def _keep(self, obj: Any, origin_mm: tuple[float, ...]) -> Kept:
+        """Return what the object was made into, made anew where anything has changed: its job asks after each edit."""
         packages.require()
+        made_with = (_tool(obj).Number, tuple(origin_mm))
+        if self.kept is None or self.kept.made_with != made_with:
+            self.remarks = ()
+            self.kept = Kept(made_with, self._checked(obj, *made_with), self.remarks, self._measures(obj))
+        self.remarks = self.kept.remarks
+        return self.kept
+
+    def _look_at_drawings(self, obj: Any) -> None:
+        """Keep the cycle only where the drawings are as they were when it was made."""
+        drawn = [Seen.of(drawing) for drawing, _ in drawings_of(obj)]
+        if not all_same(drawn, self.drawn):
+            self.kept = None
+        self.drawn = drawn
+
+    def _measures(self, obj: Any) -> dict[str, Any]:
+        found = values(obj)
+        measured = [entry for entry in self.PROPERTIES if entry.type in (*NUMBERS, POSITION) and entry.key in found]
+        return {entry.key: found[entry.key] for entry in measured if self.counts(entry, found)}
+
+    def _checked(self, obj: Any, tool: int, origin_mm: tuple[float, ...]) -> Any:
         from CNCStepper.cycles.catalogue import cycle_class
         from CNCStepper.machine.profile import validated
 
-        content = {"cycle": self.CYCLE, "tool": _tool(obj).Number, **self.cycle_values(obj, origin_mm)}
+        content = {"cycle": self.CYCLE, "tool": tool, **self.cycle_values(obj, origin_mm)}
         return validated(cycle_class(self.CYCLE), content, obj.Label)
 
     def cut_once(self, cycle: Any, setup: Any) -> Any:
@@ -138,12 +209,14 @@ class Operation(Feature):
 
     def make(self, obj: Any) -> None:
         """Cut it for trial, as its job would, and show the figures."""
-        self.warnings = self.remarks = ()
+        self.warnings = ()
+        self._look_at_drawings(obj)
         _refuse_what_it_stands_on(obj)
         show(obj, self.figures(obj))
 
     def question(self, obj: Any) -> dict[str, Any] | None:
         """Return what the cut process is asked for its figures; None while it belongs to no job."""
+        self._look_at_drawings(obj)
         _refuse_what_it_stands_on(obj)
         job, cycle = self._followed(obj)
         if job is None:
@@ -154,6 +227,8 @@ class Operation(Feature):
 
     def onChanged(self, obj: Any, name: str) -> None:
         """Stand on what the drawings move with, too; FreeCAD calls this at every change."""
+        if name in self._inputs:
+            self.kept = None
         if PROBLEM.name not in obj.PropertiesList or "Restore" in obj.State:
             return
         if name == "Drawings" and "DeletedDrawing" in obj.PropertiesList:
@@ -163,6 +238,11 @@ class Operation(Feature):
             self.removed_label, self.unused = "", ()
         if name in self._choosers:
             self.show_what_counts(obj)
+
+    @functools.cached_property
+    def _inputs(self) -> set[str]:
+        """The names of the properties that the cycle is made from."""
+        return {"Label", *(entry.name for entry in self.PROPERTIES if not entry.output)}
 
     @functools.cached_property
     def _choosers(self) -> set[str]:
@@ -180,12 +260,12 @@ class Operation(Feature):
         job, cycle = self._followed(obj)
         if job is None:
             return {}
-        from CNCStepper.workbench.feeds import remarks
+        from CNCStepper.workbench.features.tool import model_of
+        from CNCStepper.workbench.feeds import fed, remarks
         from CNCStepper.workbench.making import setup_of
 
-        setup = setup_of(job, obj, cycle)
-        answer = self._known(job, obj, cycle) or self.cut_once(cycle, setup).answer
-        self.warnings = (*self.remarks, *answer.warnings, *remarks(setup.tool, job))
+        answer = self._known(job, obj, cycle) or self.cut_once(cycle, setup_of(job, obj, cycle)).answer
+        self.warnings = (*self.remarks, *answer.warnings, *remarks(fed(model_of(obj.Tool), job), job))
         return dict(answer.figures)
 
     def _followed(self, obj: Any) -> tuple[Any, Any]:
@@ -193,7 +273,9 @@ class Operation(Feature):
         jobs = jobs_of(obj)
         origin_mm = tuple(jobs[0].WorkOrigin) if jobs else (0.0, 0.0, 0.0)
         self.follow(obj, origin_mm)
-        return (jobs[0] if jobs else None), self.cycle(obj, origin_mm)
+        job, kept = (jobs[0] if jobs else None), self._keep(obj, origin_mm)
+        require_within_reach(job, kept.measures)
+        return job, kept.cycle
 
     def _known(self, job: Any, obj: Any, cycle: Any) -> Any:
         """Return what the cut process has answered about this cut, None where it was not asked."""
@@ -224,19 +306,30 @@ def the_drawing(obj: Any) -> tuple[Any, tuple[str, ...]] | None:
     return pairs[0] if pairs else None
 
 
-def drawn_curves(obj: Any, origin_mm: tuple[float, ...], wanted: str) -> list[Any]:
-    """Return an operation's drawings as DrawnCurves from the work zero, and let its proxy remark what there is to know.
+def drawn_lines(obj: Any, origin_mm: tuple[float, ...], wanted: str) -> Lines:
+    """Return the curves of an operation's drawings from the work zero, and let its proxy remark what there is to know.
 
     Raises CycleError where it has none, `wanted` says what to choose; GeometryError for what cannot be followed.
     """
-    from CNCStepper.workbench.drawn_curves import drawn_of
-
     pairs = drawings_of(obj)
     if not pairs:
         raise CycleError("drawing-missing", f"{obj.Label} has no drawing", advice=wanted)
-    drawn = drawn_of(pairs, float(obj.Tolerance))
-    obj.Proxy.remarks = tuple(drawn.remarks())
-    return [replace(each, curve=each.curve.moved(-origin_mm[0], -origin_mm[1])) for each in drawn.curves]
+    proxy, made_of = obj.Proxy, (pairs, float(obj.Tolerance), tuple(origin_mm))
+    seen = [Seen.of(drawing) for drawing, _ in pairs]
+    if proxy.lines is None or proxy.lines.made_of != made_of or not all_same(seen, proxy.lines.drawings):
+        proxy.lines = _lines(made_of, seen)
+    lines: Lines = proxy.lines
+    proxy.remarks = lines.remarks
+    return lines
+
+
+def _lines(made_of: tuple[Any, ...], seen: Sequence[Seen]) -> Lines:
+    from CNCStepper.workbench.drawn_curves import drawn_of
+
+    pairs, tolerance_mm, (x_mm, y_mm, _) = made_of
+    drawn = drawn_of(pairs, tolerance_mm)
+    curves = [replace(each, curve=each.curve.moved(-x_mm, -y_mm)) for each in drawn.curves]
+    return Lines(made_of, seen, curves, tuple(drawn.remarks()))
 
 
 def in_tables(found: dict[str, Any], tables: tuple[str, ...]) -> dict[str, Any]:

@@ -7,7 +7,7 @@ from typing import Any
 
 from CNCStepper.workbench.features.base import values
 from CNCStepper.workbench.features.common import ANY_POCKET
-from CNCStepper.workbench.features.operation import OPERATION, Operation, drawn, drawn_curves
+from CNCStepper.workbench.features.operation import OPERATION, Operation, drawn, drawn_lines
 from CNCStepper.workbench.words import later
 
 
@@ -25,8 +25,5 @@ class Pocket(Operation):
 
     def cycle_values(self, obj: Any, origin_mm: tuple[float, ...]) -> dict[str, Any]:
         """Return the parameters, and the drawings' closed curves as outlines and islands."""
-        from CNCStepper.workbench.nesting import nested
-
-        curves = drawn_curves(obj, origin_mm, "choose a sketch, closed wires or faces for it")
-        outlines, islands = nested(curves)
+        outlines, islands = drawn_lines(obj, origin_mm, "choose a sketch, closed wires or faces for it").nested
         return {**self.given(values(obj)), "outlines": outlines, "islands": islands}

@@ -97,8 +97,11 @@ class Tool(Feature):
 
             take_in(obj)
 
+    model: Any = None  # until the object changes
+
     def onChanged(self, obj: Any, name: str) -> None:
         """Let only those values be typed that the shape has; FreeCAD calls this at every change."""
+        self.model = None
         if name == "ToolShape":
             _fix_foreign(obj)
 
@@ -132,9 +135,11 @@ def _fix_foreign(obj: Any) -> None:
 
 
 def model_of(obj: Any) -> Any:
-    """Return a tool object as `machine.tool.Tool`; raises JobError."""
+    """Return a tool object as `machine.tool.Tool`, made anew where it has changed; raises JobError."""
     packages.require()
     from CNCStepper.machine.profile import validated
     from CNCStepper.machine.tool import Tool as Model
 
-    return validated(Model, obj.Proxy.given(values(obj)), obj.Label)
+    if obj.Proxy.model is None:
+        obj.Proxy.model = validated(Model, obj.Proxy.given(values(obj)), obj.Label)
+    return obj.Proxy.model

@@ -6,10 +6,10 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from CNCStepper.errors import CNCStepperError
 from CNCStepper.workbench.features.base import JOB, proxy_type
 from CNCStepper.workbench.features.operation import LINKS
 from CNCStepper.workbench.panels.numbers import Refused
+from CNCStepper.workbench.within_reach import limits_passed
 from CNCStepper.workbench.words import later
 
 SENTENCES = {
@@ -28,16 +28,5 @@ def beyond(obj: Any, changes: dict[str, Any], shown: Callable[[str, float], str]
     job = obj if proxy_type(obj) == JOB else next((other for other in obj.InList if proxy_type(other) == JOB), None)
     if job is None or not changes:
         return {}
-    from CNCStepper.job.reach import reach_of
-    from CNCStepper.workbench.making import machine_of
-    from CNCStepper.workbench.stock import size_mm
-
-    try:
-        reach = reach_of(size_mm(job), machine_of(job))
-    except CNCStepperError:  # what is wrong with the machine is said at the job
-        return {}
-    found = {}
-    for key, value in changes.items():
-        if key not in LINKS and (limit := reach.refusal(key, value)) is not None:
-            found[key] = Refused(SENTENCES[limit.reason], shown(key, limit.most))
-    return found
+    passed = limits_passed(job, {key: value for key, value in changes.items() if key not in LINKS})
+    return {key: Refused(SENTENCES[limit.reason], shown(key, limit.most)) for key, limit in passed.items()}

@@ -5,12 +5,15 @@ from __future__ import annotations
 
 from typing import Any
 
+import numpy as np
 import pytest
+import shapely
 
 from CNCStepper.cycles.catalogue import CYCLES
 from CNCStepper.errors import Place
 from CNCStepper.geometry.curve import circle, from_points
-from CNCStepper.job.stock_fit import drawn, stock_findings
+from CNCStepper.job import stock_fit
+from CNCStepper.job.stock_fit import drawn, region_outside_stock, stock_findings
 from CNCStepper.machine.profile import validated
 from CNCStepper.simulation.finding import Finding, worst_first
 from CNCStepper.simulation.stock import Cylinder, Stock
@@ -97,3 +100,21 @@ def test_findings_are_in_the_order_of_their_weight_then_of_their_lines() -> None
     ]
     order = [(one.severity, one.place.line) for one in worst_first(found)]
     assert order == [("error", 3), ("error", 9), ("warning", 1), ("warning", 2), ("info", 1)]
+
+
+@pytest.mark.parametrize("outline", [Stock((100, 80, 10), "top-centre"), Cylinder((90, 90, 10), "top-centre")])
+def test_what_lies_farthest_outside_is_found_among_the_outermost_points(outline: Stock) -> None:
+    points = np.random.default_rng(7).uniform(-70, 70, (3000, 2))  # seed 7
+    every_mm = shapely.distance(shapely.points(points), outline.outline).max()
+    finding = region_outside_stock([points], outline)
+    assert finding is not None and finding.value == pytest.approx(every_mm, abs=1e-9)
+    assert region_outside_stock([points / 10.0], outline) is None
+
+
+def test_equal_holes_are_drawn_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    made: list[float] = []
+    monkeypatch.setattr(stock_fit, "circle", lambda at, radius_mm: made.append(radius_mm) or circle(at, radius_mm))
+    grid = {"kind": "grid", "origin_mm": (0, 0), "spacing_mm": (5, 5), "count": (30, 30)}
+    lines = drawn(cycle("bore", diameter_mm=4.0, pattern=grid))
+    assert len(lines) == 900 and made == [2.0]
+    assert np.hypot(*(lines[-1] - (145, 145)).T) == pytest.approx(np.full(len(lines[-1]), 2.0))

@@ -10,7 +10,7 @@ from typing import Any
 
 import pytest
 
-from CNCStepper.checkpoint import interruptible
+from CNCStepper.checkpoint import checkpoint, interruptible
 from CNCStepper.errors import CNCStepperError, CycleError
 from CNCStepper.job.make import cut_operations, make_program
 from CNCStepper.job.model import load_job
@@ -96,10 +96,24 @@ def test_what_takes_long_in_a_window_is_ended_and_left_to_the_process(monkeypatc
     refused: list[int] = []
     monkeypatch.setattr(patience, "long_refused", lambda: refused.append(1))
     monkeypatch.setattr(patience, "hurry", False)
+    monkeypatch.setattr(patience, "loaded", True)
     monkeypatch.setattr(patience, "MOST_S", 0.0)
     with pytest.raises(CNCStepperError) as raised, patience.patience():
         cut_operations(job.on(machine))
     assert raised.value.code == patience.LONG and refused
+
+
+def test_the_first_that_takes_long_has_the_time_to_load_the_kernels(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(patience, "long_refused", lambda: None)
+    monkeypatch.setattr(patience, "hurry", False)
+    monkeypatch.setattr(patience, "loaded", False)
+    monkeypatch.setattr(patience, "LOADED_S", -1.0)
+    monkeypatch.setattr(patience, "MOST_S", -1.0)
+    with patience.patience():
+        checkpoint()
+    with pytest.raises(CNCStepperError) as raised, patience.patience():
+        checkpoint()
+    assert raised.value.code == patience.LONG
 
 
 def test_without_a_window_a_cut_takes_its_time(monkeypatch: pytest.MonkeyPatch) -> None:
