@@ -26,7 +26,7 @@ def limit(key: str, number: float) -> str:
         (EllipticalPocket, POCKET | {"depth_mm": 0.0}, "depth_mm", "must be at least 0.001 of depth_mm"),
         (EllipticalPocket, POCKET | {"depth_mm": 2e4}, "depth_mm", "must be at most 10000 of depth_mm"),
         (EllipticalPocket, POCKET | {"finish_stepdown_mm": -1.0}, "finish_stepdown_mm", "must be at least 0"),
-        (EllipticalPocket, POCKET | {"finish_stepdown_mm": 1e-9}, "finish_stepdown_mm", "must be 0, or at least 0.001"),
+        (EllipticalPocket, POCKET | {"finish_stepdown_mm": 1e-8}, "finish_stepdown_mm", "must be 0, or at least 0.001"),
         (EllipticalPocket, POCKET | {"centre_mm": (2e5, 0.0)}, "centre_mm", "must be at most 100000"),
         (Tool, TOOL | {"diameter_mm": -6.0}, "diameter_mm", "must be at least 0.001"),
         (Tool, TOOL | {"number": 256}, "number", "must be at most 255"),
