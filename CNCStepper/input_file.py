@@ -32,6 +32,31 @@ KINDS = (
 )
 
 
+class Unchanged:
+    """Notices when a file that is read more than once is written, or another takes its place, meanwhile."""
+
+    def __init__(self, path: Path):
+        self._path = path
+        self._stamp = self._now()
+
+    def check(self) -> None:
+        """Raise JobError where the file is not the one that it was."""
+        if self._now() != self._stamp:
+            raise JobError(
+                "file-changed",
+                "the file was changed while it was read",
+                advice="wait until the program that writes it is done, then begin again",
+                place=Place(str(self._path)),
+            )
+
+    def _now(self) -> tuple[int, int, int] | None:
+        try:
+            found = self._path.stat()
+        except OSError:
+            return None
+        return found.st_size, found.st_mtime_ns, found.st_ino
+
+
 def read_input(
     path: str | Path,
     most_bytes: int = MOST_TEXT_BYTES,

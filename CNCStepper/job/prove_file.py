@@ -23,6 +23,7 @@ from CNCStepper.gcode.file_pieces import text_pieces
 from CNCStepper.gcode.take_up import play_of
 from CNCStepper.gcode.wire_blocks import wire_of_file
 from CNCStepper.gcode.wire_text import WireText
+from CNCStepper.input_file import Unchanged
 from CNCStepper.job.given import Given
 from CNCStepper.job.milestones import Milestones
 from CNCStepper.machine.profile import Machine
@@ -52,7 +53,8 @@ class FileProof:
     """What is known of a program's file on a machine; as `prove.Proof`, but for what holds the whole program.
 
     wire: what would be sent; its lines are read from the spool, and there are none where no spool was asked for.
-    start: of the table. plan: as `milestones` gives it. cell_mm: of the cut part, None without stock.
+    start: of the table. plan: as `milestones` gives it. cell_mm: of the cut part, None without stock. unchanged:
+    whether the file is still the one that was proven.
     """
 
     path: Path
@@ -63,6 +65,7 @@ class FileProof:
     report: dict[str, Any]
     given: Given
     cell_mm: tuple[float, float] | None
+    unchanged: Unchanged
 
     @property
     def refused(self) -> bool:
@@ -71,10 +74,12 @@ class FileProof:
 
     @property
     def program_sha256(self) -> str:
-        """The fingerprint of the program's text."""
+        """The fingerprint of the program's text; raises JobError where it is another one than was proven."""
         from CNCStepper.control.certificate import digest_of_pieces
 
-        return digest_of_pieces(text_pieces(self.path))
+        digest = digest_of_pieces(text_pieces(self.path))
+        self.unchanged.check()
+        return digest
 
 
 @dataclass(frozen=True)
@@ -122,6 +127,7 @@ class _FileProof:
         share: Callable[[float], None],
     ):
         self._path, self._machine, self._dialect = path, machine, dialect
+        self._unchanged = Unchanged(path)
         self._stock, self._tools, self._spool = stock, tools, spool
         self._play = play_of(machine, dialect)
         self._wire = wire_of_file(path, start, dialect, self._play, sink=self._keep, progress=share)
@@ -153,6 +159,7 @@ class _FileProof:
                 self._writer = files.enter_context(SpoolWriter(self._spool, str(self._path)))
             for group, is_last in _groups(self._planned()):
                 self._see(group, is_last)
+        self._unchanged.check()
         return self._proof()
 
     def _keep(self, wire: WireText) -> None:
@@ -227,6 +234,7 @@ class _FileProof:
             ),
             given=given,
             cell_mm=None if self._part is None else self._part.cell_mm,
+            unchanged=self._unchanged,
         )
 
     def _sent(self) -> SpooledWire:

@@ -15,7 +15,7 @@ from typing import Any
 import pytest
 
 from CNCStepper.control.certificate import Certificate
-from CNCStepper.errors import ProgramError
+from CNCStepper.errors import JobError, ProgramError
 from CNCStepper.gcode import file_pieces, line_store, wire_blocks
 from CNCStepper.gcode.wire_file import WireFile
 from CNCStepper.job import prove_file as prove_file_module
@@ -196,6 +196,19 @@ def test_a_refused_line_is_named_as_in_the_whole_text(tmp_path: Path, line: str)
     with pytest.raises(ProgramError) as parts:
         prove_file(file, TABLE)
     assert str(parts.value) == str(whole.value)
+
+
+@pytest.mark.parametrize("when", ["while it is read", "before its fingerprint is taken"])
+def test_a_file_that_is_written_while_it_is_proven_gets_no_certificate(tmp_path: Path, when: str) -> None:
+    file, other = tmp_path / "peça.nc", tmp_path / "other.nc"
+    file.write_text("G21 G90\nG0 Z0\nG0 X0 Y0\nG1 X-10 F500\nM2\n", "ascii")
+    other.write_text(file.read_text("ascii").replace("X-10", "X-30"), "ascii")
+    saved = {"while it is read": lambda share: other.exists() and other.replace(file)}.get(when, lambda share: None)
+    with pytest.raises(JobError) as refused:
+        proof = prove_file(file, TABLE, spool=tmp_path / "sent", share=saved)
+        other.replace(file)
+        certificate_of(proof)
+    assert refused.value.code == "file-changed"
 
 
 def test_a_certificate_of_a_spool_is_read_back(tmp_path: Path) -> None:
