@@ -1,0 +1,123 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A controller behind a pseudo-terminal, for benchmarks: it answers, stands at 0 while it says that it moves, and notes
+when each `!` would have come out of a line of a given rate.
+
+A pseudo-terminal has no rate of its own. So each byte leaves the line 10/baud after the one before it, the first of
+them after it was written. A controller is hardware, which no program keeps from its work: so where the system permits
+it this process goes before all others.
+"""
+
+from __future__ import annotations
+
+import os
+import select
+import time
+import tty
+from collections import deque
+from contextlib import suppress
+from multiprocessing.connection import Connection
+
+BITS_PER_BYTE = 10
+READ_BYTES = 4096
+FRAME_S = 0.001  # how often an adapter hands on what has come
+BUFFER_BYTES = 1024
+REALTIME = b"!~?\x18"
+GREETING = b"\r\nGrbl 1.1h ['$' for help]\r\n"
+ANSWERS = {
+    b"$I": b"[VER:1.1h.20190830:]\r\n[OPT:V,35,%d]\r\n" % BUFFER_BYTES,
+    b"$$": b"$13=0\r\n$22=0\r\n",
+    b"$#": b"[G54:0.000,0.000,0.000]\r\n[G92:0.000,0.000,0.000]\r\n",
+    b"$G": b"[GC:G0 G54 G17 G21 G90 G94 M5 M9 T0 F0 S0]\r\n",
+}
+
+
+def serve(notes: Connection, baud: int) -> None:
+    """Be the controller's process: tell the port and whether this process goes first, then when each `!` came, in s."""
+    PacedController(notes, baud).serve()
+
+
+class PacedController:
+    """Takes each line as soon as the serial line has carried it, so that this one is what limits the rate."""
+
+    def __init__(self, notes: Connection, baud: int):
+        self._notes = notes
+        self._byte_s = BITS_PER_BYTE / baud
+        self._state = b"Idle"
+        self._tail = b""
+        self._free_s = 0.0  # when the line has carried all that was written
+        self._coming: deque[tuple[float, bytes]] = deque()  # lines and real-time bytes, with when they come
+        self._buffer: deque[bytes] = deque()  # lines that have come
+        self._port, self._client = os.openpty()
+        tty.setraw(self._client)
+        notes.send((os.ttyname(self._client), _goes_first()))
+
+    def serve(self) -> None:
+        """Serve one client until it leaves."""
+        self._take(self._read(None))
+        os.close(self._client)  # the client has it open now: when it closes it, reading fails
+        self._say(GREETING)
+        with suppress(OSError):
+            while True:
+                wait_s = max(self._coming[0][0] - time.monotonic(), FRAME_S) if self._coming else None
+                self._take(self._read(wait_s))
+                self._act_on_what_came()
+
+    def _read(self, wait_s: float | None) -> bytes:
+        ready, _, _ = select.select([self._port], [], [], wait_s)
+        return os.read(self._port, READ_BYTES) if ready else b""
+
+    def _take(self, data: bytes) -> None:
+        """Put bytes on the line that were written now."""
+        self._free_s = max(self._free_s, time.monotonic())
+        for number in data:
+            byte = bytes([number])
+            self._free_s += self._byte_s
+            if byte == b"!":
+                self._notes.send(self._free_s)
+            if byte in REALTIME:
+                self._coming.append((self._free_s, byte))
+            elif byte == b"\n":
+                self._coming.append((self._free_s, self._tail))
+                self._tail = b""
+            else:
+                self._tail += byte
+
+    def _act_on_what_came(self) -> None:
+        now_s = time.monotonic()
+        while self._coming and self._coming[0][0] <= now_s:
+            _, what = self._coming.popleft()
+            if what in (b"!", b"~", b"?", b"\x18"):
+                self._act(what)
+            else:
+                self._buffer.append(what)
+        if self._state != b"Hold:0":
+            self._obey_lines()
+
+    def _act(self, byte: bytes) -> None:
+        self._state = {b"!": b"Hold:0", b"~": b"Run", b"\x18": b"Idle"}.get(byte, self._state)
+        if byte == b"?":
+            self._say(b"<%s|MPos:0.000,0.000,0.000|FS:0,0>\r\n" % self._state)
+        elif byte == b"\x18":
+            self._buffer.clear()
+            self._say(GREETING)
+
+    def _obey_lines(self) -> None:
+        """Answer all lines that have come."""
+        answers = [ANSWERS.get(line, b"") + b"ok\r\n" for line in self._buffer]
+        if any(line.startswith(b"G1X") for line in self._buffer):
+            self._state = b"Run"
+        self._buffer.clear()
+        if answers:
+            self._say(b"".join(answers))
+
+    def _say(self, text: bytes) -> None:
+        os.write(self._port, text)
+
+
+def _goes_first() -> bool:
+    """Let this process go before all others; return whether the system permits it."""
+    try:
+        os.sched_setscheduler(0, os.SCHED_FIFO, os.sched_param(1))
+    except (AttributeError, OSError):
+        return False
+    return True
