@@ -14,6 +14,7 @@ import tempfile
 import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from itertools import product
 from multiprocessing.connection import Connection
 from pathlib import Path
 from typing import Any
@@ -24,6 +25,7 @@ from CNCStepper.control.desk_client import DeskClient
 from CNCStepper.control.send_job import SendJob
 
 BAUDS = (115_200, 1_000_000)
+LINES_OVER = ("socket", "terminal")  # see `paced_controller`
 LINE = "G1X0.000Y0.000F1000"
 HOLDS = 200
 FULL_S = 0.03  # after which a job that goes on has filled its line again, and up to twice that
@@ -99,10 +101,10 @@ class Window:
                 raise BenchError(f"{what} did not come within {WAIT_LIMIT_S:g} s. {self._refused}".strip())
 
 
-def measure(baud: int, busy: Busy) -> tuple[list[float], bool]:
+def measure(baud: int, over: str, busy: Busy) -> tuple[list[float], bool]:
     """Return the delays of many holds, s, sorted, and whether the controller went before all other processes."""
     notes, there = multiprocessing.Pipe()
-    with process(serve, there, baud), tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as folder:
+    with process(serve, there, baud, over), tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as folder:
         if not notes.poll(WAIT_LIMIT_S):
             raise BenchError("the controller does not come up")
         port, goes_first = notes.recv()
@@ -136,13 +138,14 @@ def spin() -> None:
         pass
 
 
-def show(baud: int, case: str, busy: Busy) -> None:
+def show(baud: int, over: str, case: str, busy: Busy) -> None:
     """Print the delays of a case."""
-    delays_s, goes_first = measure(baud, busy)
+    delays_s, goes_first = measure(baud, over, busy)
     half_ms, most_ms, longest_ms = (1000 * delays_s[int(share * (len(delays_s) - 1))] for share in (0.5, 0.99, 1))
+    late = "" if goes_first else ", the far end may be late"
     print(
-        f"hold at {baud} baud, {case}: median {half_ms:.2f} ms, 99 % within {most_ms:.2f} ms, longest {longest_ms:.2f} "
-        f"ms, load {os.getloadavg()[0]:.1f} on {CORES} cores{'' if goes_first else ', the far end may be late'}",
+        f"hold at {baud} baud over a {over}, {case}: median {half_ms:.2f} ms, 99 % within {most_ms:.2f} ms, "
+        f"longest {longest_ms:.2f} ms, load {os.getloadavg()[0]:.1f} on {CORES} cores{late}",
         flush=True,
     )
 
@@ -150,11 +153,11 @@ def show(baud: int, case: str, busy: Busy) -> None:
 def main() -> None:
     """Print the delays beside each other."""
     flood = json.dumps({"numbers": list(range(20_000))})
-    for baud in BAUDS:
-        show(baud, "nothing busy", lambda: time.sleep(WINDOW_S))
+    for baud, over in product(BAUDS, LINES_OVER):
+        show(baud, over, "nothing busy", lambda: time.sleep(WINDOW_S))
         with process(spin):
-            show(baud, "a core kept busy", lambda: time.sleep(WINDOW_S))
-            show(baud, "window and a core kept busy", lambda: json.loads(flood))
+            show(baud, over, "a core kept busy", lambda: time.sleep(WINDOW_S))
+            show(baud, over, "window and a core kept busy", lambda: json.loads(flood))
 
 
 if __name__ == "__main__":

@@ -1,16 +1,18 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A controller behind a pseudo-terminal, for benchmarks: it answers, stands at 0 while it says that it moves, and notes
-when each `!` would have come out of a line of a given rate.
+"""A controller behind a pseudo-terminal or a socket, for benchmarks: it answers, stands at 0 while it says that it
+moves, and notes when each `!` would have come out of a line of a given rate.
 
-A pseudo-terminal has no rate of its own. So each byte leaves the line 10/baud after the one before it, the first of
-them after it was written. A controller is hardware, which no program keeps from its work: so where the system permits
-it this process goes before all others.
+Neither has a rate of its own. So each byte leaves the line 10/baud after the one before it, the first of them after it
+was written. A controller is hardware, which no program keeps from its work: so where the system permits it this process
+goes before all others. What is written to a pseudo-terminal is handed over by a worker of Linux, which waits for a core
+as any program does; what is written to a socket, or to a USB adapter, is not.
 """
 
 from __future__ import annotations
 
 import os
 import select
+import socket
 import time
 import tty
 from collections import deque
@@ -31,9 +33,45 @@ ANSWERS = {
 }
 
 
-def serve(notes: Connection, baud: int) -> None:
-    """Be the controller's process: tell the port and whether this process goes first, then when each `!` came, in s."""
-    PacedController(notes, baud).serve()
+def serve(notes: Connection, baud: int, over: str) -> None:
+    """Be the controller's process: tell the port and whether this process goes first, then when each `!` came, in s.
+
+    over: "terminal" or "socket".
+    """
+    with suppress(OSError):  # the client has left
+        PacedController(notes, baud).serve(TerminalEnd() if over == "terminal" else SocketEnd())
+
+
+class TerminalEnd:
+    """A pseudo-terminal's end; `name` is the other one's."""
+
+    def __init__(self) -> None:
+        self._own, self._client = os.openpty()
+        tty.setraw(self._client)
+        self.name = os.ttyname(self._client)
+
+    def opened(self) -> tuple[int, bytes]:
+        """Wait for a client; return the number to read from and write to, and what came first.
+
+        A pseudo-terminal tells of its first bytes only. From then on reading fails when the client closes it.
+        """
+        data = os.read(self._own, READ_BYTES)
+        os.close(self._client)
+        return self._own, data
+
+
+class SocketEnd:
+    """A socket on this computer; `name` is its address."""
+
+    def __init__(self) -> None:
+        self._listener = socket.create_server(("127.0.0.1", 0))
+        self.name = "socket://{}:{}".format(*self._listener.getsockname())
+
+    def opened(self) -> tuple[int, bytes]:
+        """Wait for a client; return the number to read from and write to, and what came first."""
+        connection, _ = self._listener.accept()
+        connection.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+        return connection.detach(), b""
 
 
 class PacedController:
@@ -47,24 +85,25 @@ class PacedController:
         self._free_s = 0.0  # when the line has carried all that was written
         self._coming: deque[tuple[float, bytes]] = deque()  # lines and real-time bytes, with when they come
         self._buffer: deque[bytes] = deque()  # lines that have come
-        self._port, self._client = os.openpty()
-        tty.setraw(self._client)
-        notes.send((os.ttyname(self._client), _goes_first()))
+        self._port = -1
 
-    def serve(self) -> None:
-        """Serve one client until it leaves."""
-        self._take(self._read(None))
-        os.close(self._client)  # the client has it open now: when it closes it, reading fails
+    def serve(self, end: TerminalEnd | SocketEnd) -> None:
+        """Serve one client; raises OSError when it has left."""
+        self._notes.send((end.name, _goes_first()))
+        self._port, data = end.opened()
+        self._take(data)
         self._say(GREETING)
-        with suppress(OSError):
-            while True:
-                wait_s = max(self._coming[0][0] - time.monotonic(), FRAME_S) if self._coming else None
-                self._take(self._read(wait_s))
-                self._act_on_what_came()
+        while True:
+            wait_s = max(self._coming[0][0] - time.monotonic(), FRAME_S) if self._coming else None
+            self._take(self._read(wait_s))
+            self._act_on_what_came()
 
     def _read(self, wait_s: float | None) -> bytes:
         ready, _, _ = select.select([self._port], [], [], wait_s)
-        return os.read(self._port, READ_BYTES) if ready else b""
+        data = os.read(self._port, READ_BYTES) if ready else b""
+        if ready and not data:
+            raise ConnectionError("the client has left")
+        return data
 
     def _take(self, data: bytes) -> None:
         """Put bytes on the line that were written now."""
