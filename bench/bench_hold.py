@@ -1,123 +1,135 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""From the call of `hold` in a window to the byte on the wire, in a job of 100 000 lines; more and more is busy."""
+"""From the call of `hold` in a window to its byte at the far end of a serial line that is full of a job's lines; at two
+rates, and more and more is busy.
+"""
 
 from __future__ import annotations
 
 import json
 import multiprocessing
-import socket
+import os
+import random
+import sys
 import tempfile
-import threading
 import time
-from collections.abc import Callable
-from contextlib import suppress
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from itertools import product
 from multiprocessing.connection import Connection
 from pathlib import Path
-from queue import SimpleQueue
+from typing import Any
+
+from paced_controller import serve
 
 from CNCStepper.control.desk_client import DeskClient
 from CNCStepper.control.send_job import SendJob
 
-LINES = 100_000
+BAUDS = (115_200, 1_000_000)
+LINES_OVER = ("socket", "terminal")  # see `paced_controller`
+LINE = "G1X0.000Y0.000F1000"
 HOLDS = 200
-LINE_S = 0.002
-REALTIME = b"!~?\x18"
-GREETING = b"\r\nGrbl 1.1h ['$' for help]\r\n"
-ANSWERS = {
-    b"$I": b"[VER:1.1h.20190830:]\r\n[OPT:V,15,128]\r\n",
-    b"$$": b"$13=0\r\n$22=0\r\n",
-    b"$#": b"[G54:0.000,0.000,0.000]\r\n[G92:0.000,0.000,0.000]\r\n",
-    b"$G": b"[GC:G0 G54 G17 G21 G90 G94 M5 M9 T0 F0 S0]\r\n",
-}
+FULL_S = 0.03  # after which a job that goes on has filled its line again, and up to twice that
+LINES_PER_HOLD = 0.3  # seconds of the line, of which a hold takes less
+WAIT_LIMIT_S = 20.0
+WINDOW_S = 0.002  # between two looks of a window that has nothing to do
+CORES = os.cpu_count() or 1
+
+Busy = Callable[[], object]
 
 
-class Wire:
-    """A controller that answers, and stands at 0 while it says that it moves; it notes when `!` came."""
+class BenchError(Exception):
+    """What a benchmark waited for does not come."""
 
-    def __init__(self, notes: Connection):
+
+class Window:
+    """A window at a desk whose port is a paced controller; `busy` is what the window does besides."""
+
+    def __init__(self, port: str, baud: int, folder: Path, notes: Connection, busy: Busy):
+        self._client = DeskClient.launch(port, baud, folder)
         self._notes = notes
-        self._state = b"Idle"
-        self._tail = b""
-        self._listener = socket.create_server(("127.0.0.1", 0))
-        self._lines: SimpleQueue[bytes] = SimpleQueue()
-        notes.send("socket://{}:{}".format(*self._listener.getsockname()))
+        self._busy = busy
+        self._refused = ""
 
-    def serve(self) -> None:
-        """Serve one client until it leaves."""
-        connection, _ = self._listener.accept()
-        connection.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
-        connection.sendall(GREETING)
-        threading.Thread(target=self._obey, args=(connection,), daemon=True).start()
-        while data := connection.recv(4096):
-            now_s = time.monotonic()
-            for byte in (bytes([number]) for number in data if number in REALTIME):
-                if byte == b"!":
-                    self._notes.send(now_s)
-                self._act(byte, connection)
-            *lines, self._tail = (self._tail + data.translate(None, REALTIME)).split(b"\n")
-            for line in lines:
-                self._lines.put(line)
+    def cut(self, job_file: Path) -> None:
+        """Connect, set the zero, as the controller has restarted, and let a job run."""
+        self._until("the desk's connection", lambda: self._client.phase == "connected")
+        self._client.set_zero()
+        self._until("the zero", lambda: self._client.status.position_known is True)
+        self._client.run(job_file, zero_confirmed=True)
 
-    def _act(self, byte: bytes, connection: socket.socket) -> None:
-        self._state = {b"!": b"Hold:0", b"~": b"Run", b"\x18": b"Idle"}.get(byte, self._state)
-        if byte == b"?":
-            connection.sendall(b"<%s|MPos:0.000,0.000,0.000|FS:0,0>\r\n" % self._state)
-        elif byte == b"\x18":
-            connection.sendall(GREETING)
+    def hold(self) -> float:
+        """Hold the running job once, and resume it; return the delay of the hold, s."""
+        client = self._client
+        self._until("the running job", lambda: client.status.phase == "running")
+        full_s = time.monotonic() + FULL_S * (1.0 + random.random())
+        self._until("the full line", lambda: time.monotonic() > full_s)
+        called_s = time.monotonic()
+        client.hold()
+        self._until("the byte of the hold", self._notes.poll)
+        delay_s = self._notes.recv() - called_s
+        self._until("the held machine", lambda: client.status.phase == "held")
+        if self._notes.poll():
+            raise BenchError("a hold was written twice: its delays would be those of other holds")
+        client.resume()
+        return delay_s
 
-    def _obey(self, connection: socket.socket) -> None:
-        """Answer the lines one after another, as if each took its time."""
-        while True:
-            line = self._lines.get()
-            if not line.startswith(b"$"):
-                self._state = b"Run" if self._state == b"Idle" else self._state
-                time.sleep(LINE_S)
-            with suppress(OSError):
-                connection.sendall(ANSWERS.get(line, b"") + b"ok\r\n")
+    def stop(self) -> None:
+        """End the job."""
+        self._client.stop()
+        self._until("the job's end", lambda: self._client.outcome is not None, ends=True)
 
+    def leave(self) -> None:
+        """Let the desk end, and wait until it has: its files go with its folder."""
+        self._client.leave()
+        end_s = time.monotonic() + WAIT_LIMIT_S
+        while (file := self._client.session_file) and file.exists() and time.monotonic() < end_s:
+            time.sleep(WINDOW_S)
 
-def serve(notes: Connection) -> None:
-    """Be the controller's process."""
-    Wire(notes).serve()
-
-
-def look(client: DeskClient, reached: Callable[[], bool], busy: Callable[[], object]) -> None:
-    """Look at the desk as a window does until something is reached."""
-    while not reached():
-        client.poll()
-        busy()
-        assert client.phase != "gone", client.error
-
-
-def measure(busy: Callable[[], object]) -> list[float]:
-    """Return the delays of many holds, s, sorted; `busy` is what the window does besides."""
-    wire, notes = multiprocessing.Pipe()
-    controller = multiprocessing.get_context("spawn").Process(target=serve, args=(notes,), daemon=True)
-    controller.start()
-    port = wire.recv()
-    with tempfile.TemporaryDirectory() as folder:
-        path = Path(folder) / "job.json"
-        path.write_text(SendJob("", ["G1X0F1000"] * LINES).to_json(), "utf-8")
-        client = DeskClient.launch(port, folder=Path(folder))
-        look(client, lambda: client.phase == "connected", busy)
-        client.run(path, zero_confirmed=True)
-        delays = [hold(client, wire, busy) for _ in range(HOLDS)]
-        client.stop()
-        look(client, lambda: client.outcome is not None, busy)
-        client.leave()
-        controller.join()  # the desk has left it
-    return sorted(delays)
+    def _until(self, what: str, reached: Callable[[], Any], ends: bool = False) -> None:
+        """Look at the desk as a window does until something is reached; raises BenchError where it cannot be."""
+        end_s = time.monotonic() + WAIT_LIMIT_S
+        while not reached():
+            for event in self._client.poll():
+                self._refused = event["text"] if event["event"] == "refused" else self._refused
+            self._busy()
+            client = self._client
+            if client.phase == "gone":
+                raise BenchError(f"while {what} was waited for the desk ended: {client.error}")
+            if client.outcome and not ends:
+                raise BenchError(f"while {what} was waited for the job ended: {client.outcome.text}")
+            if time.monotonic() > end_s:
+                raise BenchError(f"{what} did not come within {WAIT_LIMIT_S:g} s. {self._refused}".strip())
 
 
-def hold(client: DeskClient, wire: Connection, busy: Callable[[], object]) -> float:
-    """Hold a running job once, and resume it; return the delay of the hold, s."""
-    look(client, lambda: client.status.phase == "running", busy)
-    called_s = time.monotonic()
-    client.hold()
-    delay_s = wire.recv() - called_s
-    look(client, lambda: client.status.phase == "held", busy)
-    client.resume()
-    return delay_s
+def measure(baud: int, over: str, busy: Busy) -> tuple[list[float], bool]:
+    """Return the delays of many holds, s, sorted, and whether the controller went before all other processes."""
+    notes, there = multiprocessing.Pipe()
+    with process(serve, there, baud, over), tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as folder:
+        if not notes.poll(WAIT_LIMIT_S):
+            raise BenchError("the controller does not come up")
+        port, goes_first = notes.recv()
+        job_file = Path(folder) / "job.json"
+        lines = round(HOLDS * LINES_PER_HOLD * baud / 10 / (len(LINE) + 1))
+        job_file.write_text(SendJob("", [LINE] * lines).to_json(), "utf-8")
+        window = Window(port, baud, Path(folder), notes, busy)
+        try:
+            window.cut(job_file)
+            delays_s = [window.hold() for _ in range(HOLDS)]
+            window.stop()
+        finally:
+            window.leave()
+    return sorted(delays_s), goes_first
+
+
+@contextmanager
+def process(target: Callable[..., None], *arguments: object) -> Iterator[multiprocessing.process.BaseProcess]:
+    """A process of the benchmark, which ends with it."""
+    started = multiprocessing.get_context("spawn").Process(target=target, args=arguments, daemon=True)
+    started.start()
+    try:
+        yield started
+    finally:
+        started.kill()
 
 
 def spin() -> None:
@@ -126,22 +138,30 @@ def spin() -> None:
         pass
 
 
+def show(baud: int, over: str, case: str, busy: Busy) -> None:
+    """Print the delays of a case."""
+    delays_s, goes_first = measure(baud, over, busy)
+    half_ms, most_ms, longest_ms = (1000 * delays_s[int(share * (len(delays_s) - 1))] for share in (0.5, 0.99, 1))
+    late = "" if goes_first else ", the far end may be late"
+    print(
+        f"hold at {baud} baud over a {over}, {case}: median {half_ms:.2f} ms, 99 % within {most_ms:.2f} ms, "
+        f"longest {longest_ms:.2f} ms, load {os.getloadavg()[0]:.1f} on {CORES} cores{late}",
+        flush=True,
+    )
+
+
 def main() -> None:
     """Print the delays beside each other."""
     flood = json.dumps({"numbers": list(range(20_000))})
-    tell("window at rest", measure(lambda: time.sleep(0.002)))
-    tell("window kept busy", measure(lambda: json.loads(flood)))
-    other = multiprocessing.get_context("spawn").Process(target=spin, daemon=True)
-    other.start()
-    tell("window and another core kept busy", measure(lambda: json.loads(flood)))
-    other.kill()
-
-
-def tell(case: str, delays_s: list[float]) -> None:
-    """Print the sorted delays of a case."""
-    half_ms, most_ms, longest_ms = (1000 * delays_s[int(share * (len(delays_s) - 1))] for share in (0.5, 0.99, 1))
-    print(f"hold, {case}: median {half_ms:.2f} ms, 99 % within {most_ms:.2f} ms, longest {longest_ms:.2f} ms")
+    for baud, over in product(BAUDS, LINES_OVER):
+        show(baud, over, "nothing busy", lambda: time.sleep(WINDOW_S))
+        with process(spin):
+            show(baud, over, "a core kept busy", lambda: time.sleep(WINDOW_S))
+            show(baud, over, "window and a core kept busy", lambda: json.loads(flood))
 
 
 if __name__ == "__main__":
-    main()
+    try:
+        main()
+    except BenchError as error:
+        sys.exit(f"bench_hold: {error}")

@@ -20,6 +20,7 @@ from CNCStepper.control.own_process import stop_on_signals
 from CNCStepper.control.port_identity import identify
 from CNCStepper.control.session_file import OUTCOME, WIRE, DeskFile, write_private
 from CNCStepper.control.session_server import SessionServer
+from CNCStepper.control.thread_priority import go_first
 from CNCStepper.control.worker import SWITCH_S
 from CNCStepper.errors import CNCStepperError, LinkError
 
@@ -27,6 +28,7 @@ from CNCStepper.errors import CNCStepperError, LinkError
 def main(arguments: list[str]) -> int:
     """Be the desk whose file is `arguments[0]`; return the exit status, 0 when it was left or told to end."""
     sys.setswitchinterval(SWITCH_S)
+    go_first()
     path, port, baud = Path(arguments[0]), arguments[1], int(arguments[2])
     desk_file = DeskFile(path)
     server = SessionServer(path, each_turn=desk_file.keep)

@@ -37,6 +37,7 @@ from CNCStepper.control.backlog import Backlog, News, line_of
 from CNCStepper.control.command import Command, read_command
 from CNCStepper.control.outcome import Outcome, SenderStatus, error_to_json
 from CNCStepper.control.session_socket import Listener
+from CNCStepper.control.thread_priority import go_first
 from CNCStepper.errors import CNCStepperError
 
 STATUS_EVERY_S = 0.1
@@ -151,6 +152,7 @@ class SessionServer:
 
     def _serve(self) -> None:
         assert self._served
+        go_first()
         try:
             while not self._ended.is_set():
                 self._turn()

@@ -25,6 +25,7 @@ from CNCStepper.control.sender import Sender
 from CNCStepper.control.session_file import OUTCOME, WIRE, write_private
 from CNCStepper.control.session_server import SessionServer
 from CNCStepper.control.spool import read_spool
+from CNCStepper.control.thread_priority import go_first
 from CNCStepper.errors import CNCStepperError
 
 SWITCH_S = 0.0005  # a command must not wait for the sender's turn of 5 ms
@@ -33,6 +34,7 @@ SWITCH_S = 0.0005  # a command must not wait for the sender's turn of 5 ms
 def main(arguments: list[str]) -> int:
     """Run the job of standard input as the session whose file is `arguments[0]`; return the exit status."""
     sys.setswitchinterval(SWITCH_S)
+    go_first()
     session = Path(arguments[0])
     wire = session.with_suffix(WIRE)
     job = read_spool(wire, SendJob.from_json(sys.stdin.buffer.read().decode("utf-8")))

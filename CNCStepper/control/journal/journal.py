@@ -30,6 +30,7 @@ from CNCStepper.control.journal.store import JOURNAL, prune
 from CNCStepper.control.outcome import Outcome
 from CNCStepper.control.send_job import SendJob
 from CNCStepper.control.session_file import new_session
+from CNCStepper.control.thread_priority import go_first
 from CNCStepper.errors import JobError
 
 ROOM_BYTES = 10_000_000  # a day's journal
@@ -80,7 +81,7 @@ class Journal:
             self._discard()
             raise self._refusal(error.strerror or str(error)) from error
         self.permitted = first
-        self._executor = self._executor or ThreadPoolExecutor(1, "journal")
+        self._executor = self._executor or ThreadPoolExecutor(1, "journal", go_first)
 
     def hear(self, received: list[Received]) -> None:
         """Learn from what the controller says how much it holds."""

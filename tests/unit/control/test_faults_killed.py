@@ -21,7 +21,7 @@ from CNCStepper.control.session import SessionClient
 from CNCStepper.control.session_file import read_private
 from CNCStepper.errors import LinkError
 
-PLAN = '[[fault]]\nkind = "kill"\nat_byte = 3000\npid_file = "{}"\n'
+PLAN = '[[fault]]\nkind = "kill"\nat_byte = {}\npid_file = "{}"\n'
 PLACES = [(-(number % 5), -(number % 7), 0) for number in range(500)]
 LINES = ("G21G90G94G17F3000", *(f"G1X{x}Y{y}" for x, y, _ in PLACES))
 SERVE = (sys.executable, "-u", "-m", "CNCStepper.cli.main", "virtual", "grbl", "--tcp", "127.0.0.1:0", "--speed", "10")
@@ -36,11 +36,13 @@ LIMIT_S = 120.0
 
 
 @contextmanager
-def machine_that_kills(folder: Path) -> Iterator[tuple[subprocess.Popen[str], str]]:
+def machine_that_kills(
+    folder: Path, at_byte: int = 3000, more: tuple[str, ...] = ()
+) -> Iterator[tuple[subprocess.Popen[str], str]]:
     """A virtual machine that kills whose number is in the folder's "pid", and its address; it writes trace.csv."""
     plan = folder / "plan.toml"
-    plan.write_text(PLAN.format((folder / "pid").as_posix()), "utf-8")
-    options = ("--faults", str(plan), "--trace", str(folder / "trace.csv"))
+    plan.write_text(PLAN.format(at_byte, (folder / "pid").as_posix()), "utf-8")
+    options = ("--faults", str(plan), "--trace", str(folder / "trace.csv"), *more)
     with subprocess.Popen([*SERVE, *options], stdout=subprocess.PIPE, text=True) as machine:
         try:
             yield machine, machine.stdout.readline().split()[-1]

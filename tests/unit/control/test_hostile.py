@@ -24,10 +24,14 @@ from CNCStepper.control.outcome import FAILED, REFUSED, STOPPED, Outcome
 from CNCStepper.control.send_job import SendJob
 from CNCStepper.control.sender import Sender
 from CNCStepper.control.session import SessionClient
+from CNCStepper.control.session_file import write_private
 from CNCStepper.errors import LinkError
+from CNCStepper.job.way_back import WayBack
+from CNCStepper.machine.profile import load_machine
 
 TOLD_S, OBEYED_S = 2.0, 5.0
 LIMIT_S = 20.0
+BACK_MM = 0.03  # which takes longer than a stop may
 LINES = [f"G1X{10 + number / 1000:.3f}F60" for number in range(4000)]
 MOST_MB = 60.0  # that a flood may cost
 
@@ -149,16 +153,48 @@ def paused(controller: HostileController, client: SessionClient) -> None:
     await_phase(client, "paused")
 
 
+def turning_back(controller: HostileController, client: SessionClient) -> None:
+    """Held, told a way back along the cut, and asked for its settings after the reset with which that begins."""
+    held(controller, client)
+    controller.answers_questions = False
+    begin_s = time.monotonic()
+    ask_way_back(client)
+    await_heard(controller, b"$", begin_s)
+
+
+def retracting(controller: HostileController, client: SessionClient) -> None:
+    """On the way back along the cut."""
+    held(controller, client)
+    sent = len(controller.lines)
+    ask_way_back(client)
+    await_phase(client, "running")
+    end_s = time.monotonic() + LIMIT_S
+    while len(controller.lines) < sent + 2:
+        assert time.monotonic() < end_s
+        time.sleep(0.01)
+
+
+def ask_way_back(client: SessionClient) -> None:
+    place = WayBack(client, load_machine("table-a")).held()
+    leg = client.session_file.with_name("leg.json")
+    write_private(leg, place.along(place.back_by(BACK_MM)))
+    client.ask("retrace", file=str(leg))
+
+
 def asked(begin: bytes) -> Callable[[HostileController, SessionClient], None]:
     """Return what waits until the controller was sent something."""
 
     def reach(controller: HostileController, client: SessionClient) -> None:
-        end_s = time.monotonic() + LIMIT_S
-        while begin not in controller.heard_since(0.0):
-            assert time.monotonic() < end_s
-            time.sleep(0.01)
+        await_heard(controller, begin, 0.0)
 
     return reach
+
+
+def await_heard(controller: HostileController, data: bytes, begin_s: float) -> None:
+    end_s = time.monotonic() + LIMIT_S
+    while data not in controller.heard_since(begin_s):
+        assert time.monotonic() < end_s
+        time.sleep(0.01)
 
 
 def deaf(controller: HostileController) -> None:
@@ -181,9 +217,11 @@ STATES = {  # of the sender: how it comes there, and what the job and the contro
     "running": (running, None, {}),
     "held": (held, None, {}),
     "paused": (paused, None, {"lines": ["G1X10F600", "M0", *LINES]}),
+    "turning back": (turning_back, None, {}),
+    "retracting": (retracting, None, {}),
 }
 THEN = ("obeys", "deaf", "runs-on", "never-slower", "statuses", "ok", "noise", "long-number")
-QUICK_STOPS = {("running", "deaf"), ("preflight", "obeys")}
+QUICK_STOPS = {("running", "deaf"), ("preflight", "obeys"), ("retracting", "deaf")}
 EACH_STOP = [
     pytest.param(state, then, marks=() if (state, then) in QUICK_STOPS else pytest.mark.slow)
     for state in STATES
@@ -207,7 +245,7 @@ def test_sigterm_is_obeyed_in_every_state(tmp_path, state, then):
         assert took_s < OBEYED_S, f"{took_s:.2f} s"
         client.poll()
         outcome = client.outcome or SessionClient.attach(client.session_file).outcome
-        begun = state in ("running", "held", "paused")
+        begun = state not in ("greeting", "preflight", "homing")
         assert outcome.kind in (STOPPED, FAILED if begun else REFUSED), outcome.text
         if begun:
             assert b"\x18" in controller.heard_since(begin_s)
