@@ -133,6 +133,7 @@ class States(Sequence[State]):
         self._pieces: list[Sequence[State]] = [list(states)]
         self._firsts = [0]
         self._count = len(self._pieces[0])
+        self._forgotten = 0  # the states before this one are forgotten
         self._made = _OfFeeds(State())
 
     def append(self, state: State) -> None:
@@ -146,6 +147,19 @@ class States(Sequence[State]):
             self._made = _OfFeeds(base)
         states = _Feeds(self._made, feeds_mm_min)
         self._add(list(states) if len(states) < FEW else states)
+
+    def forget(self, before: int) -> None:
+        """Let go of the states before this one, for a reader that will not ask for them again; each is None then.
+
+        A laser's raster has another S, and so another state, in each line.
+        """
+        while self._forgotten < before:
+            piece = bisect_right(self._firsts, self._forgotten) - 1
+            first, states = self._firsts[piece], self._pieces[piece]
+            end = min(before, first + len(states))
+            if isinstance(states, list):
+                states[self._forgotten - first : end - first] = [None] * (end - self._forgotten)
+            self._forgotten = end
 
     def _add(self, states: Sequence[State]) -> None:
         last = self._pieces[-1]

@@ -146,6 +146,7 @@ class _FileProof:
         self._tool_moves = ToolMoves(self._play, table.start.position_mm) if self._play else None
         self._stops: list[Event] = []  # events at which the motion stops
         self._rows = 0  # read so far
+        self._oldest_state = 0  # of the part before: events between two parts may still name it
         self._whole_s = 0.0
 
     def run(self) -> FileProof:
@@ -218,6 +219,8 @@ class _FileProof:
 
             moves = moves_of(of_tool.toolpath, self._tools, self._stock)
             self._part = HeightMap(self._stock, part=self._part.part.after(moves))
+        self._wire.table.states.forget(self._oldest_state)
+        self._oldest_state = min((int(one.chunk.state[0]) for one in group if len(one.chunk)), default=0)
 
     def _proof(self) -> FileProof:
         table, findings = self._wire.table, self._checks.end()
