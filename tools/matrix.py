@@ -3,7 +3,7 @@
 
 What is asked for on the command line (versions) is all that runs. It goes on to the end whatever fails; then a table
 says what did, and the exit status is 0 only when all of it passed. The system's FreeCAD is used where it is the
-version that is asked for; the others are set up in .cache/freecad.
+version that is asked for; the others are set up once for all checkouts of a user (freecad_root.sh).
 """
 
 from __future__ import annotations
