@@ -30,8 +30,9 @@ demo: setup
 
 test: setup lint
 	@.venv/bin/python -m pytest -n 2 --dist loadfile --no-loadscope-reorder -m "not freecad"
-	@.venv/bin/python -m pytest -n 2 --dist worksteal -m freecad
+	@.venv/bin/python -m pytest -n 2 --dist worksteal -m "freecad$(if $(filter matrix,$(MAKECMDGOALS)), and not matrix)"
 
+# `make test matrix` runs in the system's FreeCAD once what both have (marked "matrix").
 matrix:
 	@tools/setup.sh matrix
 	@.venv/bin/python tools/matrix.py
