@@ -20,7 +20,7 @@ help:
 	@echo "make translations   collect the texts that a person sees, and compile their Portuguese"
 	@echo "make pictures   take the pictures in docs/pictures anew: of every cycle, and of the window"
 	@echo "make setup   only what the others need: system packages and .venv"
-	@echo "make clean   remove what tests, demo and benchmarks have made (.venv stays, the FreeCADs of make matrix go)"
+	@echo "make clean   remove what tests, demo and benchmarks have made (.venv and the FreeCADs of make matrix, which all checkouts share, stay)"
 
 setup:
 	@tools/setup.sh all
@@ -30,8 +30,9 @@ demo: setup
 
 test: setup lint
 	@.venv/bin/python -m pytest -n 2 --dist loadfile --no-loadscope-reorder -m "not freecad"
-	@.venv/bin/python -m pytest -n 2 --dist worksteal -m freecad
+	@.venv/bin/python -m pytest -n 2 --dist worksteal -m "freecad$(if $(filter matrix,$(MAKECMDGOALS)), and not matrix)"
 
+# `make test matrix` runs in the system's FreeCAD once what both have (marked "matrix").
 matrix:
 	@tools/setup.sh matrix
 	@.venv/bin/python tools/matrix.py
@@ -82,3 +83,5 @@ pictures: setup
 clean:
 	@rm -rf build .cache .pytest_cache .mypy_cache .ruff_cache .hypothesis
 	@find . -name .venv -prune -o -name __pycache__ -type d -prune -exec rm -rf {} +
+	@shared=$${CNCSTEPPER_FREECADS:-$${XDG_CACHE_HOME:-$$HOME/.cache}/cncstepper-freecad}; if [ -d "$$shared" ]; then \
+		echo "clean: left for all checkouts: $$shared, the FreeCADs of make matrix (5 minutes to make); remove it yourself"; fi

@@ -13,6 +13,7 @@ ROOT = Path(__file__).parents[1]
 
 
 @pytest.mark.freecad
+@pytest.mark.matrix
 @pytest.mark.slow
 def test_the_printed_command_is_all_that_it_takes() -> None:
     result = subprocess.run(

@@ -2,18 +2,27 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Set up a FreeCAD in a folder of its own, with the Python packages that we need beside it:
 #
-#   tools/freecad_root.sh 1.0.0 [FOLDER]     FOLDER is .cache/freecad/1.0.0 unless said; FOLDER-python gets the packages
+#   tools/freecad_root.sh 1.0.0
+#
+# All checkouts of a user share them: they lie in CNCSTEPPER_FREECADS, unless that is set in cncstepper-freecad in the
+# user's cache folder, and links in .cache/freecad say which of them this checkout uses. It is not in the kernels' cache
+# folder, whose oldest entries are removed. Names hold what a folder was made by (the recipe, or the list of packages):
+# two checkouts that want different ones never remove each other's. What no checkout has asked for in KEPT_DAYS goes.
 #
 # The folder holds a small Debian. It appears under its name only when FreeCAD in it has told its version: what an
-# interrupted set-up leaves is removed and made again. Nothing is mounted outside private mount namespaces. The packages
-# come from the Debian archive of the machine's own apt sources (tools/apt_archive.py), or from CNCSTEPPER_DEBIAN_MIRROR
-# where that is set: a snapshot of the archive keeps old versions of FreeCAD.
+# interrupted set-up leaves is removed and made again. One set-up runs at a time; the others wait for it. Nothing is
+# mounted outside private mount namespaces. The packages come from the Debian archive of the machine's own apt sources
+# (tools/apt_archive.py), or from CNCSTEPPER_DEBIAN_MIRROR where that is set: a snapshot of the archive keeps old
+# versions of FreeCAD.
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 project=$(dirname "$here")
 version=$1
-root=$(realpath -m "${2:-$project/.cache/freecad/$version}")
-python_folder=$root-python
+recipe=1 # raised when make_debian, prepare_apt or install_freecad come to make another folder
+shared=$(realpath -m "${CNCSTEPPER_FREECADS:-${XDG_CACHE_HOME:-$HOME/.cache}/cncstepper-freecad}")
+links=$project/.cache/freecad
+root=$shared/$version-$recipe
+KEPT_DAYS=60
 mirror=${CNCSTEPPER_DEBIAN_MIRROR:-}
 log=$root.log
 
@@ -107,7 +116,7 @@ check_version() {
 }
 
 make_root() {
-    if [ -e "$root/usr/bin/freecad" ]; then return; fi
+    if [ -e "$root/set-up-done" ] && [ -e "$root/usr/bin/freecad" ]; then return; fi
     remove "$root" "$root.part"
     : >"$log"
     find_mirror
@@ -115,6 +124,7 @@ make_root() {
     prepare_apt "$root.part"
     install_freecad "$root.part"
     check_version "$root.part"
+    touch "$root.part/set-up-done"
     mv "$root.part" "$root"
 }
 
@@ -130,9 +140,10 @@ PYTHON
 }
 
 make_packages() {
-    local stamp=$python_folder/done wanted platform platforms=()
+    local wanted platform platforms=()
     wanted=$(wanted_packages) || fail "pyproject.toml cannot be read: run 'make setup' first"
-    if [ "$(cat "$stamp" 2>/dev/null)" = "$wanted" ]; then return; fi
+    python_folder=$root-python-$(cksum <<<"$wanted" | tr -d ' ')
+    if [ "$(cat "$python_folder/done" 2>/dev/null)" = "$wanted" ]; then return; fi
     remove "$python_folder" "$python_folder.part"
     say "fetching the Python packages for Python $python"
     mkdir -p "$python_folder.part/lib/python$python/site-packages" "$python_folder.part/bin"
@@ -150,9 +161,25 @@ make_packages() {
     mv "$python_folder.part" "$python_folder"
 }
 
-mkdir -p "$(dirname "$root")"
+# A checkout from before the folders were shared has one of its own under the link's name.
+link() {
+    if [ -d "$links/$2" ] && ! [ -L "$links/$2" ]; then remove "${links:?}/$2"; fi
+    ln -sfn "$1" "$links/$2"
+    touch "$1/last-used"
+}
+
+remove_unused() {
+    local stamp
+    find "$shared" -mindepth 2 -maxdepth 2 -path "$shared/$version-*" -name last-used -mtime "+$KEPT_DAYS" -print0 |
+        while IFS= read -r -d '' stamp; do remove "$(dirname "$stamp")"; done
+}
+
+mkdir -p "$shared" "$links"
 check_rights
 exec 9>"$root.lock"
 flock 9
 make_root
 make_packages
+link "$root" "$version"
+link "$python_folder" "$version-python"
+remove_unused

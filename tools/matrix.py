@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """`make matrix`: the tests inside FreeCAD 0.20.2, 1.0.0 and 1.1.3, without and with a window; run by .venv's Python.
 
-What is asked for on the command line (versions) is all that runs. It goes on to the end whatever fails; then a table
-says what did, and the exit status is 0 only when all of it passed. The system's FreeCAD is used where it is the
-version that is asked for; the others are set up in .cache/freecad.
+What is asked for on the command line (versions) is all that runs, a run a core at a time; what each says is printed
+when it has ended, and stays in build/matrix. It goes on to the end whatever fails; then a table says what did, and the
+exit status is 0 only when all of it passed. The system's FreeCAD is used where it is the version that is asked for, and
+runs too when it is none of them; the others are set up once for all checkouts of a user (freecad_root.sh).
 """
 
 from __future__ import annotations
@@ -15,15 +16,24 @@ import sys
 import tempfile
 import time
 from collections.abc import Callable
-from concurrent.futures import ThreadPoolExecutor
+from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
 from dataclasses import dataclass, field
+from functools import partial
 from pathlib import Path
+from typing import IO
 
 ROOT = Path(__file__).resolve().parents[1]
 VERSIONS = ("0.20.2", "1.0.0", "1.1.3")  # from old to new: each opens the documents of those before it
-KINDS = ("plain", "scaled", "portuguese", "bare", "timed")
-EMPTY_HOME = "empty home"
+SET_UP, HEADLESS, DOCUMENTS, EMPTY_HOME = "set up", "headless", "documents", "empty home"
+KINDS = ("plain", "scaled", "portuguese", "bare", "timed", DOCUMENTS)
+NAMES = (HEADLESS, EMPTY_HOME, *KINDS)  # the table's columns
+SECONDS = {"plain": 450, HEADLESS: 120, "scaled": 100, EMPTY_HOME: 70, SET_UP: 60}  # about; the longest begin first
+OTHERS_S = 40
 HEADLESS_LIMIT_S = 900
+LANES = max(1, min(4, os.cpu_count() or 1))  # runs at a time
+LOGS = ROOT / "build" / "matrix"
+Key = tuple[str, str]  # a version and what is run of it
+Act = Callable[[IO[str]], bool]  # takes the file for what it says
 
 
 @dataclass
@@ -37,7 +47,9 @@ class Row:
     @property
     def good(self) -> bool:
         """Whether all of it passed."""
-        return bool(self.told) and bool(self.results) and all(passed for passed, _ in self.results.values())
+        return (
+            bool(self.told) and set(self.results) == set(NAMES) and all(passed for passed, _ in self.results.values())
+        )
 
 
 def main(versions: list[str]) -> int:
@@ -45,24 +57,71 @@ def main(versions: list[str]) -> int:
     unknown = sorted(set(versions) - set(VERSIONS))
     if unknown:
         sys.exit(f"matrix: only {', '.join(VERSIONS)} are known, not {', '.join(unknown)}")
-    chosen = [version for version in VERSIONS if version in versions or not versions]
     at_system = system_version()
-    with ThreadPoolExecutor() as pool:
-        ready = dict(
-            zip(chosen, pool.map(lambda version: version == at_system or set_up(version), chosen), strict=True)
-        )
-    rows = []
+    chosen = [version for version in VERSIONS if version in versions] or with_system(at_system)
+    rows = {version: Row(version) for version in chosen}
+    shutil.rmtree(LOGS, ignore_errors=True)
+    LOGS.mkdir(parents=True)
     with tempfile.TemporaryDirectory(prefix="cncstepper-documents-", dir="/tmp") as folder:
-        for version in chosen:
-            row = Row(version)
-            rows.append(row)
-            if ready[version]:
-                run_all(row, "host" if version == at_system else version, Path(folder), chosen)
-    print_table(rows)
-    return 0 if all(row.good for row in rows) else 1
+        acts = all_acts(rows, at_system, Path(folder))
+        run_in_lanes(follows(chosen), lambda key: timed(rows[key[0]], key[1], acts[key]))
+    print_table(list(rows.values()))
+    return 0 if all(row.good for row in rows.values()) else 1
 
 
-def set_up(version: str) -> bool:
+def with_system(at_system: str) -> list[str]:
+    """Return all versions from old to new, the system's among them: `make test matrix` leaves to us what we run."""
+    known = {*VERSIONS, at_system} - {""}
+    return sorted(known, key=lambda version: [int(number) for number in version.split(".")])
+
+
+def follows(chosen: list[str]) -> dict[Key, tuple[Key, ...]]:
+    """Return all runs, each with those that it waits for.
+
+    Headless is first: that compiles the kernels, which the windows then find. A FreeCAD that opens the documents of the
+    older ones waits for them.
+    """
+    found: dict[Key, tuple[Key, ...]] = {}
+    for place, version in enumerate(chosen):
+        older = chosen[max(0, place - 1) : place]
+        found[version, SET_UP] = ()
+        found[version, HEADLESS] = ((version, SET_UP), *((before, HEADLESS) for before in older))
+        found[version, EMPTY_HOME] = ((version, SET_UP),)
+        found |= {(version, kind): ((version, HEADLESS),) for kind in KINDS}
+        found[version, DOCUMENTS] += tuple((before, DOCUMENTS) for before in older)
+    return found
+
+
+def run_in_lanes(runs: dict[Key, tuple[Key, ...]], run: Callable[[Key], None], lanes: int = LANES) -> None:
+    """Run all, so many at a time as there are lanes; what most others wait for the longest begins first."""
+    waiting = sorted(runs, key=lambda key: -chain_s(key, runs))
+    ended: set[Key] = set()
+    running: dict[Future[None], Key] = {}
+    with ThreadPoolExecutor(lanes) as pool:
+        while waiting or running:
+            ready = [key for key in waiting if ended.issuperset(runs[key])]
+            for key in ready[: lanes - len(running)]:
+                waiting.remove(key)
+                running[pool.submit(run, key)] = key
+            for future in wait(running, return_when=FIRST_COMPLETED).done:
+                ended.add(running.pop(future))
+                future.result()
+
+
+def chain_s(key: Key, runs: dict[Key, tuple[Key, ...]]) -> float:
+    """Return about how long a run takes with the longest chain of those that wait for it."""
+    later = [chain_s(other, runs) for other, before in runs.items() if key in before]
+    return SECONDS.get(key[1], OTHERS_S) + max(later, default=0)
+
+
+def set_up(row: Row, where: str, _log: IO[str]) -> bool:
+    """Make one FreeCAD's folder, when it is not there yet, and ask for its version."""
+    if where == "host" or made(row.version):
+        row.told = told_version(where)
+    return bool(row.told)
+
+
+def made(version: str) -> bool:
     """Make one FreeCAD's folder, when it is not there yet."""
     return subprocess.run([str(ROOT / "tools" / "freecad_root.sh"), version]).returncode == 0
 
@@ -89,21 +148,23 @@ def system_version() -> str:
     return told_version("host").partition(" ")[0] if shutil.which("freecadcmd") or shutil.which("FreeCADCmd") else ""
 
 
-def run_all(row: Row, where: str, folder: Path, chosen: list[str]) -> None:
-    """Run the tests of one version, headless first: that compiles the kernels, which the window then finds."""
-    row.told = told_version(where)
-    heading(f"FreeCAD {row.version}: FreeCAD.Version() says {row.told or 'nothing'}")
-    older = chosen[: chosen.index(row.version)]
-    timed(row, "headless", lambda: headless(where, documents(folder / "headless", older)))
-    timed(row, EMPTY_HOME, lambda: followed(where))
-    for kind in KINDS:
-        timed(row, kind, lambda kind=kind: window(where, kind, documents(folder / "window", older)))
+def all_acts(rows: dict[str, Row], at_system: str, folder: Path) -> dict[Key, Act]:
+    """Return what each run does; `folder` is where the documents go from one FreeCAD to the next."""
+    acts: dict[Key, Act] = {}
+    for version in rows:
+        where = "host" if version == at_system else version
+        older = list(rows)[: list(rows).index(version)]
+        acts[version, SET_UP] = partial(set_up, rows[version], where)
+        acts[version, HEADLESS] = partial(headless, where, documents(folder / "headless", older))
+        acts[version, EMPTY_HOME] = partial(followed, where)
+        acts |= {(version, kind): partial(window, where, kind, documents(folder / "window", older)) for kind in KINDS}
+    return acts
 
 
-def followed(where: str) -> bool:
+def followed(where: str, log: IO[str]) -> bool:
     """Follow the command that the workbench prints for missing packages, from an empty home."""
     command = [str(ROOT / ".venv" / "bin" / "python"), str(ROOT / "tests" / "window" / "follow_command.py"), where]
-    return subprocess.run(command, cwd=ROOT).returncode == 0
+    return subprocess.run(command, cwd=ROOT, stdout=log, stderr=log).returncode == 0
 
 
 def documents(folder: Path, older: list[str]) -> dict[str, str]:
@@ -112,43 +173,50 @@ def documents(folder: Path, older: list[str]) -> dict[str, str]:
     return {"CNCSTEPPER_DOCUMENTS": str(folder), "CNCSTEPPER_OLDER": " ".join(older)}
 
 
-def timed(row: Row, name: str, run: Callable[[], bool]) -> None:
-    """Put verdict and seconds of one run into the row."""
-    heading(f"FreeCAD {row.version}: {name}")
+def timed(row: Row, name: str, run: Act) -> None:
+    """Put verdict and seconds of one run into the row; without its FreeCAD there is nothing to run."""
+    if name != SET_UP and not row.told:
+        return
+    print(f"matrix: FreeCAD {row.version}: {name} begins", flush=True)
     begun = time.monotonic()
-    passed = run()
-    row.results[name] = (passed, time.monotonic() - begun)
+    with (LOGS / f"{row.version}-{name.replace(' ', '-')}.log").open("w+", encoding="utf-8", errors="replace") as log:
+        passed = run(log)
+        log.seek(0)
+        heading(f"FreeCAD {row.version}: {name} {'passed' if passed else 'FAILED'}", log.read())
+    if name != SET_UP:
+        row.results[name] = (passed, time.monotonic() - begun)
 
 
-def headless(where: str, environment: dict[str, str]) -> bool:
+def headless(where: str, environment: dict[str, str], log: IO[str]) -> bool:
     """Run tests/freecad inside headless FreeCAD."""
     with tempfile.TemporaryDirectory(dir="/tmp") as home:
         command = freecadcmd(where, "tests/freecad/run.py", {"FREECAD_USER_HOME": home, **environment})
         try:
-            return subprocess.run(command, cwd=ROOT, timeout=HEADLESS_LIMIT_S).returncode == 0
+            run = subprocess.run(command, cwd=ROOT, timeout=HEADLESS_LIMIT_S, stdout=log, stderr=log)
+            return run.returncode == 0
         except subprocess.TimeoutExpired:
-            print(f"matrix: FreeCAD did not end within {HEADLESS_LIMIT_S} s", file=sys.stderr, flush=True)
+            log.write(f"matrix: FreeCAD did not end within {HEADLESS_LIMIT_S} s\n")
             return False
 
 
-def window(where: str, kind: str, environment: dict[str, str]) -> bool:
+def window(where: str, kind: str, environment: dict[str, str], log: IO[str]) -> bool:
     """Run tests/window inside FreeCAD's window."""
     command = [str(ROOT / "tools" / "window.sh"), where, kind]
-    return subprocess.run(command, cwd=ROOT, env={**os.environ, **environment}).returncode == 0
+    variables = {**os.environ, **environment}
+    return subprocess.run(command, cwd=ROOT, env=variables, stdout=log, stderr=log).returncode == 0
 
 
-def heading(text: str) -> None:
-    """Print what begins now."""
-    print(f"\n===== {text} =====", flush=True)
+def heading(text: str, below: str = "") -> None:
+    """Print a heading and what stands below it, in one piece."""
+    print(f"\n===== {text} =====\n{below}", end="", flush=True)
 
 
 def print_table(rows: list[Row]) -> None:
     """Print what passed and what failed."""
     heading("result")
-    names = ("headless", EMPTY_HOME, *KINDS)
-    print("FreeCAD".ljust(10) + "".join(name.rjust(16) for name in names))
+    print("FreeCAD".ljust(10) + "".join(name.rjust(16) for name in NAMES))
     for row in rows:
-        cells = [row.results.get(name) for name in names]
+        cells = [row.results.get(name) for name in NAMES]
         words = [f"{'passed' if cell[0] else 'FAILED'} {cell[1]:5.0f} s" if cell else "NOT SET UP" for cell in cells]
         print(row.version.ljust(10) + "".join(word.rjust(16) for word in words))
         print(f"{'':10}FreeCAD.Version() {row.told or 'told nothing'}")

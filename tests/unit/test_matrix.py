@@ -1,20 +1,19 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A FreeCAD that cannot be set up is a failure with a sentence, never left out; the table tells it."""
+"""The runs of `make matrix`: their order, side by side, and a table in which nothing that failed is left out."""
 
 from __future__ import annotations
 
 import importlib.util
-import os
-import shutil
 import subprocess
 import sys
+import threading
 from pathlib import Path
 from typing import Any
 
 import pytest
 
 ROOT = Path(__file__).parents[2]
-TOOLS = ("bash", "dirname", "mkdir", "realpath", "flock", "rm", "tail", "cat", "mktemp", "rmdir", "true")
+WAITS_S = 20.0
 
 
 @pytest.fixture
@@ -27,68 +26,107 @@ def matrix() -> Any:
     return module
 
 
-@pytest.fixture
-def programs(tmp_path: Path) -> Path:
-    """A machine's programs: root's, with a debootstrap that fails."""
-    folder = tmp_path / "bin"
-    folder.mkdir()
-    for tool in TOOLS:
-        (folder / tool).symlink_to(str(shutil.which(tool)))
-    stub(folder, "id", "echo 0")
-    stub(folder, "unshare", 'shift; [ "$1" = true ] || { echo planted failure; exit 1; }')
-    stub(folder, "debootstrap", "exit 1")
-    return folder
-
-
-def stub(folder: Path, name: str, script: str) -> None:
-    (folder / name).write_text(f"#!/bin/sh\n{script}\n", "utf-8")
-    (folder / name).chmod(0o755)
-
-
-def set_up(programs: Path, version: str = "1.0.0") -> tuple[subprocess.CompletedProcess[str], Path]:
-    root = programs.parent / "peça nº 1" / version
-    command = [str(shutil.which("bash")), str(ROOT / "tools" / "freecad_root.sh"), version, str(root)]
-    environment = {**os.environ, "PATH": str(programs), "CNCSTEPPER_DEBIAN_MIRROR": "file:///nowhere"}
-    return subprocess.run(command, env=environment, capture_output=True, text=True, timeout=60), root
-
-
-def test_a_failed_set_up_is_said_with_its_last_words(programs: Path) -> None:
-    result, root = set_up(programs)
-    assert result.returncode == 1
-    assert "debootstrap could not make trixie" in result.stderr and "planted failure" in result.stderr
-    assert not root.exists()
-
-
-def test_a_half_made_folder_is_removed_and_made_again(programs: Path) -> None:
-    half = programs.parent / "peça nº 1" / "1.0.0.part" / "usr" / "half-made"
-    half.mkdir(parents=True)
-    result, _ = set_up(programs)
-    assert result.returncode == 1 and not half.exists()
-
-
-def test_who_is_not_root_is_told_what_to_do(programs: Path) -> None:
-    stub(programs, "id", "echo 1000")
-    result, _ = set_up(programs)
-    assert result.returncode == 1 and "sudo make matrix" in result.stderr
-
-
-def test_an_unknown_version_is_refused(programs: Path) -> None:
-    result, _ = set_up(programs, "0.19")
-    assert result.returncode == 1 and "0.20.2, 1.0.0 and 1.1.3" in result.stderr
+def let_all_pass(matrix: Any, monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    monkeypatch.setattr(matrix, "LOGS", tmp_path / "logs")
+    monkeypatch.setattr(matrix, "system_version", lambda: "0.20.2")
+    monkeypatch.setattr(matrix, "made", lambda version: True)
+    monkeypatch.setattr(matrix, "told_version", lambda where: f"{where} ['…']")
+    monkeypatch.setattr(matrix, "headless", lambda where, environment, log: True)
+    monkeypatch.setattr(matrix, "followed", lambda where, log: True)
+    monkeypatch.setattr(matrix, "window", lambda where, kind, environment, log: True)
 
 
 def test_what_cannot_be_set_up_has_failed_and_the_rest_still_runs(
-    matrix: Any, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+    matrix: Any, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], tmp_path: Path
 ) -> None:
-    monkeypatch.setattr(matrix, "system_version", lambda: "0.20.2")
-    monkeypatch.setattr(matrix, "set_up", lambda version: version == "1.1.3")
-    monkeypatch.setattr(matrix, "told_version", lambda where: f"{where} ['…']")
-    monkeypatch.setattr(matrix, "headless", lambda where, environment: True)
-    monkeypatch.setattr(matrix, "followed", lambda where: True)
-    monkeypatch.setattr(matrix, "window", lambda where, kind, environment: where != "host" or kind != "scaled")
+    def window(where: str, kind: str, environment: dict[str, str], log: Any) -> bool:
+        log.write(f"the words of {where} {kind}\n")
+        return where != "host" or kind != "scaled"
+
+    let_all_pass(matrix, monkeypatch, tmp_path)
+    monkeypatch.setattr(matrix, "made", lambda version: version == "1.1.3")
+    monkeypatch.setattr(matrix, "window", window)
     assert matrix.main([]) == 1
-    lines = {line.split()[0]: line for line in capsys.readouterr().out.splitlines() if line[:1].isdigit()}
-    assert lines["1.0.0"].count("NOT SET UP") == 7
-    assert lines["0.20.2"].count("passed") == 6 and lines["0.20.2"].count("FAILED") == 1
-    assert lines["1.1.3"].count("passed") == 7
+    said = capsys.readouterr().out
+    lines = {line.split()[0]: line for line in said.splitlines() if line[:1].isdigit()}
+    assert lines["1.0.0"].count("NOT SET UP") == 8
+    assert lines["0.20.2"].count("passed") == 7 and lines["0.20.2"].count("FAILED") == 1
+    assert lines["1.1.3"].count("passed") == 8
+    assert "0.20.2: scaled FAILED =====\nthe words of host scaled\n" in said
     assert matrix.main(["1.1.3"]) == 0
+
+
+def test_a_freecad_that_does_not_tell_its_version_has_failed(
+    matrix: Any, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    let_all_pass(matrix, monkeypatch, tmp_path)
+    monkeypatch.setattr(matrix, "told_version", lambda where: "" if where == "1.0.0" else "told")
+    assert matrix.main([]) == 1
+    assert matrix.main(["0.20.2", "1.1.3"]) == 0
+
+
+def test_a_freecad_gets_the_documents_of_all_older_ones(
+    matrix: Any, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    given: dict[tuple[str, str], str] = {}
+
+    def headless(where: str, environment: dict[str, str], log: Any) -> bool:
+        given[where, "headless"] = environment["CNCSTEPPER_OLDER"]
+        return True
+
+    def window(where: str, kind: str, environment: dict[str, str], log: Any) -> bool:
+        given[where, kind] = environment["CNCSTEPPER_OLDER"]
+        return True
+
+    let_all_pass(matrix, monkeypatch, tmp_path)
+    monkeypatch.setattr(matrix, "headless", headless)
+    monkeypatch.setattr(matrix, "window", window)
+    assert matrix.main([]) == 0
+    for kind in ("headless", "documents"):
+        assert [given[where, kind] for where in ("host", "1.0.0", "1.1.3")] == ["", "0.20.2", "0.20.2 1.0.0"]
+
+
+def test_the_systems_freecad_runs_whichever_it_is(
+    matrix: Any, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
+    let_all_pass(matrix, monkeypatch, tmp_path)
+    monkeypatch.setattr(matrix, "system_version", lambda: "0.21.2")
+    assert matrix.main([]) == 0
+    lines = [line.split()[0] for line in capsys.readouterr().out.splitlines() if line[:1].isdigit()]
+    assert lines == ["0.20.2", "0.21.2", "1.0.0", "1.1.3"]
+
+
+def test_what_waits_for_another_run_begins_after_its_end(matrix: Any) -> None:
+    runs = matrix.follows(list(matrix.VERSIONS))
+    begun: list[Any] = []
+    ended: list[Any] = []
+
+    def run(key: Any) -> None:
+        begun.append(key)
+        assert set(runs[key]) <= set(ended)
+        ended.append(key)
+
+    matrix.run_in_lanes(runs, run, lanes=2)
+    assert sorted(begun) == sorted(runs) and len(begun) == 3 * (1 + len(matrix.NAMES))
+    assert ("1.0.0", "documents") in runs["1.1.3", "documents"] and ("0.20.2", "headless") in runs["1.0.0", "headless"]
+
+
+def test_so_many_runs_at_a_time_as_there_are_lanes_and_the_longest_first(matrix: Any) -> None:
+    both = threading.Barrier(2, timeout=WAITS_S)
+    begun: list[Any] = []
+
+    def run(key: Any) -> None:
+        begun.append(key)
+        both.wait()
+
+    runs = {("1", "bare"): (), ("1", "plain"): (), ("1", "timed"): (), ("1", "scaled"): ()}
+    matrix.run_in_lanes(runs, run, lanes=2)
+    assert set(begun[:2]) == {("1", "plain"), ("1", "scaled")}
+
+
+def test_every_kind_of_window_has_its_run(matrix: Any) -> None:
+    folder = ROOT / "tests" / "window"
+    kinds = subprocess.run(
+        [sys.executable, "-c", "import kinds; print(*kinds.KINDS)"], cwd=folder, capture_output=True, text=True
+    )
+    assert kinds.stdout.split() == list(matrix.KINDS)

@@ -15,4 +15,5 @@ KINDS: dict[str, dict[str, str]] = {
     "portuguese": {LANGUAGE: "Portuguese, Brazilian"},
     "bare": {WITHOUT: "numba serial shapely"},
     "timed": {AUTOLOAD: "NoneWorkbench"},  # our Init.py and InitGui.py run through timed_start/
+    "documents": {},  # a plain one of its own: newer FreeCADs of `make matrix` wait for its documents
 }

@@ -81,7 +81,7 @@ def screen(scale: float = 1.0) -> Iterator[str]:
 
 
 def freecad_command(version: str) -> list[str]:
-    """Return the command that starts a FreeCAD: "host" or 0.20.2 is the system's, others live in .cache/freecad."""
+    """Return the command that starts a FreeCAD: "host" or 0.20.2 is the system's, others are freecad_root.sh's."""
     if version in ("host", "0.20.2"):
         return [program("freecad")]
     return [str(ROOT / "tools" / "in_root.sh"), version, "freecad"]

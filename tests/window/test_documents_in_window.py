@@ -14,6 +14,8 @@ import pytest
 import whole_document as whole
 from hand import Hand
 
+pytestmark = pytest.mark.window("documents")
+
 
 @pytest.fixture
 def folder(tmp_path: Path) -> Path:
