@@ -51,7 +51,7 @@ class Workshop:
         table = Table(board=self.board)
         table.person = person(table)
         self.sender = Sender(
-            SendJob("table", LINES, zero_confirmed=True, **job),
+            SendJob("table", job.pop("lines", LINES), zero_confirmed=True, **job),
             opener=lambda name, baud: table,
             clock=table.clock,
             kept=self.kept,
