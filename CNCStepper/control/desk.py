@@ -227,13 +227,13 @@ class Desk:
     def _listen(self, received: list[Received]) -> None:
         said = [report for report in received if not isinstance(report, Answered)]
         tell_words(said, self._tell)
-        if self._run:
-            self._run.count(received)
         if self._idle:
             self._idle.hear(received)
         self._buttons.hear(said)
         if connect.greeted(said):
             self._zero_is_old = True  # a reset takes G92 and the tool's length away
+        if self._run:
+            self._run.count(received)  # last: a stop leaves from here
         is_stopping = self._driver is not None and self._driver.is_stopping
         if self._ending and self._may_stop and self._run is None and not is_stopping:
             raise Stopped
@@ -266,7 +266,7 @@ class Desk:
 
     def _run_job(self, idle: Idle, job: SendJob) -> None:
         self._belief = belief = idle.belief
-        self._run = JobRun(
+        self._run = run = JobRun(
             job,
             self._inbox,
             timing=self._timing,
@@ -278,11 +278,11 @@ class Desk:
         )
         try:
             with self._during_job():
-                outcome = self._run.run(self._ready)
+                outcome = run.run(self._ready)
         finally:
             self._run, self._phase = None, ""
             self._zero_is_old = True  # a program may set it
-        if outcome.kind == REFUSED:  # nothing was sent: what the machine said meanwhile it said by itself
+        if not run.has_begun:  # nothing was sent: what the machine said meanwhile it said by itself
             if outcome.error and outcome.error.code in MAY_HAVE_RESTARTED:
                 idle.lose_position()
             outcome = replace(outcome, position_known=outcome.position_known and idle.position_known is not False)

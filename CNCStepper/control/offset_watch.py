@@ -10,8 +10,8 @@ from CNCStepper.control.grbl_report import Vector
 from CNCStepper.errors import MachineRefusal, Place
 
 SAME_MM = 0.006  # offsets are reported with three decimals, in inches with four
-# What may change it: work systems, G10, G92, tool lengths, a change of tools, `$` commands.
-_CHANGES = re.compile(r"G(?:10|5[4-9]|92|43|49)|M0*6(?!\d)|T\d|\$", re.IGNORECASE)
+# What may change it: work systems (a program's end goes back to G54), G10, G92, lengths and changes of tools, `$`.
+_CHANGES = re.compile(r"G(?:10|5[4-9]|92|43|49)|M0*(?:2|30|6)(?!\d)|T\d|\$", re.IGNORECASE)
 
 
 class OffsetWatch:

@@ -128,6 +128,11 @@ class JobRun:
             wanted_rest=self._wishes.rest,
         )
 
+    @property
+    def has_begun(self) -> bool:
+        """Whether lines may have been sent: from then on the run itself resets the controller."""
+        return self._path is not None
+
     def count(self, received: list[Received]) -> None:
         """Hear what came, also while the machine is brought to rest: count the answers to the job's lines."""
         self._journal.hear(received)
@@ -182,7 +187,7 @@ class JobRun:
             self._feeder.power = power_of(self.job, self.driver, found.modes)
             self._path = PathWatch(self.job, self.driver, found, self._tell, self._gaps)
         except Stopped:
-            known = not self.job.home_first or found is not None
+            known = not self._trouble and (not self.job.home_first or found is not None)
             return self._outcome(STOPPED, "stopped before the first line was sent", known)
         except CNCStepperError as error:
             known = self._stands(found) and error.code not in (UNKNOWN, *MAY_HAVE_RESTARTED)

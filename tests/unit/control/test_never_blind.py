@@ -51,7 +51,7 @@ class Workshop:
         table = Table(board=self.board)
         table.person = person(table)
         self.sender = Sender(
-            SendJob("table", LINES, zero_confirmed=True, **job),
+            SendJob("table", job.pop("lines", LINES), zero_confirmed=True, **job),
             opener=lambda name, baud: table,
             clock=table.clock,
             kept=self.kept,
@@ -283,3 +283,44 @@ def test_no_job_begins_whose_end_could_not_be_told(shop, monkeypatch):
     outcome = shop.send()
     assert outcome.kind == REFUSED and outcome.error.code == "position-unwritable" and "make room" in outcome.text
     assert shop.board.axes.position_mm[0] == 0
+
+
+GREETING, ALARM = b"\r\nGrbl 1.1h ['$' for help]\r\n", b"\r\nALARM:1\r\n"
+
+
+@pytest.mark.parametrize("stops", [True, False], ids=["stop", "no stop"])
+@pytest.mark.parametrize("said", [GREETING, ALARM], ids=["greeting", "alarm"])
+def test_what_the_machine_says_while_a_job_is_prepared_costs_the_position_beside_a_stop_too(shop, said, stops):
+    def person(visit: Visit) -> Person:
+        read = visit.table.read
+
+        def disturbed(wait_s: float) -> bytes:
+            if visit.desk._run is None:
+                return read(wait_s)
+            visit.table.read = read
+            if stops:
+                visit.ask("stop")
+            return read(wait_s) + said
+
+        visit.table.read = disturbed
+        visit.job(*LINES, zeroed=False)
+        yield lambda: bool(visit.outcomes)
+        yield 0.3
+        yield from look(visit)
+
+    visit = shop.visit(person)
+    assert visit.outcomes[0].kind == (STOPPED if stops else REFUSED)
+    assert not visit.outcomes[0].position_known and visit.known is False
+    assert shop.kept.belief == LOST and shop.send().error.code == UNKNOWN
+
+
+def test_a_stop_while_a_job_is_prepared_costs_nothing(shop):
+    def person(visit: Visit) -> Person:
+        yield from zero(visit)
+        visit.job(*LINES)
+        visit.ask("stop")
+        yield lambda: bool(visit.outcomes)
+        yield from look(visit)
+
+    visit = shop.visit(person)
+    assert visit.outcomes[0].kind == STOPPED and visit.outcomes[0].position_known and visit.known is True
