@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from CNCStepper.cli.job_file import job_and_machine
 from CNCStepper.cli.made_with import MadeWith, kept
 from CNCStepper.cli.options import FilePath
 from CNCStepper.cli.show import save, show_figures, show_findings, write_report
@@ -45,9 +46,8 @@ def command(job: Path, out: Path) -> None:
     """
     from CNCStepper.job.estimate import long_work
     from CNCStepper.job.make import is_split
-    from CNCStepper.job.model import load_job
 
-    loaded, machine = load_job(job)
+    loaded, machine = job_and_machine(job)
     for sentence in long_work(loaded):
         click.echo(f"cncstepper: {sentence}; Ctrl+C ends it", err=True)
     out.mkdir(parents=True, exist_ok=True)
