@@ -114,7 +114,7 @@ def read_dxf(
             place=Place(str(path)),
         )
     with placed(place):
-        layers = tuple(Layer(name, *chained(curves, same_mm, near_mm)) for name, curves in pieces.items())
+        layers = tuple(_layers(pieces, same_mm, near_mm, share))
     return Drawing(layers, tuple(skipped), unit_mm, printable(damage, MOST_WORDS))
 
 
@@ -143,6 +143,14 @@ def _pieces(
         else:
             pieces.setdefault(printable(layer, MOST_WORDS), []).append(curve)
     return pieces, skipped
+
+
+def _layers(pieces: dict[str, list[Curve]], same_mm: float, near_mm: float, share: Share) -> Iterator[Layer]:
+    """Yield the layers with their curves joined, and call `share` after each."""
+    for number, (name, curves) in enumerate(pieces.items(), start=1):
+        checkpoint()
+        yield Layer(name, *chained(curves, same_mm, near_mm))
+        share(CURVED + (1.0 - CURVED) * number / len(pieces))
 
 
 def _document(path: Path) -> tuple[Any, str]:

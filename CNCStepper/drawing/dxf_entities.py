@@ -29,7 +29,7 @@ BROKEN = (ArithmeticError, AttributeError, LookupError, RuntimeError, TypeError,
 MOST_WORDS = 255
 MOST_DEGREE = 25
 MOST_SAMPLES = 20_000_000  # places of a curve that are looked at
-MOST_SAMPLES_OF_ALL = 40_000_000  # the same, of all curves of a drawing: some two minutes
+MOST_SAMPLES_OF_ALL = 40_000_000  # the same, of all curves of a drawing: about a minute
 ELLIPSE_DIGITS = 12  # of the axes of two ellipses that are one: what placing a block leaves of them
 KNOTS_AT_ONCE = 8  # the fit looks at all of a stretch again and again: long ones would take time with their square
 
