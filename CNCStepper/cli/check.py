@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any, NoReturn
 import click
 
 from CNCStepper.cli.hints import add_conversion, show_hints
+from CNCStepper.cli.job_file import job_of
 from CNCStepper.cli.options import (
     check_stock,
     dialect_name,
@@ -86,10 +87,9 @@ def command(
     language, start = dialect_name(dialect, machine), given.start()
     if not job_path and program.is_file():  # a pipe can be read only once
         _check_in_pieces(program, machine, language, start, stock_of(stock, origin), tool, json_path, certificate)
-    from CNCStepper.job.model import read_job
     from CNCStepper.job.prove import prove, prove_job
 
-    text, job = read_program(program), read_job(job_path) if job_path else None
+    text, job = read_program(program), job_of(job_path) if job_path else None
     _require_readable(text, job.started(start, machine) if job else start, language, program)
     words: dict[str, Any] = {"file": str(program), "dialect": language, "start": start}
     with Progress(f"checking {program.name}") as progress:

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import click
 
 from CNCStepper.cli.editing import Opened, reading_options
+from CNCStepper.cli.job_file import job_of
 from CNCStepper.cli.options import job_option, stock_of
 from CNCStepper.cli.verb import OutputPath, Verb
 
@@ -29,11 +30,10 @@ def command(opened: Opened, out: Path, process: str, material: str, job_path: Pa
     With --machine the sheet tells the time too; with --work-zero the picture shows the machine's travel.
     """
     from CNCStepper.gcode.interpret import interpret
-    from CNCStepper.job.model import read_job
     from CNCStepper.simulation.scene import limits_of
     from CNCStepper.simulation.sheet import Sheet, save_sheet
 
-    job = read_job(job_path) if job_path else None
+    job = job_of(job_path) if job_path else None
     toolpath = interpret(opened.text, opened.start, opened.dialect, str(opened.path))
     stock = job.stock.stock() if job else stock_of(opened.stock, opened.origin)
     limits = limits_of(toolpath, opened.machine) if opened.machine and toolpath.start.zero_known else None

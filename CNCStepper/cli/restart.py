@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from CNCStepper.cli.job_file import job_and_machine
 from CNCStepper.cli.made_with import made_with
 from CNCStepper.cli.options import (
     check_stock,
@@ -93,11 +94,10 @@ def command(
     Exit 0 when it is clean (and, with --port, done), else 1.
     """
     from CNCStepper.control.port_holder import check_free
-    from CNCStepper.job.model import load_job
     from CNCStepper.job.restart import certificate_of_restart
 
     check_stock(stock, tool, job_path)
-    job, machine_of_job = load_job(job_path) if job_path else (None, None)
+    job, machine_of_job = job_and_machine(job_path) if job_path else (None, None)
     machine = machine or machine_of_job
     if machine is None:
         raise click.UsageError("give --machine, or --job whose machine counts")

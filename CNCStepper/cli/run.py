@@ -10,8 +10,10 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from CNCStepper.cli.job_file import job_and_machine
 from CNCStepper.cli.made_with import MadeWith, kept
 from CNCStepper.cli.options import FilePath
+from CNCStepper.cli.progress import Progress
 from CNCStepper.cli.show import save, show_figures, show_findings, write_report
 from CNCStepper.cli.verb import OutputFolder, Verb
 from CNCStepper.output_files import MADE_BY
@@ -45,9 +47,8 @@ def command(job: Path, out: Path) -> None:
     """
     from CNCStepper.job.estimate import long_work
     from CNCStepper.job.make import is_split
-    from CNCStepper.job.model import load_job
 
-    loaded, machine = load_job(job)
+    loaded, machine = job_and_machine(job)
     for sentence in long_work(loaded):
         click.echo(f"cncstepper: {sentence}; Ctrl+C ends it", err=True)
     out.mkdir(parents=True, exist_ok=True)
@@ -60,9 +61,12 @@ def _whole(job: Job, machine: Machine, path: Path, out: Path) -> bool:
     from CNCStepper.job.make import make_program
     from CNCStepper.job.prove import prove_job
 
-    made, file = make_program(job, machine, f"{MADE_BY}: {path.stem}"), out / "program.nc"
-    _write_program(file, made.program)
-    proof = prove_job(job, machine, made.program, str(file), answers=made.answers)
+    file = out / "program.nc"
+    with Progress(f"making {file.name}") as progress:
+        made = make_program(job, machine, f"{MADE_BY}: {path.stem}")
+        _write_program(file, made.program)
+        progress.doing(f"proving {file.name}")
+        proof = prove_job(job, machine, made.program, str(file), share=progress.share, answers=made.answers)
     _conclude(proof, file, "", path.stem, job, kept({"--job": [path]}))
     return proof.refused
 
@@ -72,7 +76,9 @@ def _split(job: Job, machine: Machine, path: Path, out: Path) -> bool:
     from CNCStepper.job.make import make_parts
     from CNCStepper.job.prove import prove_parts
 
-    parts, refused = make_parts(job, machine, f"{MADE_BY}: {path.stem}"), False
+    refused = False
+    with Progress(f"making the programs of {path.name}"):
+        parts = make_parts(job, machine, f"{MADE_BY}: {path.stem}")
     for part in parts:
         _write_program(out / part.file_name, part.program)
     for part, proof in zip(parts, prove_parts(job, machine, parts, out), strict=True):

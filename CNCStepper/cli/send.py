@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from CNCStepper.cli.job_file import job_and_machine
 from CNCStepper.cli.options import (
     FilePath,
     check_stock,
@@ -119,7 +120,6 @@ def command(
     from CNCStepper.cli.made_with import made_with, merged
     from CNCStepper.cli.watch import watch
     from CNCStepper.control.port_holder import check_free
-    from CNCStepper.job.model import load_job
 
     if not certificate or job_path:
         check_stock(stock, tool, job_path)
@@ -128,7 +128,7 @@ def command(
     check_free(port)
     wanted = _Wanted(ProgramFile(program), machine, stock_of(stock, origin), tool, given.start())
     if job_path:
-        wanted = wanted.of_job(*load_job(job_path), is_certified=certificate is not None)
+        wanted = wanted.of_job(*job_and_machine(job_path), is_certified=certificate is not None)
     with ExitStack() as files:
         if certificate:
             job = _certified(certificate, wanted, dialect, despite_certificate, files)

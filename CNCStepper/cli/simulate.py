@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 import click
 import numpy as np
 
+from CNCStepper.cli.job_file import job_and_machine
 from CNCStepper.cli.options import (
     check_stock,
     dialect_name,
@@ -80,13 +81,12 @@ def command(
     A PNG of the end stands there at once, plain, until the full one takes its place. With --work-zero the pictures
     of one view show the machine's work surface. Exit 1 when a finding is an error.
     """
-    from CNCStepper.job.model import load_job
     from CNCStepper.job.prove import prove, prove_job
 
     check_stock(stock, tool, job_path, required=True)
     if at_s is not None and line is not None:
         raise click.UsageError("give either --at or --line")
-    job, job_machine = load_job(job_path) if job_path else (None, load_machine("table-a"))
+    job, job_machine = job_and_machine(job_path) if job_path else (None, load_machine("table-a"))
     machine = machine or job_machine
     text = read_program(program)
     words: dict[str, Any] = {"file": str(program), "start": given.start()}

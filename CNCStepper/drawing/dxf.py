@@ -8,12 +8,13 @@ is read, and of that what is visible.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from CNCStepper.drawing.dxf_entities import BROKEN, curve_of
+from CNCStepper.checkpoint import checkpoint
+from CNCStepper.drawing.dxf_entities import BROKEN, Fits, curve_of
 from CNCStepper.drawing.dxf_log import collected_log
 from CNCStepper.drawing.dxf_size import DEEPEST, MOST_BYTES, require_readable, require_small
 from CNCStepper.errors import GeometryError, JobError, Place, placed
@@ -24,6 +25,8 @@ from CNCStepper.printable import printable
 from CNCStepper.quantities import Bounds
 
 MOST_WORDS = 255  # characters of a name, and of what ezdxf says
+PARSED, CURVED = 0.4, 0.95  # of the time, for a drawing of lines, when ezdxf is done, and when all are curves
+TOLD_EVERY = 256  # entities
 UNIT_NAME = b"$INSUNITS"  # where a file does not hold it, ezdxf may take it for one in metres
 
 
@@ -68,26 +71,38 @@ class Drawing:
         raise JobError("dxf-layer", f"the drawing has no curves on a layer '{name}'", advice=f"it has them on {names}")
 
 
+Share = Callable[[float], None]
+
+
 def read_dxf(
-    path: Path, tolerance_mm: float, unit_mm: float | None = None, same_mm: float = SAME_MM, near_mm: float = NEAR_MM
+    path: Path,
+    tolerance_mm: float,
+    unit_mm: float | None = None,
+    same_mm: float = SAME_MM,
+    near_mm: float = NEAR_MM,
+    share: Share = lambda share: None,
 ) -> Drawing:
     """Return the curves of a DXF file; ellipses and splines within `tolerance_mm`, all else exact.
 
     `unit_mm` is the length of its unit where the file does not say it or is wrong; without either it is a mm. Ends
-    within `same_mm` are joined, gaps up to `near_mm` reported. Raises JobError for no DXF file or no curve in it.
+    within `same_mm` are joined, gaps up to `near_mm` reported. `share` is called with the share that is done. Raises
+    JobError for no DXF file or no curve in it.
     """
     if not tolerance_mm > 0:
         raise JobError("tolerance", "the tolerance must be above 0", value=f"{tolerance_mm:g} mm")
     place = Place(str(path))
     content = read_input(path, MOST_BYTES)
     require_readable(content, place)
-    with collected_log() as told:
+    with collected_log() as log:
         document, damage = _document(path)
-        require_small(document, place)
+        count = require_small(document, place)
+        share(PARSED)
         unit_mm = unit_mm or (_unit_mm(document) if UNIT_NAME in content else 1.0)
         unit_mm = Bounds("unit").require(unit_mm, "the drawing's unit", place)
-        pieces, skipped = _pieces(document, tolerance_mm, unit_mm)
-    damage = damage or (told[0] if told else "")
+        told = _told(_visible(document, document.modelspace(), None, 0), count, share)
+        with placed(place):
+            pieces, skipped = _pieces(told, Fits(tolerance_mm / unit_mm), unit_mm)
+    damage = damage or (log[0] if log else "")
     if not pieces and damage:
         raise _no_dxf(path, damage)
     if not pieces:
@@ -99,17 +114,28 @@ def read_dxf(
             place=Place(str(path)),
         )
     with placed(place):
-        layers = tuple(Layer(name, *chained(curves, same_mm, near_mm)) for name, curves in pieces.items())
+        layers = tuple(_layers(pieces, same_mm, near_mm, share))
     return Drawing(layers, tuple(skipped), unit_mm, printable(damage, MOST_WORDS))
 
 
-def _pieces(document: Any, tolerance_mm: float, unit_mm: float) -> tuple[dict[str, list[Curve]], list[Skipped]]:
+def _told(entities: Iterator[tuple[Any, str]], count: int, share: Share) -> Iterator[tuple[Any, str]]:
+    """Yield the entities, and call `share` with how far they are now and then."""
+    for number, entity in enumerate(entities):
+        checkpoint()
+        if number % TOLD_EVERY == 0:
+            share(PARSED + (CURVED - PARSED) * min(number / count, 1.0))
+        yield entity
+
+
+def _pieces(
+    entities: Iterator[tuple[Any, str]], fits: Fits, unit_mm: float
+) -> tuple[dict[str, list[Curve]], list[Skipped]]:
     """Return the curve of each entity in mm, by layer, and the entities that have none."""
     pieces: dict[str, list[Curve]] = {}
     skipped = []
-    for entity, layer in _visible(document, document.modelspace(), None, 0):
+    for entity, layer in entities:
         try:
-            curve = curve_of(entity, tolerance_mm / unit_mm)
+            curve = curve_of(entity, fits)
             curve = curve if unit_mm == 1.0 else curve.scaled(unit_mm)
         except GeometryError as error:
             kind, handle = printable(entity.dxftype(), MOST_WORDS), printable(str(entity.dxf.handle or ""), MOST_WORDS)
@@ -117,6 +143,14 @@ def _pieces(document: Any, tolerance_mm: float, unit_mm: float) -> tuple[dict[st
         else:
             pieces.setdefault(printable(layer, MOST_WORDS), []).append(curve)
     return pieces, skipped
+
+
+def _layers(pieces: dict[str, list[Curve]], same_mm: float, near_mm: float, share: Share) -> Iterator[Layer]:
+    """Yield the layers with their curves joined, and call `share` after each."""
+    for number, (name, curves) in enumerate(pieces.items(), start=1):
+        checkpoint()
+        yield Layer(name, *chained(curves, same_mm, near_mm))
+        share(CURVED + (1.0 - CURVED) * number / len(pieces))
 
 
 def _document(path: Path) -> tuple[Any, str]:

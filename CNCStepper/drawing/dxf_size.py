@@ -39,11 +39,15 @@ def require_readable(content: bytes, place: Place) -> None:
     _require("points", points, MOST_POINTS, place)
 
 
-def require_small(document: Any, place: Place) -> None:
-    """Raise JobError where the model space, blocks taken apart, has more entities or points than are read."""
+def require_small(document: Any, place: Place) -> int:
+    """Return how many entities the model space has, blocks taken apart.
+
+    Raises JobError where these, or their points, are more than are read.
+    """
     entities, points = _Count(document).of(document.modelspace(), DEEPEST)
     _require("entities with its blocks taken apart", entities, MOST_ENTITIES, place)
     _require("points with its blocks taken apart", points, MOST_POINTS, place)
+    return entities
 
 
 def _require(of_what: str, count: int, most: int, place: Place) -> None:

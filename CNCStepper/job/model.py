@@ -15,11 +15,12 @@ from CNCStepper.cycles.area_cycle import AreaCycle
 from CNCStepper.cycles.catalogue import cycle_class
 from CNCStepper.cycles.elliptical_pocket import EllipticalPocket
 from CNCStepper.cycles.form import Cycle, Setup
+from CNCStepper.drawing.dxf import Share
 from CNCStepper.drawing.heights import read_heights
 from CNCStepper.drawing.points import read_points
 from CNCStepper.errors import JobError, Place, placed
 from CNCStepper.geometry.curve import Curve, circle, from_points
-from CNCStepper.job.shapes import NO_SHAPES, Shapes, read_shapes, with_curves
+from CNCStepper.job.shapes import NO_SHAPES, Drawn, Shapes, read_shapes, with_curves
 from CNCStepper.job.tool_keys import take_tool_file
 from CNCStepper.machine.feeds import Remark, remarks_on, with_feeds
 from CNCStepper.machine.json_file import read_json
@@ -222,12 +223,13 @@ def _kept_by(operation: Cycle) -> tuple[Curve, ...]:
     return operation.kept() if operation.cycle == "contour" else ()  # type: ignore[attr-defined]
 
 
-def load_job(path: Path) -> tuple[Job, Machine]:
+def load_job(path: Path, share: Share = lambda share: None) -> tuple[Job, Machine]:
     """Return the job of a TOML file, or of a JSON file that `save_job` wrote, and its machine.
 
-    Paths in the file are relative to it. Raises JobError that names the file, the key and its value.
+    Paths in the file are relative to it. `share` is called with the share of a drawing that is read. Raises JobError
+    that names the file, the key and its value.
     """
-    job = read_job(path)
+    job = read_job(path, share)
     if not job.operation:
         what, advice = "the job has no operation", "write what is to be cut as [[operation]]"
         raise JobError("operation-missing", what, advice=advice, place=Place(str(path)))
@@ -235,19 +237,20 @@ def load_job(path: Path) -> tuple[Job, Machine]:
         return job, load_machine(_machine_name(job.machine, path.parent))
 
 
-def read_job(path: Path) -> Job:
+def read_job(path: Path, share: Share = lambda share: None) -> Job:
     """Return the job as `load_job` does, without looking for its machine."""
     with placed(Place(str(path))):
-        return _read(path)
+        return _read(path, share)
 
 
-def _read(path: Path) -> Job:
+def _read(path: Path, share: Share) -> Job:
     content = read_json(path) if path.suffix.lower() == ".json" else read_toml(path)
-    shapes = read_shapes(_tables(content, "shape", path), path.parent, str(path))
+    drawn = Drawn()
+    shapes = read_shapes(_tables(content, "shape", path), path.parent, str(path), drawn, share)
     content.pop("shape", None)
     content["notes"] = (*_notes(content, path), *shapes.notes)
     content["operation"] = tuple(
-        operation_of(raw, path.parent, f"{path} operation {number}", shapes)
+        operation_of(raw, path.parent, f"{path} operation {number}", shapes, drawn)
         for number, raw in enumerate(_tables(content, "operation", path), start=1)
     )
     if "tools" in content:
@@ -265,10 +268,13 @@ def save_job(job: Job, path: Path) -> None:
     write_whole(path, (json.dumps(content, indent=1, allow_nan=False) + "\n").encode("utf-8"))
 
 
-def operation_of(raw: dict[str, Any], folder: Path, file: str, shapes: Shapes = NO_SHAPES) -> Cycle:
+def operation_of(
+    raw: dict[str, Any], folder: Path, file: str, shapes: Shapes = NO_SHAPES, drawn: Drawn | None = None
+) -> Cycle:
     """Return the cycle that one `[[operation]]` table describes, the shapes that it names resolved into curves.
 
-    `folder` is where its files are looked for. Raises JobError that names `file`, the key and its value.
+    `folder` is where its files are looked for; `drawn` counts what they hold. Raises JobError that
+    names `file`, the key and its value.
     """
     with placed(Place(file)):
         model = cycle_class(raw.get("cycle", ""))
@@ -276,6 +282,7 @@ def operation_of(raw: dict[str, Any], folder: Path, file: str, shapes: Shapes = 
         if "points" in content:
             points = file_beside(folder, content.pop("points"), "points", file)
             content["curves"] = (read_points(points, closed=content.get("closed") is True),)
+            (drawn or Drawn()).add(content["curves"])
         return validated(model, content, file)  # type: ignore[return-value]
 
 

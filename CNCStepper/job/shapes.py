@@ -20,7 +20,7 @@ import numpy as np
 from pydantic import BaseModel, ConfigDict, Field, StrictBool, model_validator
 
 from CNCStepper.cycles.fields import CurveField
-from CNCStepper.drawing.dxf import Drawing, read_dxf
+from CNCStepper.drawing.dxf import Drawing, Share, read_dxf
 from CNCStepper.drawing.points import read_points
 from CNCStepper.errors import GeometryError, JobError, Place, placed
 from CNCStepper.geometry.curve import Curve, circle, from_points
@@ -31,6 +31,8 @@ from CNCStepper.quantities import MOST_ITEMS, Angle, Bounds, Coordinate, Length,
 
 Point = tuple[Coordinate, Coordinate]
 ELLIPSE_TOLERANCE_MM = 0.001
+MOST_DRAWINGS = 32  # that one job reads: each may take a minute
+MOST_DRAWN = 2_000_000  # lines and arcs in the files of one job
 MOST_SKIPPED = 5  # entities told one by one
 
 
@@ -178,14 +180,16 @@ SHAPE_KEYS: dict[str, tuple[ShapeKey, ...]] = {
 }
 
 
-def read_shapes(tables: Sequence[dict[str, Any]], folder: Path, file: str) -> Shapes:
+def read_shapes(
+    tables: Sequence[dict[str, Any]], folder: Path, file: str, drawn: Drawn, share: Share = lambda share: None
+) -> Shapes:
     """Return the shapes of a job's `[[shape]]` tables; their files are looked for in `folder`.
 
-    Raises JobError that names the file and the shape.
+    `drawn` counts what they hold; `share` is called with the share of a drawing that is done while it is read. Raises
+    JobError that names the file and the shape.
     """
     curves: dict[str, tuple[Curve, ...]] = {}
-    notes: list[str] = []
-    drawings: dict[DxfForm, Drawing] = {}
+    files = _Files(folder, drawn, share)
     for number, table in enumerate(tables, start=1):
         place = f"{file} shape {number}"
         shape = validated(ShapeForm, table, place)
@@ -193,8 +197,8 @@ def read_shapes(tables: Sequence[dict[str, Any]], folder: Path, file: str) -> Sh
             what = f"two shapes have the name '{shape.name}'"
             raise JobError("shape-twice", what, advice="rename one of them", place=Place(place))
         with placed(Place(place)), _file_of(place):
-            curves[shape.name] = _curves(shape, folder, drawings, notes)
-    return Shapes(curves, tuple(dict.fromkeys(notes)))
+            curves[shape.name] = files.curves(shape)
+    return Shapes(curves, tuple(dict.fromkeys(files.notes)))
 
 
 @contextmanager
@@ -209,30 +213,67 @@ def _file_of(place: str) -> Iterator[None]:
         raise JobError(error.code, f"{error.place}: {error.what}", **told, place=Place(place)) from error
 
 
-def _curves(shape: ShapeForm, folder: Path, drawings: dict[DxfForm, Drawing], notes: list[str]) -> tuple[Curve, ...]:
-    if shape.polygon_mm is not None:
-        return (from_points(shape.polygon_mm, closed=True),)
-    if shape.points is not None:
-        return (read_points(folder / shape.points, shape.closed),)
-    if shape.curve is not None:
-        return (shape.curve,)
-    if shape.dxf is not None:
-        return _layer(shape.name, shape.dxf, folder, drawings, notes)
-    form = shape.circle_mm or shape.rectangle_mm or shape.ellipse_mm
-    assert form is not None  # the model has seen to it
-    return (form.curve(),)
+class Drawn:
+    """Counts the lines and arcs in the files that one job names, of which together there is a bounded number."""
+
+    def __init__(self) -> None:
+        self._segments = 0
+
+    def add(self, curves: Iterable[Curve]) -> None:
+        """Count these too; raises JobError where they are too many with those before them."""
+        self._segments += sum(map(len, curves))
+        if self._segments > MOST_DRAWN:
+            raise _too_much("too many lines and arcs in its files", self._segments, MOST_DRAWN)
 
 
-def _layer(
-    name: str, form: DxfForm, folder: Path, drawings: dict[DxfForm, Drawing], notes: list[str]
-) -> tuple[Curve, ...]:
-    """Return the chains of a layer; each file is read once."""
-    key = form.model_copy(update={"layer": ""})
-    if key not in drawings:
-        drawings[key] = read_dxf(folder / form.file, form.tolerance_mm, form.unit_mm)
-    layer = drawings[key].layer(form.layer)
-    notes.extend(_notes(name, form, drawings[key]))
-    return layer.curves
+class _Files:
+    """The files that the shapes of one job name; each drawing is read once for each way in which it is read."""
+
+    def __init__(self, folder: Path, drawn: Drawn, share: Share):
+        self._folder, self._drawn, self._share = folder, drawn, share
+        self._drawings: dict[DxfForm, Drawing] = {}
+        self.notes: list[str] = []
+
+    def curves(self, shape: ShapeForm) -> tuple[Curve, ...]:
+        """Return the curves of a shape."""
+        if shape.polygon_mm is not None:
+            return (from_points(shape.polygon_mm, closed=True),)
+        if shape.points is not None:
+            return self._points(self._folder / shape.points, shape.closed)
+        if shape.curve is not None:
+            return (shape.curve,)
+        if shape.dxf is not None:
+            return self._layer(shape.name, shape.dxf)
+        form = shape.circle_mm or shape.rectangle_mm or shape.ellipse_mm
+        assert form is not None  # the model has seen to it
+        return (form.curve(),)
+
+    def _points(self, path: Path, closed: bool) -> tuple[Curve, ...]:
+        curves = (read_points(path, closed),)
+        self._drawn.add(curves)
+        return curves
+
+    def _layer(self, name: str, form: DxfForm) -> tuple[Curve, ...]:
+        """Return the chains of a layer."""
+        key = form.model_copy(update={"layer": ""})
+        if key not in self._drawings:
+            self._drawings[key] = self._read(form)
+        drawing = self._drawings[key]
+        layer = drawing.layer(form.layer)
+        self.notes.extend(_notes(name, form, drawing))
+        return layer.curves
+
+    def _read(self, form: DxfForm) -> Drawing:
+        if len(self._drawings) == MOST_DRAWINGS:
+            raise _too_much("too many drawings, or one read in too many ways", MOST_DRAWINGS + 1, MOST_DRAWINGS)
+        drawing = read_dxf(self._folder / form.file, form.tolerance_mm, form.unit_mm, share=self._share)
+        self._drawn.add(curve for layer in drawing.layers for curve in layer.curves)
+        return drawing
+
+
+def _too_much(of_what: str, count: int, most: int) -> JobError:
+    advice = "make several jobs of this one"
+    return JobError("shapes-large", f"the job has {of_what}", value=f"{count}", limit=f"{most}", advice=advice)
 
 
 def _notes(name: str, form: DxfForm, drawing: Drawing) -> Iterator[str]:

@@ -10,10 +10,11 @@ import sys
 import threading
 from pathlib import Path
 
+import ezdxf
 import pytest
 from click.testing import CliRunner
 
-from CNCStepper.cli import check
+from CNCStepper.cli import check, job_file
 from CNCStepper.cli import convert as convert_verb
 from CNCStepper.cli import progress as progress_module
 from CNCStepper.cli.main import group
@@ -103,6 +104,20 @@ def test_a_check_and_a_conversion_say_how_far_they_are(verb: str, tmp_path: Path
     assert len(counted) == {"check": 1, "convert": 3}[verb]
     for shares in counted:
         assert len(shares) > 5 and max(shares) > 0.9 and min(shares) < 0.3 and all(0 <= share <= 1 for share in shares)
+
+
+def test_a_verb_says_how_much_of_a_drawing_it_has_read(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    document = ezdxf.new(units=4)
+    for y in range(300):
+        document.modelspace().add_line((0, y), (9, y))
+    document.saveas(tmp_path / "a.dxf")
+    job = tmp_path / "job.toml"
+    example = (Path(__file__).parents[3] / "examples" / "jobs" / "cycles" / "face.toml").read_text("utf-8")
+    job.write_text(example + '[[shape]]\nname = "all"\ndxf = {file = "a.dxf", layer = "0"}\n', "utf-8")
+    shares: list[float] = []
+    monkeypatch.setattr(Progress, "share", lambda self, share: shares.append(share))
+    job_file.job_of(job)
+    assert len(shares) >= 3 and shares == sorted(shares) and shares[-1] > 0.8
 
 
 @pytest.mark.parametrize("verb", ["time", "check"])

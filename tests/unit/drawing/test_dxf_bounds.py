@@ -13,6 +13,7 @@ from typing import Any
 import ezdxf
 import pytest
 
+from CNCStepper.checkpoint import interruptible
 from CNCStepper.drawing.dxf import Drawing, read_dxf
 from CNCStepper.drawing.dxf_size import MOST_ENTITIES
 from CNCStepper.errors import CNCStepperError, JobError
@@ -227,3 +228,47 @@ def test_a_fifo_or_a_device_is_no_drawing(tmp_path: Path) -> None:
     for path in (tmp_path / "a.dxf", Path("/dev/zero"), tmp_path):
         with pytest.raises(JobError, match="not a file"):
             read_dxf(path, 0.005)
+
+
+def test_a_block_scaled_to_ellipses_a_thousand_times_is_fitted_once(tmp_path: Path) -> None:
+    document = new()
+    document.blocks.new("B").add_circle((0, 0), 3)
+    uneven = {"xscale": 2, "yscale": 1, "rotation": 30}
+    document.modelspace().add_blockref("B", (100, 0), uneven).grid(size=(40, 40), spacing=(20, 20))
+    began_s = time.process_time()
+    drawing = read(document, tmp_path)
+    assert time.process_time() - began_s < MOST_S
+    rings = [curve for curve in drawing.layers[0].curves if curve.closed]
+    assert len(rings) == 1600
+    for ring in (rings[0], rings[-1]):
+        assert ring.area_mm2 == pytest.approx(math.pi * 18, rel=1e-3)
+        middle = (ring.xy[:-1].min(axis=0) + ring.xy[:-1].max(axis=0)) / 2
+        along = ring.xy[0] - middle
+        assert math.hypot(*along) == pytest.approx(6, abs=0.005)
+        assert math.degrees(math.atan2(along[1], along[0])) % 180 == pytest.approx(30, abs=0.1)
+
+
+def test_curves_that_take_too_long_together_refuse_the_drawing(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    document = new()
+    for ratio in (0.3, 0.4, 0.5):
+        document.modelspace().add_ellipse((50, 0), (20, 0), ratio)
+    assert len(read(document, tmp_path).layers[0].curves) == 4
+    monkeypatch.setattr("CNCStepper.drawing.dxf_entities.MOST_SAMPLES_OF_ALL", 10_000)
+    with pytest.raises(JobError, match="too many and too wild") as error:
+        read_dxf(tmp_path / "a.dxf", 0.005)
+    assert error.value.code == "dxf-large" and error.value.place and error.value.place.file
+
+
+def test_a_long_drawing_says_how_far_it_is_and_can_be_ended(tmp_path: Path) -> None:
+    path, shares = lines_file(tmp_path, 3000), []
+    read_dxf(path, 0.005, share=shares.append)
+    assert len(shares) > 5 and shares == sorted(shares) and 0 < shares[0] < 0.6 < shares[-1] == 1
+
+    class WantedNoMoreError(Exception):
+        pass
+
+    def look() -> None:
+        raise WantedNoMoreError
+
+    with interruptible(look), pytest.raises(WantedNoMoreError):
+        read_dxf(path, 0.005)

@@ -13,7 +13,7 @@ import pytest
 
 from CNCStepper.errors import JobError
 from CNCStepper.job.model import load_job, operation_of, save_job
-from CNCStepper.job.shapes import SHAPE_KEYS, Shapes, read_shapes, with_curves
+from CNCStepper.job.shapes import SHAPE_KEYS, Drawn, Shapes, read_shapes, with_curves
 
 SQUARE = {"name": "square", "polygon_mm": [[0, 0], [10, 0], [10, 10], [0, 10]]}
 ENGRAVING = {"cycle": "engrave", "tool": 1, "depth_mm": 1}
@@ -35,7 +35,7 @@ spindle_rpm = 10000
 
 
 def shapes_of(*tables: dict[str, Any], folder: Path = Path(".")) -> Shapes:
-    return read_shapes(tables, folder, "job.toml")
+    return read_shapes(tables, folder, "job.toml", Drawn())
 
 
 def drawing(path: Path) -> None:
@@ -104,6 +104,30 @@ def test_a_layer_of_a_drawing_gives_all_its_chains_and_tells_what_is_not_in_them
     gap, text = shapes.notes
     assert "'open'" in gap and "0.05 mm apart at X10.025 Y30.000" in gap
     assert "TEXT" in text
+
+
+def test_one_job_reads_a_bounded_number_of_drawings_and_of_points(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    drawing(tmp_path / "a.dxf")
+    (tmp_path / "a.csv").write_text("0,0\n5,0\n5,5\n", encoding="utf-8")
+    dxf = {"file": "a.dxf", "layer": "corte"}
+    many = [{"name": f"{n}", "dxf": dxf | {"tolerance_mm": 0.01 + n / 1000}} for n in range(33)]
+    same = [{"name": f"{n}", "dxf": dxf} for n in range(100)]
+    assert len(shapes_of(*same, folder=tmp_path).curves) == 100
+    with pytest.raises(JobError, match=r"too many drawings.*value 33, limit 32") as error:
+        shapes_of(*many, folder=tmp_path)
+    assert "job.toml shape 33" in str(error.value)
+    monkeypatch.setattr("CNCStepper.job.shapes.MOST_DRAWN", 10)
+    points = [{"name": f"{n}", "points": "a.csv"} for n in range(6)]
+    assert len(shapes_of(*points[:5], folder=tmp_path).curves) == 5
+    with pytest.raises(JobError, match=r"too many lines and arcs in its files.*value 12, limit 10"):
+        shapes_of(*points, folder=tmp_path)
+    drawn = Drawn()
+    for _ in range(5):
+        operation_of(ENGRAVING | {"points": "a.csv"}, tmp_path, "job.toml", drawn=drawn)
+    with pytest.raises(JobError, match=r"too many lines and arcs in its files"):
+        operation_of(ENGRAVING | {"points": "a.csv"}, tmp_path, "job.toml", drawn=drawn)
 
 
 def test_operations_name_shapes_one_or_several_and_the_cycle_gets_curves() -> None:
