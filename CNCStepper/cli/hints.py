@@ -7,12 +7,14 @@ import os
 import shlex
 import subprocess
 import sys
-from collections.abc import Iterable
+import time
+from collections.abc import Callable, Iterable
 from itertools import chain, count
 from pathlib import Path
 
 import click
 
+from CNCStepper.checkpoint import interruptible
 from CNCStepper.errors import CNCStepperError, Place, ProgramError
 
 DIALECT = "--dialect says how a program is read: linuxcnc knows parameters, expressions and O-words"
@@ -28,6 +30,7 @@ HINTS = {
 
 
 MOST_BYTES = 20_000_000  # of a program whose conversion is tried unasked
+MOST_S = 5.0  # of processor time for that: a loop without end reads as no other dialect in any time
 ALREADY_CONVERTS = ("convert", "trace")
 START_PARAMETERS = ("work_zero", "position", "parameters", "tool_table", "search")
 OF_START = ("--work-zero", "--position", "--parameters", "--tool-table", "--search")
@@ -64,7 +67,10 @@ def _conversion(program: Path, context: click.Context, refusal: ProgramError) ->
     rule, lengths = (machine.tool_change, machine.tool_length) if machine else ("pause", "none")
     start = Given(**{name: params[name] for name in START_PARAMETERS if params.get(name)}).start()
     try:
-        found = conversion_of(read_program(program), target, start, str(program), rule, lengths)
+        with interruptible(_ended_after(MOST_S)):
+            found = conversion_of(read_program(program), target, start, str(program), rule, lengths)
+    except _TooLongError:
+        return ""
     except ProgramError as reason:
         return "" if _is_wrong(refusal, reason) else f"no conversion makes it a program for {target}: {reason}"
     if found is None:
@@ -73,6 +79,21 @@ def _conversion(program: Path, context: click.Context, refusal: ProgramError) ->
     words += ["--tool-change", rule, *(["--tool-length", found.tool_length] if found.tool_length else [])]
     words += [*_start_words(), "-o", _as_file(_new_name(program, target))]
     return f"this makes it a program for {target}: {shell_line(words)}"
+
+
+class _TooLongError(Exception):
+    """The conversion that nobody asked for takes too long."""
+
+
+def _ended_after(most_s: float) -> Callable[[], None]:
+    """Return what raises _TooLongError once so much processor time has passed."""
+    end_s = time.thread_time() + most_s
+
+    def look() -> None:
+        if time.thread_time() > end_s:
+            raise _TooLongError
+
+    return look
 
 
 def _is_wrong(refusal: ProgramError, reason: ProgramError) -> bool:

@@ -6,8 +6,10 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 
+from CNCStepper.errors import Place
 from CNCStepper.gcode.file_form import BOM
 from CNCStepper.gcode.read_runs import PIECE
+from CNCStepper.gcode.words import require_short
 
 
 def text_pieces(path: Path) -> Iterator[str]:
@@ -18,7 +20,10 @@ def text_pieces(path: Path) -> Iterator[str]:
 
 
 def byte_pieces(path: Path, mark: bytes = b"") -> Iterator[bytes]:
-    """Yield the bytes of a file, without the mark before them, if it is there."""
+    """Yield the bytes of a file, without the mark before them, if it is there.
+
+    Raises ProgramError for a line that is longer than any program's.
+    """
     rest = b""
     with path.open("rb") as file:
         while piece := file.read(PIECE):
@@ -28,6 +33,8 @@ def byte_pieces(path: Path, mark: bytes = b"") -> Iterator[bytes]:
             if end:
                 yield rest[:end]
             rest = rest[end:]
+            if len(rest) > PIECE:
+                require_short(len(rest), Place(str(path)))
     if rest:
         yield rest
 

@@ -16,6 +16,7 @@ from CNCStepper.errors import Place, ProgramError
 NUMBER = r"[+-]?(?:[0-9]{1,15}(?:\.[0-9]*)?|\.[0-9]+)(?![0-9])"
 SIGNS = "@^$"  # polar distance and angle, and the number of a spindle, are words too
 _WORD = re.compile(rf"([A-Z@^]|(?<!^)\$)({NUMBER})")  # a line that begins with $ is no program's
+MOST_LINE = 100_000  # characters: each takes some 200 bytes of memory while it is read; controllers take 80 to 256
 _BLANKS = " \t\r\n"
 _CAPITALS = str.maketrans(ascii_lowercase, ascii_uppercase)
 _SMALL = str.maketrans(ascii_uppercase, ascii_lowercase)
@@ -95,10 +96,21 @@ def with_line_feeds(text: str) -> str:
 
 
 def split_line(text: str, strict_comments: bool = False) -> Line:
-    """Return code and comments of one line; `strict_comments` refuses unclosed and nested ones."""
+    """Return code and comments of one line; `strict_comments` refuses unclosed and nested ones.
+
+    Raises ProgramError for a line that is longer than any program's.
+    """
+    require_short(len(text))
     code, comments = _without_comments(text, strict_comments)
     deleted = code.lstrip(_BLANKS).startswith("/")
     return Line(code.replace("/", " ", 1) if deleted else code, tuple(comments), deleted)
+
+
+def require_short(length: int, place: Place | None = None) -> None:
+    """Raise ProgramError where a line of `length` characters is longer than any program's."""
+    if length > MOST_LINE:
+        value, limit, advice = f"{length} characters", f"{MOST_LINE}", "break the line"
+        raise ProgramError("line-long", "a line is too long", value=value, limit=limit, advice=advice, place=place)
 
 
 def is_tape_mark(text: str) -> bool:
