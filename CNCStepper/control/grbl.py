@@ -35,6 +35,7 @@ WINDOW_BYTES = 127  # of grbl's 128 one stays free; larger buffers say so themse
 LONGEST_REST_S = 0.01
 PLANNER_BLOCKS = 32  # of one that does not say it
 NOISE_LIMIT_BYTES = 4096  # without a line end
+MOST_ECHOES = 200  # that are waited for: no buffer holds more lines
 REPORT_INCHES = 13  # the setting that switches reports to inches
 
 
@@ -93,6 +94,7 @@ class Grbl:
         self._listen = listen
         self._flood = Flood(clock)
         self._questions = 0  # `?` written and not answered
+        self._echoes = 0  # lines written that a firmware built with REPORT_ECHO_LINE_RECEIVED has yet to repeat
         self._damaged_s: float | None = None  # when the first status came damaged of which no whole one followed
         self._interlock = interlock or MotionInterlock()
         self._bytes_under_way = 0
@@ -121,6 +123,7 @@ class Grbl:
         self.unanswered.append(Sent(text, index))
         self._bytes_under_way += len(text) + 1
         self._to_write += text.encode("ascii") + b"\n"
+        self._echoes = min(self._echoes + 1, MOST_ECHOES)
 
     def flush(self) -> None:
         """Write of the queued lines what may wait before the line; `receive` writes the rest in time."""
@@ -265,7 +268,9 @@ class Grbl:
 
     def _check_flood(self, received: list[Received], asked: int) -> None:
         """Raise LinkError where much more comes than the answers to lines and questions."""
-        unasked = len(received) - asked - sum(isinstance(report, Answered) for report in received)
+        echoes = min(self._echoes, sum(isinstance(report, Feedback) and report.tag == "echo" for report in received))
+        self._echoes -= echoes
+        unasked = len(received) - asked - echoes - sum(isinstance(report, Answered) for report in received)
         if unasked > 0 and not self.is_stopping:
             is_asked = bool(self.unanswered) and self.unanswered[0].text.startswith("$")
             self._flood.check(unasked, is_asked, self.link.name)
