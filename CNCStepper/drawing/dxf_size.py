@@ -19,10 +19,13 @@ from CNCStepper.errors import JobError, Place
 MOST_BYTES = 100_000_000
 MOST_ENTITIES = 100_000
 MOST_POINTS = 1_000_000  # of all polylines and splines
-SPLINE_WEIGHT = 50  # points: fitting arcs to one control point takes as long as reading so many
+SPLINE_WEIGHT = (
+    5  # points: what a spline's control point takes beside reading; how long arcs are fitted has its own bound
+)
 DEEPEST = 32  # blocks within blocks; a block that holds itself goes on for ever
 BINARY = b"AutoCAD Binary DXF\r\n\x1a\x00"
-_ENTITY = re.compile(rb"\n[ \t]*0[ \t]*\r?\n[ \t]*[A-Z0-9_]*[A-Z]")
+# the vertices of an old polyline are points of it, not entities
+_ENTITY = re.compile(rb"\n[ \t]*0[ \t]*\r?\n[ \t]*(?!VERTEX\b|SEQEND\b)[A-Z0-9_]*[A-Z]")
 _POINT = re.compile(rb"\n[ \t]*10[ \t]*\r?\n")
 _BINARY_ENTITY = re.compile(rb"\x00\x00[A-Z0-9_]+\x00")
 _OLD_BINARY_ENTITY = re.compile(rb"\x00[A-Z0-9_]{3,}\x00")  # until R12 a group's code is one byte
@@ -46,7 +49,8 @@ def require_small(document: Any, place: Place) -> int:
     """
     entities, points = _Count(document).of(document.modelspace(), DEEPEST)
     _require("entities with its blocks taken apart", entities, MOST_ENTITIES, place)
-    _require("points with its blocks taken apart", points, MOST_POINTS, place)
+    splines = f"those of splines count {SPLINE_WEIGHT} times"
+    _require(f"points with its blocks taken apart ({splines})", points, MOST_POINTS, place)
     return entities
 
 

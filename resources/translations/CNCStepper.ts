@@ -6150,6 +6150,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a line is too long</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a line needs at least two different points</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6823,6 +6827,10 @@
         </message>
         <message>
             <source>both radii must be positive</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>break the line</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9274,7 +9282,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>points with its blocks taken apart</source>
+            <source>points with its blocks taken apart ({0})</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9382,10 +9390,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>read it whole</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>read the controller's start-up messages ($SS) and correct its configuration</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9399,6 +9403,10 @@
         </message>
         <message>
             <source>reading was cancelled</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>real time</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9682,6 +9690,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>short slice</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>shorten or split that line</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9843,6 +9855,10 @@
         </message>
         <message>
             <source>tabs need either count or spacing_mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>take a larger tolerance_mm, or draw polylines or arcs in their place</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10542,6 +10558,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the file was changed while it was read</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the folder belongs to another user</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10603,6 +10623,10 @@
         </message>
         <message>
             <source>the job has no operations</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the job has {0}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11130,10 +11154,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the program computes or jumps, so it cannot be read piece by piece</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>the program cuts along no way at one height</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11450,6 +11470,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the splines and ellipses of the drawing are too many and too wild for the tolerance</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the stand that this answers to is over</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11730,6 +11754,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>there are {0} lines, none at {1}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>there is no act '{0}'</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11926,6 +11954,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>those of splines count {0} times</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>threads can be cut only in the plane ZX</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11942,7 +11974,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>too many drawings, or one read in too many ways</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>too many ends of lines lie within {0} mm of each other</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>too many lines and arcs in its files</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12303,6 +12343,10 @@
         </message>
         <message>
             <source>wait until the jog has ended</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>wait until the program that writes it is done, then begin again</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

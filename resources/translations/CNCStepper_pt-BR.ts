@@ -6150,6 +6150,10 @@
             <translation>uma linha em '{0}' está aberta e não encerra nada</translation>
         </message>
         <message>
+            <source>a line is too long</source>
+            <translation>uma linha é comprida demais</translation>
+        </message>
+        <message>
             <source>a line needs at least two different points</source>
             <translation>uma linha precisa de pelo menos dois pontos diferentes</translation>
         </message>
@@ -6824,6 +6828,10 @@
         <message>
             <source>both radii must be positive</source>
             <translation>os dois semieixos devem ser positivos</translation>
+        </message>
+        <message>
+            <source>break the line</source>
+            <translation>divida a linha</translation>
         </message>
         <message>
             <source>bring it to Idle first</source>
@@ -9274,8 +9282,8 @@
             <translation>os pontos não são pares de x e y</translation>
         </message>
         <message>
-            <source>points with its blocks taken apart</source>
-            <translation>pontos com seus blocos desfeitos</translation>
+            <source>points with its blocks taken apart ({0})</source>
+            <translation>pontos com os seus blocos desmembrados ({0})</translation>
         </message>
         <message>
             <source>positions are not compared with the path any more: {0}</source>
@@ -9382,10 +9390,6 @@
             <translation>os rápidos usam o avanço em vigor: nenhum F foi dado para eles</translation>
         </message>
         <message>
-            <source>read it whole</source>
-            <translation>leia-o inteiro</translation>
-        </message>
-        <message>
             <source>read the controller's start-up messages ($SS) and correct its configuration</source>
             <translation>leia as mensagens de partida do controlador ($SS) e corrija a configuração</translation>
         </message>
@@ -9400,6 +9404,10 @@
         <message>
             <source>reading was cancelled</source>
             <translation>a leitura foi cancelada</translation>
+        </message>
+        <message>
+            <source>real time</source>
+            <translation>tempo real</translation>
         </message>
         <message>
             <source>release buttons, door and emergency stop, then restart the controller</source>
@@ -9682,6 +9690,10 @@
             <translation>forma '{0}': duas pontas ficam a {1} mm uma da outra em X{2} Y{3}</translation>
         </message>
         <message>
+            <source>short slice</source>
+            <translation>fatia curta</translation>
+        </message>
+        <message>
             <source>shorten or split that line</source>
             <translation>encurte ou divida essa linha</translation>
         </message>
@@ -9844,6 +9856,10 @@
         <message>
             <source>tabs need either count or spacing_mm</source>
             <translation>pontes precisam de count ou de spacing_mm</translation>
+        </message>
+        <message>
+            <source>take a larger tolerance_mm, or draw polylines or arcs in their place</source>
+            <translation>use um tolerance_mm maior, ou desenhe polilinhas ou arcos no lugar delas</translation>
         </message>
         <message>
             <source>take it out</source>
@@ -10542,6 +10558,10 @@
             <translation>o sistema de arquivos está ocupado</translation>
         </message>
         <message>
+            <source>the file was changed while it was read</source>
+            <translation>o arquivo foi alterado enquanto era lido</translation>
+        </message>
+        <message>
             <source>the folder belongs to another user</source>
             <translation>a pasta pertence a outro usuário</translation>
         </message>
@@ -10604,6 +10624,10 @@
         <message>
             <source>the job has no operations</source>
             <translation>o trabalho não tem operações</translation>
+        </message>
+        <message>
+            <source>the job has {0}</source>
+            <translation>o trabalho tem {0}</translation>
         </message>
         <message>
             <source>the job is about to go on</source>
@@ -11130,10 +11154,6 @@
             <translation>o programa não troca de ferramenta</translation>
         </message>
         <message>
-            <source>the program computes or jumps, so it cannot be read piece by piece</source>
-            <translation>o programa calcula ou desvia, por isso não pode ser lido por partes</translation>
-        </message>
-        <message>
             <source>the program cuts along no way at one height</source>
             <translation>o programa não tem corte em altura constante</translation>
         </message>
@@ -11450,6 +11470,10 @@
             <translation>a rotação do spindle é ajustada à mão</translation>
         </message>
         <message>
+            <source>the splines and ellipses of the drawing are too many and too wild for the tolerance</source>
+            <translation>as splines e elipses do desenho são muitas e sinuosas demais para a tolerância</translation>
+        </message>
+        <message>
             <source>the stand that this answers to is over</source>
             <translation>a parada à qual isto responde já terminou</translation>
         </message>
@@ -11730,6 +11754,10 @@
             <translation>depois executa {0} linhas do programa como estão; tudo antes delas é dado como cortado</translation>
         </message>
         <message>
+            <source>there are {0} lines, none at {1}</source>
+            <translation>há {0} linhas, nenhuma em {1}</translation>
+        </message>
+        <message>
             <source>there is no act '{0}'</source>
             <translation>não existe a ação '{0}'</translation>
         </message>
@@ -11926,6 +11954,10 @@
             <translation>isto demora, e está sendo feito ao lado da janela</translation>
         </message>
         <message>
+            <source>those of splines count {0} times</source>
+            <translation>os de splines contam {0} vezes</translation>
+        </message>
+        <message>
             <source>threads can be cut only in the plane ZX</source>
             <translation>roscas só podem ser cortadas no plano ZX</translation>
         </message>
@@ -11942,8 +11974,16 @@
             <translation>para inverter um lado use o espelhamento</translation>
         </message>
         <message>
+            <source>too many drawings, or one read in too many ways</source>
+            <translation>desenhos demais, ou um lido de maneiras demais</translation>
+        </message>
+        <message>
             <source>too many ends of lines lie within {0} mm of each other</source>
             <translation>extremos de linhas demais ficam a menos de {0} mm uns dos outros</translation>
+        </message>
+        <message>
+            <source>too many lines and arcs in its files</source>
+            <translation>linhas e arcos demais nos seus arquivos</translation>
         </message>
         <message>
             <source>too many points</source>
@@ -12304,6 +12344,10 @@
         <message>
             <source>wait until the jog has ended</source>
             <translation>espere o fim do movimento manual</translation>
+        </message>
+        <message>
+            <source>wait until the program that writes it is done, then begin again</source>
+            <translation>espere até que o programa que o grava termine e comece de novo</translation>
         </message>
         <message>
             <source>wait until the typed line is done, or stop it</source>

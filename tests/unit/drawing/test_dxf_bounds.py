@@ -272,3 +272,11 @@ def test_a_long_drawing_says_how_far_it_is_and_can_be_ended(tmp_path: Path) -> N
 
     with interruptible(look), pytest.raises(WantedNoMoreError):
         read_dxf(path, 0.005)
+
+
+def test_vertices_of_an_old_polyline_are_points_of_it(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """In R12 each stands in the file as an entity of its own."""
+    monkeypatch.setattr("CNCStepper.drawing.dxf_size.MOST_ENTITIES", 100)
+    document = ezdxf.new("R12")
+    document.modelspace().add_polyline2d([(index, index % 7) for index in range(1000)])
+    assert read(document, tmp_path).layers
