@@ -47,6 +47,7 @@ SIDEWAYS = 1.6  # the same, straight in
 REST = 0.3  # of the radius: the way between two walks, at least; what is just cut beside the tool counts as in its way
 WALL_LAG = 0.4  # of the radius
 CHIP = 0.03  # of the radius, or four tolerances: along walls a thinner one counts as nothing
+LOOK = 0.02  # of the radius: between the places at which a link to a wall is looked at
 SEEN = 0.8  # of that: thinner chips are no cutting where the length in the material is measured
 
 
@@ -165,19 +166,39 @@ class Plan:
     def _overloaded(self) -> np.ndarray:
         """Return where the rim would meet too much along the walls as things stand, float64[n, 2]."""
         chart = self.chart.copied()
-        return np.vstack([self._too_much(_begun(loop), chart) for loop in self.area.room.loops])
+        return np.vstack([self._too_much(self._begun(loop)[0], chart) for loop in self.area.room.loops])
 
     def _walls(self) -> Iterator[Curve]:
         """Yield the room's own loops as they are gone along; raises CycleError where that is above the bound."""
         for loop in self.area.room.loops:
-            wall = _begun(loop)
-            away = np.hypot(*(self.chart.way[: self.chart.count] - wall.xy[0]).T)
-            self.chart.branch(int(np.argmin(away)))
+            wall, index = self._begun(loop)
+            self.chart.branch(index)
             self.chart.add(wall.xy[:1])
             places = self._too_much(wall, self.chart)
             if len(places):
                 raise narrow(places[0])
             yield wall
+
+    def _begun(self, loop: Curve) -> tuple[Curve, int]:
+        """Return a loop as it is begun, and from which of the way's vertices a straight link leads there.
+
+        That is at the middle of its longest segment, or where the way comes nearest to the loop: the link must not
+        cut across an island's corner.
+        """
+        way = self.chart.way[: self.chart.count]
+        wall = loop.started_at_length(_middle_mm(loop))
+        index = int(np.argmin(np.hypot(*(way - wall.xy[0]).T)))
+        if self._in_room(way[index], wall.xy[0]):
+            return wall, index
+        index, _, on_mm = loop.nearest_of(way, math.inf)
+        return loop.started_at_length(on_mm), index
+
+    def _in_room(self, begin: np.ndarray, end: np.ndarray) -> bool:
+        """Return whether the straight way between two places stays in the true room, but for what rounding may add."""
+        parts = math.ceil(math.dist(begin, end) / (LOOK * self.area.tool_mm))
+        places = begin + np.linspace(0.0, 1.0, parts + 1)[:, None] * (end - begin)
+        out = places[~self.area.room.contains(places)]
+        return bool((self.area.room.distances_mm(out) <= self.area.tolerance_mm / 4.0).all())
 
     def _passes(self, walls: Sequence[Curve]) -> Iterator[Pass]:
         """Yield all passes: what is planned is cut anew, with links over what is cut by then."""
@@ -253,11 +274,11 @@ def _extent(points: np.ndarray) -> float:
     return float(np.ptp(points, axis=0).sum())
 
 
-def _begun(loop: Curve) -> Curve:
-    """Return a loop begun at the middle of its longest segment."""
+def _middle_mm(loop: Curve) -> float:
+    """Return at which length the middle of a loop's longest segment is."""
     ends = np.concatenate([[0.0], np.cumsum(loop.lengths_mm)])
     longest = int(np.argmax(np.diff(ends)))
-    return loop.started_at_length(float(ends[longest : longest + 2].mean()))
+    return float(ends[longest : longest + 2].mean())
 
 
 def narrow(place: np.ndarray) -> CycleError:

@@ -31,6 +31,7 @@ from CNCStepper.simulation.stock import Stock
 TOLERANCE_MM = 0.01
 MARGIN_DEG = 5.0
 HARD = (42, 49, 185, 356)  # seeds: narrow channels, and bites close together in a neck
+ROUND = (183, 215, 404, 432)  # seeds: no walk comes near the middle of an island's longest arc
 LONG = 410  # the seed of a room that is all channels
 LONGER = 1.6  # than the offset pattern, at most
 ROOMIEST = 1.8  # of the radius: no entry opens a wider disc
@@ -93,7 +94,7 @@ def _plate(**keys: object) -> Pocket:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("seed", dict.fromkeys([*SEEDS, *HARD]))
+@pytest.mark.parametrize("seed", dict.fromkeys([*SEEDS, *HARD, *ROUND]))
 def test_random_areas_are_cleared_within_the_bound(seed):
     runs, case = _runs(seed), _case(seed)
     if isinstance(runs, CycleError):
@@ -107,7 +108,7 @@ def test_random_areas_are_cleared_within_the_bound(seed):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("seed", SEEDS)
+@pytest.mark.parametrize("seed", dict.fromkeys([*SEEDS, *HARD, *ROUND]))
 def test_random_areas_are_cleared_whole_and_walls_kept(seed):
     runs, case = _runs(seed), _case(seed)
     if isinstance(runs, CycleError):
