@@ -16,6 +16,7 @@ from CNCStepper.control.awake import awake
 from CNCStepper.control.belief_file import BeliefFile
 from CNCStepper.control.desk import Desk
 from CNCStepper.control.outcome import error_to_json
+from CNCStepper.control.own_file import unlink_soon
 from CNCStepper.control.own_process import stop_on_signals
 from CNCStepper.control.port_identity import identify
 from CNCStepper.control.session_file import OUTCOME, WIRE, DeskFile, write_private
@@ -48,10 +49,12 @@ def main(arguments: list[str]) -> int:
     desk_file.write(server.address(port) | {"port_identity": identify(port).to_json()})
     server.start(desk)
     error = _run(desk, desk_file)
-    write_private(path.with_suffix(OUTCOME), {"error": error_to_json(error) if error else None})
-    server.finish()
-    path.with_suffix(WIRE).unlink(missing_ok=True)
-    desk_file.remove()
+    try:
+        write_private(path.with_suffix(OUTCOME), {"error": error_to_json(error) if error else None})
+    finally:  # who listens hears the end, also where the disk takes nothing any more
+        server.finish()
+        unlink_soon(path.with_suffix(WIRE))
+        desk_file.remove()
     return 1 if error else 0
 
 

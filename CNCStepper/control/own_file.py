@@ -19,6 +19,8 @@ from typing import Any, BinaryIO
 from CNCStepper.control.journal.lock import is_locked, take_lock_soon
 
 LOOK_EVERY_S = 1.0
+REMOVE_LIMIT_S = 1.0  # while clients look at the file: Windows lets none remove what another has open
+_TRY_EVERY_S = 0.02
 
 
 def is_alive(path: Path) -> bool:
@@ -29,6 +31,19 @@ def is_alive(path: Path) -> bool:
         return False
     except OSError:  # perhaps of a session that the administrator began here
         return path.is_file()
+
+
+def unlink_soon(path: Path) -> None:
+    """Remove a file as soon as nobody else has it open; left there when that takes longer than REMOVE_LIMIT_S."""
+    end_s = time.monotonic() + REMOVE_LIMIT_S
+    while True:
+        try:
+            path.unlink(missing_ok=True)
+            return
+        except OSError:
+            if time.monotonic() > end_s:
+                return
+        time.sleep(_TRY_EVERY_S)
 
 
 class OwnFile:
@@ -59,15 +74,15 @@ class OwnFile:
                 self._mend(self._file)
 
     def remove(self) -> None:
-        """Remove it: the process says itself that it has ended."""
+        """Remove it: the process says itself that it has ended. Never fails: without its lock the file says so too."""
         with self._lock:
             if self._file is None:
                 return
-            with suppress(PermissionError):  # Windows wants it closed before
+            with suppress(OSError):  # Windows wants it closed before
                 self._path.unlink(missing_ok=True)
             self._file.close()
             self._file = None
-            self._path.unlink(missing_ok=True)
+        unlink_soon(self._path)
 
     def _mend(self, file: BinaryIO) -> None:
         try:

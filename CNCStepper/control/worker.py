@@ -16,7 +16,7 @@ from CNCStepper.control.awake import awake
 from CNCStepper.control.belief_file import BeliefFile
 from CNCStepper.control.journal.journal import Journal
 from CNCStepper.control.outcome import FAILED, Outcome
-from CNCStepper.control.own_file import OwnFile
+from CNCStepper.control.own_file import OwnFile, unlink_soon
 from CNCStepper.control.own_process import stop_on_signals
 from CNCStepper.control.port_identity import identify
 from CNCStepper.control.run import LOST
@@ -55,7 +55,7 @@ def main(arguments: list[str]) -> int:
             write_private(session.with_suffix(OUTCOME), outcome.to_json())
         finally:  # who listens hears it, also where the disk takes nothing any more
             own_file.remove()
-            wire.unlink(missing_ok=True)
+            unlink_soon(wire)
             server.tell_outcome(outcome)
             server.finish()
     return 0 if outcome.done else 1

@@ -17,7 +17,7 @@ from pathlib import Path
 import pytest
 from fake_controller import FakeServer
 
-from CNCStepper.control import own_file, session, session_file
+from CNCStepper.control import desk_worker, own_file, session, session_file
 from CNCStepper.control.desk_client import DeskClient
 from CNCStepper.control.desk_session import DeskSession, jobs_running
 from CNCStepper.control.journal import store
@@ -164,6 +164,48 @@ def test_its_own_process_removes_it(tmp_path):
     own.keep()
     own.remove()
     assert not list(tmp_path.iterdir())
+
+
+def held_open(self: Path, missing_ok: bool = False) -> None:
+    """What `Path.unlink` does on Windows while another process has the file open."""
+    raise PermissionError(13, "The process cannot access the file because it is being used by another process")
+
+
+def test_its_process_ends_also_where_a_client_never_closes_it(tmp_path, monkeypatch):
+    own = OwnFile(tmp_path / f"a{SESSION}")
+    own.write({"machine_port": "COM3"})
+    monkeypatch.setattr(own_file, "REMOVE_LIMIT_S", 0.1)
+    monkeypatch.setattr(Path, "unlink", held_open)
+    own.remove()
+    assert not is_alive(tmp_path / f"a{SESSION}")
+
+
+def test_a_file_that_a_client_looks_at_is_removed_when_it_was_closed(tmp_path, monkeypatch):
+    own, path, unlink, tries = OwnFile(tmp_path / f"a{SESSION}"), tmp_path / f"a{SESSION}", Path.unlink, []
+
+    def held_at_first(self: Path, missing_ok: bool = False) -> None:
+        tries.append(self)
+        held_open(self) if len(tries) < 4 else unlink(self, missing_ok)
+
+    own.write({"machine_port": "COM3"})
+    monkeypatch.setattr(Path, "unlink", held_at_first)
+    own.remove()
+    assert len(tries) == 4 and not path.exists()
+
+
+def test_a_desk_leaves_nothing_where_the_disk_takes_no_outcome(tmp_path, monkeypatch):
+    def full(path: Path, content: object) -> None:
+        raise OSError(28, "No space left on device")
+
+    for name in ("stop_on_signals", "go_first"):
+        monkeypatch.setattr(desk_worker, name, lambda *arguments: None)
+    monkeypatch.setattr(sys, "setswitchinterval", lambda seconds: None)
+    monkeypatch.setattr(desk_worker, "_run", lambda desk, desk_file: None)
+    monkeypatch.setattr(desk_worker, "write_private", full)
+    tmp_path.chmod(0o700)
+    with pytest.raises(OSError, match="No space"):
+        desk_worker.main([str(tmp_path / f"a{DESK}"), str(tmp_path / "port"), "115200"])
+    assert not [path for path in tmp_path.iterdir() if path.suffix in (DESK, WIRE, ".sock")]
 
 
 @pytest.mark.parametrize("how", [*(how for how in SPOILED if how != "a directory"), "removed"])
