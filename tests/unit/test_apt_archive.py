@@ -6,6 +6,7 @@ from __future__ import annotations
 import importlib.util
 import subprocess
 from pathlib import Path
+from shlex import quote
 from typing import Any
 
 import pytest
@@ -103,10 +104,7 @@ def test_no_tracked_file_names_an_archive_a_snapshot_or_a_registry() -> None:
 def test_the_set_up_takes_what_is_printed(tmp_path: Path) -> None:
     script = (ROOT / "tools" / "freecad_root.sh").read_text("utf-8")
     found = script[script.index("find_mirror() {") : script.index("\nremove()")]
-    run = (
-        f'mirror=$1 suite=nosuch here={ROOT}/tools project={ROOT} log={tmp_path}/log\nfail() {{ echo "$*"; exit 1; }}\n'
-    )
-    run = run.replace(f"project={ROOT}", f"project={tmp_path}")
+    run = f'mirror=$1 suite=nosuch here={quote(str(ROOT))}/tools project={quote(str(tmp_path))} log={quote(str(tmp_path))}/log\nfail() {{ echo "$*"; exit 1; }}\n'
     (tmp_path / ".venv" / "bin").mkdir(parents=True)
     (tmp_path / ".venv" / "bin" / "python").write_text('#!/bin/sh\necho "http://printed/$2"\n')
     (tmp_path / ".venv" / "bin" / "python").chmod(0o755)
