@@ -61,3 +61,14 @@ def test_a_program_with_a_feed_on_each_line_names_a_state_on_each_row() -> None:
     assert PlainReader(reader).read(text.encode())
     path = reader.toolpath()
     assert [path.states[state].feed_mm_min for state in path.table().state] == path.table().feed.tolist() == [1, *feeds]
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_forgotten_states_are_gone_and_the_others_stay(seed: int) -> None:
+    states, expected = both(seed)
+    half = len(expected) // 2
+    for before in (3, half, half):  # a second time there is nothing to do
+        states.forget(before)
+    single = [place for place in range(half) if states[place] is None]
+    assert single and all(states[place] in (None, expected[place]) for place in range(half))
+    assert states[half:] == expected[half:] and len(states) == len(expected)
