@@ -141,9 +141,12 @@ class SessionServer:
 
     def alone_s(self) -> float:
         """Return how long no client has been attached; infinite when the last one has left for good."""
-        if any(peer.attached for peer in list(self._peers.values())):
+        if self._is_attended():
             return 0.0
         return inf if self._left else time.monotonic() - self._alone_since_s
+
+    def _is_attended(self) -> bool:
+        return any(peer.attached for peer in list(self._peers.values()))
 
     def finish(self) -> None:
         """Tell all attached clients what is still to be told, then close."""
@@ -265,7 +268,7 @@ class SessionServer:
         command = request.get("command")
         if command == "leave":
             self._drop(peer)
-            self._left = True
+            self._left = not self._is_attended()
         elif command == "attach":
             peer.attached, self._left = True, False
             peer.backlog.add_all(self._history)
@@ -338,3 +341,4 @@ class SessionServer:
             peer.connection.close()
             if peer.attached:
                 self._alone_since_s = time.monotonic()
+                self._left = False  # one that crashed may come back

@@ -11,6 +11,7 @@ import threading
 import time
 from collections.abc import Callable, Iterator
 from contextlib import closing
+from math import inf
 from pathlib import Path
 
 import pytest
@@ -207,6 +208,30 @@ def test_whoever_comes_late_hears_the_phases_first_and_the_present_last(served):
 
 
 # --- the place where it listens ----------------------------------------------------------------
+
+
+def attached_to(served: Served) -> socket.socket:
+    connection = served.connected()
+    served.ask(connection, "attach")
+    events_until(connection, lambda event: event["event"] == "status")
+    return connection
+
+
+def test_a_client_that_crashed_is_waited_for_also_where_another_has_left(served):
+    with closing(attached_to(served)) as left, closing(attached_to(served)) as crashed:
+        served.ask(left, "leave")
+        until(lambda: len(served.server._peers) == 1)
+        crashed.close()
+        until(lambda: served.server.alone_s() > 0.0)
+        assert served.server.alone_s() < LIMIT_S
+
+
+def test_nobody_is_waited_for_when_the_last_client_has_left(served):
+    with closing(attached_to(served)) as crashed, closing(attached_to(served)) as left:
+        crashed.close()
+        until(lambda: len(served.server._peers) == 1)
+        served.ask(left, "leave")
+        until(lambda: served.server.alone_s() == inf)
 
 
 @posix
