@@ -104,7 +104,9 @@ def test_no_tracked_file_names_an_archive_a_snapshot_or_a_registry() -> None:
 def test_the_set_up_takes_what_is_printed(tmp_path: Path) -> None:
     script = (ROOT / "tools" / "freecad_root.sh").read_text("utf-8")
     found = script[script.index("find_mirror() {") : script.index("\nremove()")]
-    run = f'mirror=$1 suite=nosuch here={quote(str(ROOT))}/tools project={quote(str(tmp_path))} log={quote(str(tmp_path))}/log\nfail() {{ echo "$*"; exit 1; }}\n'
+    tools, project = quote(str(ROOT / "tools")), quote(str(tmp_path))
+    run = f"mirror=$1 suite=nosuch here={tools} project={project} log={project}/log\n"
+    run += 'fail() { echo "$*"; exit 1; }\n'
     (tmp_path / ".venv" / "bin").mkdir(parents=True)
     (tmp_path / ".venv" / "bin" / "python").write_text('#!/bin/sh\necho "http://printed/$2"\n')
     (tmp_path / ".venv" / "bin" / "python").chmod(0o755)
