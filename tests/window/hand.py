@@ -24,6 +24,7 @@ from PySide import QtGui
 
 PICTURES = Path(os.environ["CNCSTEPPER_WINDOW_PICTURES"])
 APPEARS_S = 5.0  # so long may a window or an entry take to appear
+ENABLED_S = 20.0  # so long may FreeCAD take to see that a command can be run: it looks when it has nothing else to do
 FINGER_S = 0.05  # between the clicks of a double click
 NO_DOUBLE_S = 0.6  # between two clicks, so that Qt takes them for no double click (it does within 0.4 s)
 NEAR_PX = 20.0  # two clicks that near might be taken for a double click
@@ -134,8 +135,8 @@ class Hand:
     ) -> None:
         """Click a widget (or the one with this objectName), in its middle or `at` a place in it.
 
-        A button that was not pressed by that is clicked again, as a person does: FreeCAD 1.1 lets clicks fall
-        through a panel that has just grown.
+        A button that was not pressed by that, or a line that has not got the keyboard, is clicked again, as a person
+        does: FreeCAD 1.1 lets clicks fall through a panel that has just grown.
         """
         for _ in range(CLICKS):
             place = self._place(places.of_widget, target, at)
@@ -143,7 +144,7 @@ class Hand:
             self._click_place(place, button, double, modifiers)
             if button != x_input.LEFT or self.main(pressed.told):
                 return
-            print(f"the button {target} did not see the click", flush=True)
+            print(f"{target} did not see the click", flush=True)
         raise AssertionError(f"{target} does not see clicks; {self.describe()}")
 
     def _place(self, where: Callable[..., Point], *arguments: Any) -> Point:
@@ -204,8 +205,13 @@ class Hand:
         raise AssertionError(f"{label} in the tree has no tooltip; {self.describe()}")
 
     def command(self, name: str) -> None:
-        """Click the toolbar button of a FreeCAD command."""
-        self._click_place(self._place(lambda: places.of_widget(places.tool_button(name), None)))
+        """Click the toolbar button of a FreeCAD command, when FreeCAD has seen that it can be run.
+
+        It looks at that every 0.3 s, when it has nothing else to do: until then the button sees no click.
+        """
+        self._place(lambda: places.of_widget(places.tool_button(name), None))
+        self.wait(lambda: places.tool_button(name).isEnabled(), ENABLED_S, f"{name} to be possible")
+        self.click(self.main(places.tool_button, name))
 
     def menu(self, *texts: str) -> None:
         """Click through the menu bar: `hand.menu("CNCStepper", "New job")`; & and … are left out."""
@@ -215,7 +221,8 @@ class Hand:
 
     def button(self, text: str) -> None:
         """Click the button with this text, in the open dialog or else anywhere in the window."""
-        self._click_place(self._place(lambda: places.of_widget(places.button(text), None)))
+        self._place(lambda: places.of_widget(places.button(text), None))
+        self.click(self.main(places.button, text))
 
     def item(self, view: Target, text: str, *, double: bool = False, modifiers: Sequence[str] = ()) -> None:
         """Click an entry of a list, tree or table by its text; it is scrolled to first."""
@@ -309,8 +316,8 @@ class Hand:
         self.settle()
 
     def view_point(self, x_mm: float, y_mm: float, z_mm: float = 0.0) -> Point:
-        """Return where a point of the drawing appears in the 3D view, for `drag` and `click_view`."""
-        return self.main(places.view_pixels, x_mm, y_mm, z_mm)
+        """Return where a point of the drawing appears in the 3D view, which rests, for `drag` and `click_view`."""
+        return self._place(places.view_pixels, x_mm, y_mm, z_mm)
 
     # ---- keys ----
 

@@ -14,7 +14,8 @@ from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
 OPTIONS = [
-    *("-p", "no:cacheprovider", "-s", "-o", "faulthandler_timeout=120"),
+    # Its look at other threads may crash Python 3.13, so it comes when all else has been in vain.
+    *("-p", "no:cacheprovider", "-s", "-o", "faulthandler_timeout=600"),
     *("-W", "ignore:Type PySide2:DeprecationWarning"),  # FreeCAD 1.0's own
 ]
 sys.path += [str(HERE), str(HERE.with_name("freecad"))]  # helpers of the tests, also those without a window

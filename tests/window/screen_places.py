@@ -56,13 +56,15 @@ def find(target: Any) -> Any:
 
 
 class Pressed(QtCore.QObject):
-    """Hears whether a button is pressed; anything that is no button hears every click."""
+    """Hears whether a button is pressed, or sees that a line has the keyboard; anything else hears every click."""
 
     def __init__(self, target: Any):
         super().__init__()
         widget = find(target)
-        self._heard = not isinstance(widget, QtGui.QAbstractButton)
-        if not self._heard:
+        is_button = isinstance(widget, QtGui.QAbstractButton)
+        self._line = widget if widget.inherits("QLineEdit") or widget.inherits("QAbstractSpinBox") else None
+        self._heard = not is_button and self._line is None
+        if is_button:
             widget.pressed.connect(self._hear)
 
     @QtCore.Slot()
@@ -71,7 +73,7 @@ class Pressed(QtCore.QObject):
 
     def told(self) -> bool:
         """Return whether the click has come."""
-        return self._heard
+        return self._heard or (self._line is not None and self._line.hasFocus())
 
 
 def all_is_selected(target: Any) -> bool:
