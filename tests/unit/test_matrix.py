@@ -33,7 +33,7 @@ def let_all_pass(matrix: Any, monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -
     monkeypatch.setattr(matrix, "told_version", lambda where: f"{where} ['…']")
     monkeypatch.setattr(matrix, "headless", lambda where, environment, log: True)
     monkeypatch.setattr(matrix, "followed", lambda where, log: True)
-    monkeypatch.setattr(matrix, "window", lambda where, kind, environment, log: True)
+    monkeypatch.setattr(matrix, "window", lambda where, kind, environment, log, tests=(): True)
 
 
 def test_what_cannot_be_set_up_has_failed_and_the_rest_still_runs(
@@ -130,3 +130,47 @@ def test_every_kind_of_window_has_its_run(matrix: Any) -> None:
         [sys.executable, "-c", "import kinds; print(*kinds.KINDS)"], cwd=folder, capture_output=True, text=True
     )
     assert kinds.stdout.split() == list(matrix.KINDS)
+
+
+SUMMARY = """
+FAILED tests/window/test_panels.py::test_bad_values[5 kg] - AssertionError: assert False
+ +  where False = main()
+ERROR tests/window/test_road.py::test_a_road
+2 failed, 205 passed in 879.60s
+"""
+
+
+def window_that_fails(again: bool, words: str, asked: list[tuple[str, ...]]) -> Any:
+    """Return a window whose plain tests fail in 1.0.0, and once more, named, where that is wanted."""
+
+    def window(where: str, kind: str, environment: dict[str, str], log: Any, tests: tuple[str, ...] = ()) -> bool:
+        if (where, kind) != ("1.0.0", "plain"):
+            return True
+        asked.append(tuple(tests))
+        log.write(words)
+        return bool(tests) and not again
+
+    return window
+
+
+@pytest.mark.parametrize("again", [False, True])
+def test_what_failed_beside_another_window_runs_once_more_alone(
+    matrix: Any, monkeypatch: pytest.MonkeyPatch, tmp_path: Path, again: bool
+) -> None:
+    asked: list[tuple[str, ...]] = []
+    let_all_pass(matrix, monkeypatch, tmp_path)
+    monkeypatch.setattr(matrix, "window", window_that_fails(again, SUMMARY, asked))
+    assert matrix.main([]) == int(again)
+    named = ("tests/window/test_panels.py::test_bad_values[5 kg]", "tests/window/test_road.py::test_a_road")
+    assert asked == [(), named]
+
+
+def test_a_freecad_that_crashed_has_failed_for_good(
+    matrix: Any, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    asked: list[tuple[str, ...]] = []
+    let_all_pass(matrix, monkeypatch, tmp_path)
+    words = f"{SUMMARY}window: FreeCAD ended with exit status -11\n"
+    monkeypatch.setattr(matrix, "window", window_that_fails(False, words, asked))
+    assert matrix.main([]) == 1
+    assert asked == [()]
