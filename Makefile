@@ -28,9 +28,15 @@ setup:
 demo: setup
 	@.venv/bin/python examples/demo.py
 
+# A test that failed beside another runs once more, alone: a fault is there again, a shared core is not.
+define pytest
+	@.venv/bin/python -m pytest --cache-clear -n 2 $(1) || { [ $$? = 1 ] && echo "make: what failed runs once more, alone" && \
+		.venv/bin/python -m pytest --last-failed --last-failed-no-failures none $(1); }
+endef
+
 test: setup lint
-	@.venv/bin/python -m pytest -n 2 --dist loadfile --no-loadscope-reorder -m "not freecad"
-	@.venv/bin/python -m pytest -n 2 --dist worksteal -m "freecad$(if $(filter matrix,$(MAKECMDGOALS)), and not matrix)"
+	$(call pytest,--dist loadfile --no-loadscope-reorder -m "not freecad")
+	$(call pytest,--dist worksteal -m "freecad$(if $(filter matrix,$(MAKECMDGOALS)), and not matrix)")
 
 # `make test matrix` runs in the system's FreeCAD once what both have (marked "matrix").
 matrix:
