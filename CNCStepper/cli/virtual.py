@@ -48,7 +48,7 @@ def command() -> None:
 @click.option(
     "--faults",
     type=InputPath(exists=False),
-    help="Let go wrong what this TOML or JSON file says, and tell of each fault; see docs/control/faults.md.",
+    help="Make the faults that this TOML or JSON file lists, and report each; see docs/user-guide/sending/faults.md.",
 )
 @click.option("--press", type=FilePath, help="Press its input pins when this TOML file says so.")
 @click.option("--typed", is_flag=True, help="Press its input pins by what is typed here.")

@@ -12,7 +12,7 @@ from CNCStepper.cli.main import group
 from CNCStepper.errors import ProgramError
 from CNCStepper.gcode.dialects import dialect, dialect_names
 
-DOCUMENT = Path(__file__).parents[3] / "docs" / "dialects.md"
+DOCUMENT = Path(__file__).parents[3] / "docs" / "reference" / "dialects.md"
 PROGRAM = "%\nG21 G90\nM3 S1000\nG0 X0 Y0 Z5\nG98 G81 X1 Y1 Z-2 R1 F100\nG80\nG4 P1.5\nM2\n%\n"
 
 

@@ -13,7 +13,7 @@ from CNCStepper.job.make import make_program
 from CNCStepper.job.model import load_job
 from CNCStepper.job.prove import prove_job
 
-PAGE = (Path(__file__).parents[3] / "docs" / "jobs.md").read_text("utf-8")
+PAGE = (Path(__file__).parents[3] / "docs" / "reference" / "job-file.md").read_text("utf-8")
 
 
 def job_file(folder: Path) -> Path:

@@ -13,7 +13,7 @@ from CNCStepper.machine.profile import Machine, Motor, load_machine
 from CNCStepper.simulation.check import check
 from CNCStepper.state import Start
 
-README = Path(__file__).parents[3] / "README.md"
+MACHINES = Path(__file__).parents[3] / "docs" / "user-guide" / "machines.md"
 MACHINE = load_machine("table-a")  # X: 5000 mm/min, 250 mm/s²
 LOAD = {"travel_per_turn_mm": 10.0, "mass_kg": 8.0, "inertia_kg_m2": 5e-5, "force_n": 40.0, "efficiency": 0.8}
 NEEDED = 5e-5 * 0.25 / (0.01 / math.tau) + (8 * 0.25 + 40) * 0.01 / math.tau / 0.8  # Nm while X speeds up
@@ -83,7 +83,7 @@ def test_a_torque_curve_rises_in_speed(torque):
         with_motor(torque=torque)
 
 
-def test_the_motor_of_the_readme_is_read():
-    text = README.read_text("utf-8").split("```toml\n")[1].split("```")[0]
+def test_the_motor_of_the_machines_page_is_read():
+    text = MACHINES.read_text("utf-8").split("```toml\n")[1].split("```")[0]
     motor = Motor(**tomllib.loads(text)["axis"]["x"]["motor"])
     assert motor.torque_at_nm(450) == pytest.approx(0.75)
