@@ -13,12 +13,14 @@ from __future__ import annotations
 import hashlib
 import re
 from collections.abc import Callable, Iterator, Mapping
+from itertools import count
 from pathlib import Path
 from typing import Any
 
 from CNCStepper.control.belief import LOST, NOTHING_AGAINST, Belief
 from CNCStepper.control.journal.store import stories
 from CNCStepper.control.journal.story import RUNNING
+from CNCStepper.control.own_file import is_closed, owner
 from CNCStepper.control.port_identity import PortIdentity, identify, other_names, read_identity
 from CNCStepper.control.session_file import read_private, write_durably
 from CNCStepper.errors import JobError
@@ -72,14 +74,24 @@ class BeliefFile:
         if belief.position_known is False:
             identity = {"port_identity": self._identity.to_json()} if self._identity else {}
             zeroed = "".join(sorted(belief.zeroed))
+            path = self._own_place(path)
             write_durably(path, {"counts_from_here": belief.counts_from_here, "zeroed": zeroed} | identity)
             return
+        closed = []
         for file, content in list(self._against()):
-            if self._is_own(file, content):
+            if is_closed(file):
+                closed.append(file)
+            elif self._is_own(file, content):
                 file.unlink(missing_ok=True)
             elif self._identity:  # of a board that looks like this one
                 known = [*_known_at(content), self._identity]
                 write_durably(file, {**content, "known_at": [identity.to_json() for identity in known]})
+        if closed:
+            raise _closed(closed[0])
+
+    def _own_place(self, path: Path) -> Path:
+        """Return where this port's file may be written: beside one that this user may not open."""
+        return next(place for place in _places(path) if not is_closed(place))
 
     def _said(self) -> Belief:
         """Return what the files say together: where they do not agree, what no zero of before mends."""
@@ -118,6 +130,12 @@ def _path(folder: Path, name: str) -> Path:
     return folder / f"{readable}-{hashlib.sha256(name.encode('utf-8')).hexdigest()[:16]}{POSITION}"
 
 
+def _places(path: Path) -> Iterator[Path]:
+    """Yield where a port's file may be, the best first."""
+    yield path
+    yield from (path.with_stem(f"{path.stem}-{number}") for number in count(2))
+
+
 def _read(path: Path) -> Mapping[str, Any] | None:
     """Return what a file says; {} for one that cannot be read, None where there is none."""
     try:
@@ -147,6 +165,16 @@ def _known_at(content: Mapping[str, Any]) -> Iterator[PortIdentity]:
     for identity in known if isinstance(known, list) else []:
         if (found := _identity_of({"port_identity": identity})) is not None:
             yield found
+
+
+def _closed(path: Path) -> JobError:
+    user = owner(path)
+    return JobError(
+        "position-closed",
+        f"a file that calls this machine's position unknown belongs to {user} and cannot be opened",
+        value=str(path),
+        advice=f"remove it as {user}; until then the position is unknown again at each connection",
+    )
 
 
 def _unwritable(path: Path, error: OSError) -> JobError:

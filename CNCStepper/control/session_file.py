@@ -5,7 +5,8 @@ NAME.session   address, token and process, locked while it runs     NAME.outcome
 NAME.desk      the same of a desk                                   NAME.sock      where it listens
 NAME.wire      the lines to send, while it runs; of a desk, those of its last job
 
-Nobody but its own process removes what belongs to a living one; whether it lives says its lock (`own_file`).
+Nobody but its own process removes what belongs to a living one; whether it lives says its lock (`own_file`). A file
+that this user may not open keeps no port here and is never removed; `closed_files` has those, to be told of.
 """
 
 from __future__ import annotations
@@ -21,7 +22,7 @@ from pathlib import Path
 from typing import Any, TextIO
 
 from CNCStepper.control.long_json import pieces
-from CNCStepper.control.own_file import LOOK_EVERY_S, OwnFile, is_alive
+from CNCStepper.control.own_file import LOOK_EVERY_S, OwnFile, is_alive, is_closed
 from CNCStepper.control.port_identity import identify, read_identity
 from CNCStepper.control.session_socket import is_abandoned, make_private, socket_paths
 from CNCStepper.errors import JobError, LinkError, MissingPackage
@@ -85,6 +86,12 @@ def running_desks(folder: Path | None = None) -> list[Path]:
 def desk_at(machine_port: str, folder: Path | None = None) -> Path | None:
     """Return the file of the desk that has this port; None where none has."""
     return _having(machine_port, running_desks(folder))
+
+
+def closed_files(folder: Path | None = None) -> list[Path]:
+    """Return the files of sessions and desks that this user may not open: which ports theirs are nobody can tell."""
+    folder = folder or session_folder()
+    return sorted(path for kind in (SESSION, DESK) for path in folder.glob(f"*{kind}") if is_closed(path))
 
 
 class DeskFile(OwnFile):
@@ -165,7 +172,8 @@ def _read_regular(path: Path) -> bytes:
 
 
 def _alive(folder: Path | None, kind: str) -> list[Path]:
-    return sorted(filter(is_alive, (folder or session_folder()).glob(f"*{kind}")))
+    files = (folder or session_folder()).glob(f"*{kind}")
+    return sorted(path for path in files if is_alive(path) and not is_closed(path))
 
 
 def _having(machine_port: str, files: Iterable[Path]) -> Path | None:
@@ -189,7 +197,7 @@ def _address_in(path: Path) -> Mapping[str, Any]:
             content = read_private(path) or {}
             return {**content, "machine_port": str(content["machine_port"])}
         except (OSError, ValueError, KeyError) as error:
-            if not is_alive(path):
+            if not is_alive(path) or is_closed(path):
                 return {}
             if time.monotonic() > end_s:
                 raise LinkError(
@@ -210,15 +218,19 @@ def _new_private(path: Path) -> TextIO:
 
 def _prune(folder: Path) -> None:
     """Remove what sessions have left that do not live any more: all that none needs, of the rest the oldest."""
-    for kind in (SESSION, DESK):
-        for path in folder.glob(f"*{kind}"):
-            if not is_alive(path):
-                _remove(path, *filter(is_abandoned, socket_paths(path)))
-    alive = {path.stem for path in (*sessions(folder), *running_desks(folder))}
+    for path in _ours(folder, SESSION, DESK):
+        if not is_alive(path):
+            _remove(path, *filter(is_abandoned, socket_paths(path)))
+    needed = {path.stem for path in (*sessions(folder), *running_desks(folder), *closed_files(folder))}
     for kind in (OUTCOME, LOG, WIRE):
-        for old in sorted(folder.glob(f"*{kind}"))[:-KEPT]:
-            if old.stem not in alive and not _is_recent(old):
+        for old in _ours(folder, kind)[:-KEPT]:
+            if old.stem not in needed and not _is_recent(old):
                 _remove(old)
+
+
+def _ours(folder: Path, *kinds: str) -> list[Path]:
+    """Return the files of some kinds by name, without those that this user may not open."""
+    return sorted(path for kind in kinds for path in folder.glob(f"*{kind}") if not is_closed(path))
 
 
 def _remove(*paths: Path) -> None:

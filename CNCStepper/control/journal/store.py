@@ -11,6 +11,7 @@ from typing import Any
 
 from CNCStepper.control.journal.lock import is_locked
 from CNCStepper.control.journal.story import RUNNING, Story, read_story
+from CNCStepper.control.own_file import is_closed
 from CNCStepper.control.port_identity import THIS_COMPUTER, PortIdentity, identify, read_identity
 from CNCStepper.control.session_file import session_folder
 from CNCStepper.errors import CNCStepperError
@@ -60,7 +61,8 @@ def prune(folder: Path, now_s: float | None = None) -> None:
     """Remove the oldest journals beyond KEPT_JOBS and KEPT_BYTES, but none that is unfinished and recent."""
     now_s = time.time() if now_s is None else now_s
     kept_bytes = 0
-    for count, path in enumerate(journals(folder), 1):
+    ours = (path for path in journals(folder) if not is_closed(path))  # another user's take no room from these
+    for count, path in enumerate(ours, 1):
         with suppress(OSError):  # another program prunes too
             kept_bytes += path.stat().st_size
             if (count > KEPT_JOBS or kept_bytes > KEPT_BYTES) and not _is_needed(path, now_s):
