@@ -16,14 +16,14 @@ import os
 import secrets
 import stat
 import time
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from contextlib import suppress
 from pathlib import Path
 from typing import Any, TextIO
 
 from CNCStepper.control.long_json import pieces
 from CNCStepper.control.own_file import LOOK_EVERY_S, OwnFile, is_alive, is_closed
-from CNCStepper.control.port_identity import identify, read_identity
+from CNCStepper.control.port_identity import PortIdentity, identify, read_identity
 from CNCStepper.control.session_socket import is_abandoned, make_private, socket_paths
 from CNCStepper.errors import JobError, LinkError, MissingPackage
 
@@ -32,6 +32,7 @@ RECENT_S = 600.0  # what is younger is kept in any case: somebody may be about t
 SESSION, DESK, OUTCOME, LOG, WIRE = ".session", ".desk", ".outcome", ".log", ".wire"
 LARGEST_BYTES = 10_000_000  # of a file of `write_private` that is read whole
 MEND_LIMIT_S = 3 * LOOK_EVERY_S  # within which a living process has mended its file
+_Compare = Callable[[PortIdentity, PortIdentity], bool]
 
 
 def session_folder() -> Path:
@@ -78,6 +79,11 @@ def session_at(machine_port: str, folder: Path | None = None) -> Path | None:
     return _having(machine_port, sessions(folder))
 
 
+def session_near(machine_port: str, folder: Path | None = None) -> Path | None:
+    """Return the file of the session that has this port, or one at a host that shares an address with its host."""
+    return _having(machine_port, sessions(folder), PortIdentity.is_near)
+
+
 def running_desks(folder: Path | None = None) -> list[Path]:
     """Return the files of the desks that run, oldest first."""
     return _alive(folder, DESK)
@@ -94,13 +100,18 @@ def closed_files(folder: Path | None = None) -> list[Path]:
     return sorted(path for kind in (SESSION, DESK) for path in folder.glob(f"*{kind}") if is_closed(path))
 
 
+def desk_near(machine_port: str, folder: Path | None = None) -> Path | None:
+    """Return the file of the desk that has this port, or one at a host that shares an address with its host."""
+    return _having(machine_port, running_desks(folder), PortIdentity.is_near)
+
+
 class DeskFile(OwnFile):
     """The file of a desk, in the hands of its own process."""
 
     def elder(self, machine_port: str) -> Path | None:
-        """Return the file of a desk that was before this one at the same port."""
+        """Return the file of a desk that was before this one at the same port, as far as that can be known."""
         for path in running_desks(self._path.parent):
-            if path.name < self._path.name and _having(machine_port, [path]):
+            if path.name < self._path.name and _having(machine_port, [path], PortIdentity.is_near):
                 return path
         return None
 
@@ -176,14 +187,14 @@ def _alive(folder: Path | None, kind: str) -> list[Path]:
     return sorted(path for path in files if is_alive(path) and not is_closed(path))
 
 
-def _having(machine_port: str, files: Iterable[Path]) -> Path | None:
-    return next((path for path in files if _is_at(machine_port, _address_in(path))), None)
+def _having(machine_port: str, files: Iterable[Path], is_meant: _Compare = PortIdentity.is_same) -> Path | None:
+    return next((path for path in files if _is_at(machine_port, _address_in(path), is_meant)), None)
 
 
-def _is_at(machine_port: str, content: Mapping[str, Any]) -> bool:
+def _is_at(machine_port: str, content: Mapping[str, Any], is_meant: _Compare) -> bool:
     """Return whether a session's or desk's port is this one, whatever it is called."""
     port = str(content.get("machine_port", ""))
-    return port == machine_port or (port != "" and read_identity(content, port).is_same(identify(machine_port)))
+    return port == machine_port or (port != "" and is_meant(read_identity(content, port), identify(machine_port)))
 
 
 def _address_in(path: Path) -> Mapping[str, Any]:

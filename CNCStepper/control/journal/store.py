@@ -36,8 +36,13 @@ def latest_unfinished(folder: Path | None = None) -> Story | None:
 def unfinished_at(port: str, folder: Path | None = None) -> Story | None:
     """Return the last job of the machine at a port where it was killed or ended before its time, else None."""
     identity = identify(port)
-    last = next((story for story in stories(folder) if _is_of(story.header, port, identity)), None)
-    return None if last is None or last.is_done or last.end == RUNNING else last
+    for story in stories(folder):
+        unfinished = not story.is_done and story.end != RUNNING
+        if _is_of(story.header, port, identity):
+            return story if unfinished else None
+        if unfinished and identity.is_near(read_identity(story.header, story.header["port"])):
+            return story
+    return None
 
 
 def _is_of(header: Mapping[str, Any], port: str, identity: PortIdentity) -> bool:
