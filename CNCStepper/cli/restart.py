@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import sys
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -93,7 +94,7 @@ def command(
 
     Exit 0 when it is clean (and, with --port, done), else 1.
     """
-    from CNCStepper.control.port_holder import check_free
+    from CNCStepper.control.port_holder import check_free, tell_closed
     from CNCStepper.job.restart import certificate_of_restart
 
     check_stock(stock, tool, job_path)
@@ -105,6 +106,7 @@ def command(
     _check_stock(against, sending)
     if sending.port:
         check_free(sending.port)
+        tell_closed(partial(click.echo, err=True))
     text = read_program(program)
     if not (where.line or where.operation or where.contour or where.at_mm):
         _list(text, program, against)

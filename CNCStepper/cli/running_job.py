@@ -32,10 +32,19 @@ def session_file(name: str | None) -> Path:
     if len(running) == 1:
         return running[0]
     if not running:
-        what = f"no job '{name}' runs" if name else "no job runs"
-        raise JobError("session-none", what, advice="start one with cncstepper send")
+        raise _none_runs(name)
     names = ", ".join(path.stem for path in running)
     raise JobError("session-which", f"{len(running)} jobs run", value=names, advice="choose one with --session")
+
+
+def _none_runs(name: str | None) -> JobError:
+    """Return the refusal where no job is found, with the sessions that cannot be read: one of them may be meant."""
+    from CNCStepper.control.session_file import closed_files
+    from CNCStepper.control.silent import closed
+
+    what = f"no job '{name}' runs" if name else "no job runs"
+    others = [closed(path).sentence for path in closed_files() if name in (None, path.stem)]
+    return JobError("session-none", what, advice="; ".join(["start one with cncstepper send", *others]))
 
 
 def follow(

@@ -119,13 +119,14 @@ def command(
     """
     from CNCStepper.cli.made_with import made_with, merged
     from CNCStepper.cli.watch import watch
-    from CNCStepper.control.port_holder import check_free
+    from CNCStepper.control.port_holder import check_free, tell_closed
 
     if not certificate or job_path:
         check_stock(stock, tool, job_path)
     _check_pauses(by_line, resume_pauses)
     _check_proof(bool(certificate), bool(machine or job_path), unchecked, despite_certificate)
     check_free(port)
+    tell_closed(partial(click.echo, err=True))
     wanted = _Wanted(ProgramFile(program), machine, stock_of(stock, origin), tool, given.start())
     if job_path:
         wanted = wanted.of_job(*job_and_machine(job_path), is_certified=certificate is not None)

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable
+from functools import partial
 from types import TracebackType
 from typing import TYPE_CHECKING, Any
 
@@ -47,6 +48,9 @@ class Talk:
         self.client: DeskClient = DeskClient.launch(port, baud)
 
     def __enter__(self) -> Talk:
+        from CNCStepper.control.port_holder import tell_closed
+
+        tell_closed(partial(click.echo, err=True))
         while self.client.phase != "connected":
             self.look()
         return self

@@ -22,10 +22,10 @@ from CNCStepper.control import desk_launch
 from CNCStepper.control.desk_launch import Launched
 from CNCStepper.control.line_socket import LineSocket
 from CNCStepper.control.outcome import Outcome, SenderStatus, error_from_json, take_refusal
-from CNCStepper.control.own_file import is_alive
+from CNCStepper.control.own_file import is_alive, is_closed
 from CNCStepper.control.session_file import LOG, OUTCOME, read_private, running_desks
 from CNCStepper.control.session_socket import Address
-from CNCStepper.control.silent import garbled, silent, unreadable
+from CNCStepper.control.silent import closed, garbled, silent, unreadable
 from CNCStepper.errors import CNCStepperError, LinkError
 
 __all__ = ["DeskClient", "running_desks"]
@@ -209,6 +209,9 @@ class DeskClient:
             self._end(error)
 
     def _connect(self, path: Path) -> None:
+        if is_closed(path):
+            self._end(closed(path))
+            return
         if self._has_ended(path):  # and whoever listens now where it did is another one
             self._end(self._cause(path))
             return

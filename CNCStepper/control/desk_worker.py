@@ -18,6 +18,7 @@ from CNCStepper.control.desk import Desk
 from CNCStepper.control.outcome import error_to_json
 from CNCStepper.control.own_file import unlink_soon
 from CNCStepper.control.own_process import stop_on_signals
+from CNCStepper.control.port_holder import tell_closed
 from CNCStepper.control.port_identity import identify
 from CNCStepper.control.session_file import OUTCOME, WIRE, DeskFile, write_private
 from CNCStepper.control.session_server import SessionServer
@@ -47,6 +48,7 @@ def main(arguments: list[str]) -> int:
     )
     stop_on_signals(desk.stop)
     desk_file.write(server.address(port) | {"port_identity": identify(port).to_json()})
+    tell_closed(partial(server.tell, "warning"), path.parent)
     server.start(desk)
     error = _run(desk, desk_file)
     try:

@@ -2,7 +2,8 @@
 """The file by which a process is found: locked by that process for as long as it lives, mended where it is damaged.
 
 Whether the process lives is what the lock says, and nothing else: neither a time stamp, which a suspended laptop or a
-changed clock makes old, nor a process number, which another process may have got since.
+changed clock makes old, nor a process number, which another process may have got since. Of a file that this user may
+not open (`is_closed`), as one of the administrator's, Linux's list of locks says it, or a socket that nobody serves.
 """
 
 from __future__ import annotations
@@ -16,21 +17,49 @@ from contextlib import suppress
 from pathlib import Path
 from typing import Any, BinaryIO
 
-from CNCStepper.control.journal.lock import is_locked, take_lock_soon
+from CNCStepper.control.journal.lock import is_listed, is_locked, take_lock_soon
+from CNCStepper.control.session_socket import is_abandoned, socket_paths
 
 LOOK_EVERY_S = 1.0
 REMOVE_LIMIT_S = 1.0  # while clients look at the file: Windows lets none remove what another has open
 _TRY_EVERY_S = 0.02
+_CLOSED_TRIES = 10 if os.name == "nt" else 1  # a scanner of Windows has a file for itself for a moment
 
 
 def is_alive(path: Path) -> bool:
-    """Return whether the process whose own file this is lives; True for a file that is not ours to open."""
+    """Return whether the process whose own file this is lives; True for a closed file of which nothing says that."""
     try:
         return is_locked(path)
     except FileNotFoundError:
         return False
-    except OSError:  # perhaps of a session that the administrator began here
+    except PermissionError:  # perhaps of a session that the administrator began here
+        return _seems_alive(path)
+    except OSError:
         return path.is_file()
+
+
+def is_closed(path: Path) -> bool:
+    """Return whether a file is there that this user may not open, as one that another user has left."""
+    for _ in range(_CLOSED_TRIES):
+        try:
+            os.close(os.open(path, os.O_RDONLY | getattr(os, "O_NONBLOCK", 0)))
+        except PermissionError:
+            time.sleep(_TRY_EVERY_S if _CLOSED_TRIES > 1 else 0.0)
+        except OSError:
+            return False
+        else:
+            return False
+    return path.is_file()
+
+
+def owner(path: Path) -> str:
+    """Return the name of the user whose file it is, in words where the system has none."""
+    try:
+        return path.owner()
+    except KeyError:  # a user of another computer, as on a network's disk
+        return f"user {path.stat().st_uid}"
+    except (OSError, NotImplementedError):  # gone meanwhile; Windows names nobody
+        return "its owner"
 
 
 def unlink_soon(path: Path) -> None:
@@ -44,6 +73,13 @@ def unlink_soon(path: Path) -> None:
             if time.monotonic() > end_s:
                 return
         time.sleep(_TRY_EVERY_S)
+
+
+def _seems_alive(path: Path) -> bool:
+    listed = is_listed(path)
+    if listed is None:
+        return path.is_file() and not any(map(is_abandoned, socket_paths(path)))
+    return listed
 
 
 class OwnFile:

@@ -7,25 +7,33 @@ look as if the cable were at fault.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 
 from CNCStepper.control.outcome import SenderStatus
 from CNCStepper.control.own_file import is_alive
 from CNCStepper.control.session import SessionClient
-from CNCStepper.control.session_file import desk_at, session_at
+from CNCStepper.control.session_file import closed_files, desk_near, session_near
+from CNCStepper.control.silent import closed
 from CNCStepper.errors import LinkError, MachineRefusal
 
 
 def check_free(port: str, folder: Path | None = None) -> None:
     """Raise MachineRefusal where a job or a desk of this user has the port."""
     check_no_job(port, folder)
-    if desk := desk_at(port, folder):
+    if desk := desk_near(port, folder):
         _check_desk(desk, port)
+
+
+def tell_closed(tell: Callable[[str], None], folder: Path | None = None) -> None:
+    """Tell of each session that lives and cannot be read: it may have the port that is opened now, and keeps none."""
+    for path in filter(is_alive, closed_files(folder)):
+        tell(str(closed(path)))
 
 
 def check_no_job(port: str, folder: Path | None = None) -> None:
     """Raise MachineRefusal where a job that was sent from a command line has the port; a killed one has it no more."""
-    if session := session_at(port, folder):
+    if session := session_near(port, folder):
         try:
             with SessionClient.attach(session) as client:
                 status = client.status() if client.outcome is None else None

@@ -6,7 +6,10 @@
     socket://Localhost:2217/, telnet://[::1]:2217              resolved addresses and TCP port
 
 Boards of one kind without serial numbers look alike: they are told apart by the sockets that they are plugged into, and
-`may_be` says where one may have moved. Nothing here waits longer than `LOOK_UP_S`, and nothing fails without a network.
+`may_be` says where one may have moved. Hosts of different names are one where all their addresses are the same; with
+only some in common they may be one, for an address goes from host to host.
+
+Nothing here waits longer than `LOOK_UP_S`, and nothing fails without a network.
 """
 
 from __future__ import annotations
@@ -39,7 +42,7 @@ class PortIdentity:
 
     names: its paths, or the name and the addresses of its host. tcp_port: of a network port, else None. board: vendor
     and product of a USB adapter, "" where it is none. serial: its serial number and interface; "" without a number that
-    no other has. location: of its USB socket, with the interface.
+    no other has. location: of its USB socket, with the interface. unsure: no answer came, which addresses its host has.
     """
 
     names: frozenset[str]
@@ -47,13 +50,24 @@ class PortIdentity:
     board: str = ""
     serial: str = ""
     location: str = ""
+    unsure: bool = False
+
+    @property
+    def hosts(self) -> frozenset[str]:
+        """Its names, without the addresses that a name stands for."""
+        return self.names - self.addresses or self.names
+
+    @property
+    def addresses(self) -> frozenset[str]:
+        """The addresses of a network port, else none."""
+        return frozenset() if self.tcp_port is None else frozenset(filter(_is_address, self.names))
 
     @property
     def key(self) -> str:
         """The name of its files: the same from one connection to the next, as far as that can be known."""
         if self.board and (self.serial or self.location):
             return f"{self.board} {self.serial or self.location}"
-        name = min(self.names, key=lambda name: (name != THIS_COMPUTER, name))
+        name = min(self.hosts, key=lambda name: (name != THIS_COMPUTER, name))
         return name if self.tcp_port is None else f"{name}:{self.tcp_port}"
 
     def is_same(self, other: PortIdentity) -> bool:
@@ -64,12 +78,34 @@ class PortIdentity:
             return self.serial == other.serial
         if self.location and other.location:
             return self.location == other.location
-        return self.tcp_port == other.tcp_port and not self.names.isdisjoint(other.names)
+        return self.has_host_of(other) or self._is_alias_of(other)
+
+    def has_host_of(self, other: PortIdentity) -> bool:
+        """Return whether both have a name in common, whatever addresses their hosts have."""
+        return self.tcp_port == other.tcp_port and not self.hosts.isdisjoint(other.hosts)
+
+    def is_near(self, other: PortIdentity) -> bool:
+        """Return whether both are one port, or ports of hosts with an address in common."""
+        shared = self.tcp_port == other.tcp_port and not self.addresses.isdisjoint(other.addresses)
+        return shared or self.is_same(other)
 
     def may_be(self, other: PortIdentity) -> bool:
-        """Return whether both may be one port: also two boards of a kind, one of them without a serial number."""
+        """Return whether both may be one port: also two boards of a kind, one of them without a serial number.
+
+        And two hosts with an address in common, or of which one did not get its addresses in time.
+        """
         alike = self.board != "" and self.board == other.board and not (self.serial and other.serial)
-        return alike or self.is_same(other)
+        unsure = self.tcp_port is not None and self.tcp_port == other.tcp_port and (self.unsure or other.unsure)
+        return alike or unsure or self.is_near(other)
+
+    def now(self) -> PortIdentity:
+        """Return the identity that its host's name has now; itself where it is no network port's."""
+        return self if self.tcp_port is None else _host(min(self.hosts - {THIS_COMPUTER} or self.hosts), self.tcp_port)
+
+    def _is_alias_of(self, other: PortIdentity) -> bool:
+        """Return whether the hosts of both have all their addresses in common."""
+        sure = not (self.unsure or other.unsure) and self.addresses != frozenset()
+        return sure and self.tcp_port == other.tcp_port and self.addresses == other.addresses
 
     def to_json(self) -> dict[str, Any]:
         """Return it as plain values."""
@@ -81,8 +117,9 @@ class PortIdentity:
         tcp_port, names = content["tcp_port"], content["names"]
         if not names or not isinstance(names, list) or not isinstance(tcp_port, (int, type(None))):
             raise ValueError(f"no identity of a port: {str(content)[:80]}")
-        words = (str(content[name]) for name in ("board", "serial", "location"))
-        return cls(frozenset(map(str, names)), tcp_port, *words)
+        board, serial, location = (str(content[name]) for name in ("board", "serial", "location"))
+        unsure = content.get("unsure") is True  # earlier versions do not say it
+        return cls(frozenset(map(str, names)), tcp_port, board, serial, location, unsure)
 
 
 def identify(name: str) -> PortIdentity:
@@ -113,21 +150,30 @@ def read_identity(content: Mapping[str, Any], port: object) -> PortIdentity:
         return identify(str(port))
 
 
-def other_names(name: str) -> Iterator[str]:
-    """Yield the spellings under which an earlier version may have kept files of a port."""
-    identity = identify(name)
+def other_names(name: str, identity: PortIdentity) -> Iterator[str]:
+    """Yield the spellings under which an earlier version has kept files of a port."""
     yield name
     if identity.tcp_port is None:
         yield from identity.names
         yield from (link for link in _links() if os.path.realpath(link) in identity.names)
         return
-    hosts = identity.names - {THIS_COMPUTER}
-    if THIS_COMPUTER in identity.names:
-        hosts = hosts | {"localhost", "127.0.0.1", "::1"}
+    hosts = identity.hosts
+    if THIS_COMPUTER in hosts:
+        hosts = identity.names | {"localhost", "127.0.0.1", "::1"}
+    yield from _urls(hosts, identity.tcp_port)
+
+
+def address_names(identity: PortIdentity) -> Iterator[str]:
+    """Yield the spellings under which an earlier version has kept files of a host's addresses, perhaps another's."""
+    if identity.tcp_port is not None and THIS_COMPUTER not in identity.names:
+        yield from _urls(identity.addresses - identity.hosts, identity.tcp_port)
+
+
+def _urls(hosts: Iterable[str], tcp_port: int) -> Iterator[str]:
     for host in hosts:
         for scheme in NETWORK:
-            yield f"{scheme}://{f'[{host}]' if ':' in host else host}:{identity.tcp_port}"
-            if DEFAULT_PORTS.get(scheme) == identity.tcp_port:
+            yield f"{scheme}://{f'[{host}]' if ':' in host else host}:{tcp_port}"
+            if DEFAULT_PORTS.get(scheme) == tcp_port:
                 yield f"{scheme}://{host}"
 
 
@@ -220,16 +266,36 @@ def _address(scheme: str, url: str) -> PortIdentity:
         host, port = "", None
     if not host or port is None:
         return PortIdentity(frozenset([url]))
-    addresses = {_plain(found) for found in _addresses_of(host)}
+    return _host(host, port)
+
+
+def _host(host: str, port: int) -> PortIdentity:
+    found = _addresses_of(host)
+    addresses = set(map(_plain, found or []))
     here = {THIS_COMPUTER} if any(map(_is_here, addresses)) or host == THIS_COMPUTER else set()
-    return PortIdentity(frozenset({_plain(host), *addresses, *here}), port)
+    return PortIdentity(frozenset({_plain(host), *addresses, *here}), port, unsure=found is None)
 
 
-def _addresses_of(host: str) -> list[str]:
+def _addresses_of(host: str) -> list[str] | None:
+    """Return the addresses of a host, none where there is no such host, and None without an answer in time."""
+    if _is_address(host.partition("%")[0]):
+        return [host]
+    return within(LOOK_UP_S, lambda: _looked_up(host), None)
+
+
+def _looked_up(host: str) -> list[str] | None:
     try:
-        return [str(ipaddress.ip_address(host.partition("%")[0]))]
+        return [str(found[4][0]) for found in socket.getaddrinfo(host, None)]
+    except socket.gaierror as error:
+        return None if error.errno == socket.EAI_AGAIN else []
+
+
+def _is_address(name: str) -> bool:
+    try:
+        ipaddress.ip_address(name)
     except ValueError:
-        return within(LOOK_UP_S, lambda: [str(found[4][0]) for found in socket.getaddrinfo(host, None)], [])
+        return False
+    return True
 
 
 def _plain(address: str) -> str:

@@ -13,13 +13,13 @@ from pathlib import Path
 from typing import Any
 
 from CNCStepper.control.outcome import Outcome, SenderStatus, take_refusal
-from CNCStepper.control.own_file import is_alive
+from CNCStepper.control.own_file import is_alive, is_closed
 from CNCStepper.control.own_process import start
 from CNCStepper.control.python_finder import find_python
 from CNCStepper.control.send_job import SendJob
 from CNCStepper.control.session_file import LOG, OUTCOME, WIRE, new_session, read_private
 from CNCStepper.control.session_socket import Address
-from CNCStepper.control.silent import GARBLED, garbled, lost, silent, unreadable
+from CNCStepper.control.silent import GARBLED, closed, garbled, lost, silent, unreadable
 from CNCStepper.control.spool import write_spool
 from CNCStepper.errors import LinkError
 
@@ -64,7 +64,8 @@ class SessionClient:
     def attach(cls, session_file: Path) -> SessionClient:
         """Attach to a running session, or to the outcome of one.
 
-        Raises LinkError: "session-lost" when there is none, "session-silent" when its process does not answer.
+        Raises LinkError: "session-lost" when there is none, "session-silent" when its process does not answer,
+        "session-closed" when its file is not this user's to open.
         """
         client = cls(Path(session_file))
         client._connect()
@@ -165,6 +166,8 @@ class SessionClient:
         why = ""
         while self.outcome is None and self._connection is None:
             is_over = not is_alive(self.session_file)  # looked at first: the outcome is written before the end
+            if is_closed(self.session_file):
+                raise closed(self.session_file)
             if self._has_outcome(is_over):
                 return
             if is_over:

@@ -5,7 +5,8 @@ NAME.session   address, token and process, locked while it runs     NAME.outcome
 NAME.desk      the same of a desk                                   NAME.sock      where it listens
 NAME.wire      the lines to send, while it runs; of a desk, those of its last job
 
-Nobody but its own process removes what belongs to a living one; whether it lives says its lock (`own_file`).
+Nobody but its own process removes what belongs to a living one; whether it lives says its lock (`own_file`). A file
+that this user may not open keeps no port here and is never removed; `closed_files` has those, to be told of.
 """
 
 from __future__ import annotations
@@ -15,14 +16,14 @@ import os
 import secrets
 import stat
 import time
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from contextlib import suppress
 from pathlib import Path
 from typing import Any, TextIO
 
 from CNCStepper.control.long_json import pieces
-from CNCStepper.control.own_file import LOOK_EVERY_S, OwnFile, is_alive
-from CNCStepper.control.port_identity import identify, read_identity
+from CNCStepper.control.own_file import LOOK_EVERY_S, OwnFile, is_alive, is_closed
+from CNCStepper.control.port_identity import PortIdentity, identify, read_identity
 from CNCStepper.control.session_socket import is_abandoned, make_private, socket_paths
 from CNCStepper.errors import JobError, LinkError, MissingPackage
 
@@ -31,6 +32,7 @@ RECENT_S = 600.0  # what is younger is kept in any case: somebody may be about t
 SESSION, DESK, OUTCOME, LOG, WIRE = ".session", ".desk", ".outcome", ".log", ".wire"
 LARGEST_BYTES = 10_000_000  # of a file of `write_private` that is read whole
 MEND_LIMIT_S = 3 * LOOK_EVERY_S  # within which a living process has mended its file
+_Compare = Callable[[PortIdentity, PortIdentity], bool]
 
 
 def session_folder() -> Path:
@@ -77,6 +79,11 @@ def session_at(machine_port: str, folder: Path | None = None) -> Path | None:
     return _having(machine_port, sessions(folder))
 
 
+def session_near(machine_port: str, folder: Path | None = None) -> Path | None:
+    """Return the file of the session that has this port, or one at a host that shares an address with its host."""
+    return _having(machine_port, sessions(folder), PortIdentity.is_near)
+
+
 def running_desks(folder: Path | None = None) -> list[Path]:
     """Return the files of the desks that run, oldest first."""
     return _alive(folder, DESK)
@@ -87,13 +94,24 @@ def desk_at(machine_port: str, folder: Path | None = None) -> Path | None:
     return _having(machine_port, running_desks(folder))
 
 
+def closed_files(folder: Path | None = None) -> list[Path]:
+    """Return the files of sessions and desks that this user may not open: which ports theirs are nobody can tell."""
+    folder = folder or session_folder()
+    return sorted(path for kind in (SESSION, DESK) for path in folder.glob(f"*{kind}") if is_closed(path))
+
+
+def desk_near(machine_port: str, folder: Path | None = None) -> Path | None:
+    """Return the file of the desk that has this port, or one at a host that shares an address with its host."""
+    return _having(machine_port, running_desks(folder), PortIdentity.is_near)
+
+
 class DeskFile(OwnFile):
     """The file of a desk, in the hands of its own process."""
 
     def elder(self, machine_port: str) -> Path | None:
-        """Return the file of a desk that was before this one at the same port."""
+        """Return the file of a desk that was before this one at the same port, as far as that can be known."""
         for path in running_desks(self._path.parent):
-            if path.name < self._path.name and _having(machine_port, [path]):
+            if path.name < self._path.name and _having(machine_port, [path], PortIdentity.is_near):
                 return path
         return None
 
@@ -165,17 +183,18 @@ def _read_regular(path: Path) -> bytes:
 
 
 def _alive(folder: Path | None, kind: str) -> list[Path]:
-    return sorted(filter(is_alive, (folder or session_folder()).glob(f"*{kind}")))
+    files = (folder or session_folder()).glob(f"*{kind}")
+    return sorted(path for path in files if is_alive(path) and not is_closed(path))
 
 
-def _having(machine_port: str, files: Iterable[Path]) -> Path | None:
-    return next((path for path in files if _is_at(machine_port, _address_in(path))), None)
+def _having(machine_port: str, files: Iterable[Path], is_meant: _Compare = PortIdentity.is_same) -> Path | None:
+    return next((path for path in files if _is_at(machine_port, _address_in(path), is_meant)), None)
 
 
-def _is_at(machine_port: str, content: Mapping[str, Any]) -> bool:
+def _is_at(machine_port: str, content: Mapping[str, Any], is_meant: _Compare) -> bool:
     """Return whether a session's or desk's port is this one, whatever it is called."""
     port = str(content.get("machine_port", ""))
-    return port == machine_port or (port != "" and read_identity(content, port).is_same(identify(machine_port)))
+    return port == machine_port or (port != "" and is_meant(read_identity(content, port), identify(machine_port)))
 
 
 def _address_in(path: Path) -> Mapping[str, Any]:
@@ -189,7 +208,7 @@ def _address_in(path: Path) -> Mapping[str, Any]:
             content = read_private(path) or {}
             return {**content, "machine_port": str(content["machine_port"])}
         except (OSError, ValueError, KeyError) as error:
-            if not is_alive(path):
+            if not is_alive(path) or is_closed(path):
                 return {}
             if time.monotonic() > end_s:
                 raise LinkError(
@@ -210,15 +229,19 @@ def _new_private(path: Path) -> TextIO:
 
 def _prune(folder: Path) -> None:
     """Remove what sessions have left that do not live any more: all that none needs, of the rest the oldest."""
-    for kind in (SESSION, DESK):
-        for path in folder.glob(f"*{kind}"):
-            if not is_alive(path):
-                _remove(path, *filter(is_abandoned, socket_paths(path)))
-    alive = {path.stem for path in (*sessions(folder), *running_desks(folder))}
+    for path in _ours(folder, SESSION, DESK):
+        if not is_alive(path):
+            _remove(path, *filter(is_abandoned, socket_paths(path)))
+    needed = {path.stem for path in (*sessions(folder), *running_desks(folder), *closed_files(folder))}
     for kind in (OUTCOME, LOG, WIRE):
-        for old in sorted(folder.glob(f"*{kind}"))[:-KEPT]:
-            if old.stem not in alive and not _is_recent(old):
+        for old in _ours(folder, kind)[:-KEPT]:
+            if old.stem not in needed and not _is_recent(old):
                 _remove(old)
+
+
+def _ours(folder: Path, *kinds: str) -> list[Path]:
+    """Return the files of some kinds by name, without those that this user may not open."""
+    return sorted(path for kind in kinds for path in folder.glob(f"*{kind}") if not is_closed(path))
 
 
 def _remove(*paths: Path) -> None:

@@ -1,17 +1,18 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a client says where it cannot reach a session or a desk: it has ended, it was killed, or it does not answer."""
+"""What a client says where it cannot reach a session or a desk: it has ended, was killed, is closed, or is silent."""
 
 from __future__ import annotations
 
 import os
 from pathlib import Path
 
+from CNCStepper.control.own_file import is_alive, owner
 from CNCStepper.control.session_file import DESK, LOG, read_private
 from CNCStepper.control.session_socket import Address
 from CNCStepper.errors import LinkError
 from CNCStepper.printable import printable
 
-SILENT, GARBLED = "session-silent", "session-garbled"
+SILENT, GARBLED, CLOSED = "session-silent", "session-garbled", "session-closed"
 AT_THE_MACHINE = "stop the machine with its own buttons where it must stand now"
 NO_SIGNAL = "to end its process would not stop the machine"
 
@@ -43,6 +44,21 @@ def garbled(session_file: Path) -> LinkError:
         GARBLED,
         f"the session {session_file.stem} answers what this program does not understand",
         advice="; ".join(("use the version of CNCStepper that started it", *_what_to_do(session_file))),
+    )
+
+
+def closed(session_file: Path) -> LinkError:
+    """Return the error for a session whose file this user may not open: it may have any port, or none any more."""
+    user = owner(session_file)
+    if is_alive(session_file):
+        advice = f"end that session as {user}, or remove the file as {user} where none runs any more"
+    else:
+        advice = f"no process has it any more: remove the file as {user}"
+    return LinkError(
+        CLOSED,
+        f"a session's file belongs to {user} and cannot be opened, so that nobody can tell its port",
+        value=str(session_file),
+        advice=advice,
     )
 
 

@@ -6070,6 +6070,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a file that calls this machine's position unknown belongs to {0} and cannot be opened</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a height field needs two rows and two columns of finite heights at least</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6335,6 +6339,10 @@
         </message>
         <message>
             <source>a scale must be positive</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a session's file belongs to {0} and cannot be opened, so that nobody can tell its port</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7466,6 +7474,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>end that session as {0}, or remove the file as {1} where none runs any more</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>end the tool change and resume, or reset it</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8119,6 +8131,10 @@
         </message>
         <message>
             <source>its operations are: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>its owner</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8862,6 +8878,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>no process has it any more: remove the file as {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>no process, or no port</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9427,6 +9447,10 @@
         </message>
         <message>
             <source>release_line goes with line</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>remove it as {0}; until then the position is unknown again at each connection</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

@@ -6070,6 +6070,10 @@
             <translation>um avanço passaria a ser 0</translation>
         </message>
         <message>
+            <source>a file that calls this machine's position unknown belongs to {0} and cannot be opened</source>
+            <translation>um arquivo que dá a posição desta máquina como desconhecida pertence a {0} e não pode ser aberto</translation>
+        </message>
+        <message>
             <source>a height field needs two rows and two columns of finite heights at least</source>
             <translation>um campo de alturas precisa de ao menos duas linhas e duas colunas de alturas finitas</translation>
         </message>
@@ -6336,6 +6340,10 @@
         <message>
             <source>a scale must be positive</source>
             <translation>uma escala deve ser positiva</translation>
+        </message>
+        <message>
+            <source>a session's file belongs to {0} and cannot be opened, so that nobody can tell its port</source>
+            <translation>o arquivo de uma sessão pertence a {0} e não pode ser aberto, de modo que ninguém sabe qual é a sua porta</translation>
         </message>
         <message>
             <source>a setting asks for more steps a second than the controller can give</source>
@@ -7466,6 +7474,10 @@
             <translation>feche outros programas, ou diminua max_rate_mm_min no perfil da máquina</translation>
         </message>
         <message>
+            <source>end that session as {0}, or remove the file as {1} where none runs any more</source>
+            <translation>encerre essa sessão como {0}, ou remova o arquivo como {1} se nenhuma estiver mais em execução</translation>
+        </message>
+        <message>
             <source>end the tool change and resume, or reset it</source>
             <translation>termine a troca de ferramenta e continue, ou reinicie-a</translation>
         </message>
@@ -8120,6 +8132,10 @@
         <message>
             <source>its operations are: {0}</source>
             <translation>as operações dele são: {0}</translation>
+        </message>
+        <message>
+            <source>its owner</source>
+            <translation>seu proprietário</translation>
         </message>
         <message>
             <source>its shape '{0}' is none of {1}</source>
@@ -8862,6 +8878,10 @@
             <translation>nenhuma posição pode ser guardada</translation>
         </message>
         <message>
+            <source>no process has it any more: remove the file as {0}</source>
+            <translation>nenhum processo o usa mais: remova o arquivo como {0}</translation>
+        </message>
+        <message>
             <source>no process, or no port</source>
             <translation>sem processo ou sem porta</translation>
         </message>
@@ -9428,6 +9448,10 @@
         <message>
             <source>release_line goes with line</source>
             <translation>release_line acompanha line</translation>
+        </message>
+        <message>
+            <source>remove it as {0}; until then the position is unknown again at each connection</source>
+            <translation>remova-o como {0}; até lá, a posição volta a ser desconhecida a cada conexão</translation>
         </message>
         <message>
             <source>remove it; only plain ASCII without ? ! ~ may be sent</source>

@@ -12,6 +12,8 @@ from typing import Any
 
 FAR_BYTE = 1 << 30  # Windows keeps others from reading what is locked: a byte that no journal has
 LOCK_TRIES, LOCK_PAUSE_S = 100, 0.01  # a reader may be looking whether it is locked
+LISTED = Path("/proc/locks")
+ALL_PROCESSES = "pid:[4026531836]"  # PROC_PID_INIT_INO of Linux: inside a container locks from outside are not listed
 
 
 def take_lock(file: Any, shared: bool = False) -> None:
@@ -54,6 +56,34 @@ def is_locked(path: Path) -> bool:
     descriptor = os.open(path, os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0))
     try:
         return stat.S_ISREG(os.fstat(descriptor).st_mode) and _is_taken(descriptor)
+    finally:
+        os.close(descriptor)
+
+
+def is_listed(path: Path) -> bool | None:
+    """Return whether Linux lists a lock on a file, which takes no right to open it; None where nothing can say that."""
+    try:
+        if os.stat(path).st_ino in _listed():
+            return True
+        return False if _lists_all(path.parent) else None
+    except OSError:
+        return None
+
+
+def _listed() -> set[int]:
+    """Return the inodes of the list, without their devices: for some file systems it names others than `stat` does."""
+    rows = (line.split() for line in LISTED.read_text("ascii").splitlines())
+    return {int(field.rpartition(":")[2]) for row in rows if "FLOCK" in row for field in row if field.count(":") == 2}
+
+
+def _lists_all(folder: Path) -> bool:
+    """Return whether the list has the locks of every process in a folder: one of our own is looked for there."""
+    if os.readlink("/proc/self/ns/pid") != ALL_PROCESSES:
+        return False
+    descriptor = os.open(folder, os.O_RDONLY)
+    try:
+        take_lock(descriptor, shared=True)
+        return os.fstat(descriptor).st_ino in _listed()
     finally:
         os.close(descriptor)
 

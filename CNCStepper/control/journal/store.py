@@ -11,6 +11,7 @@ from typing import Any
 
 from CNCStepper.control.journal.lock import is_locked
 from CNCStepper.control.journal.story import RUNNING, Story, read_story
+from CNCStepper.control.own_file import is_closed
 from CNCStepper.control.port_identity import THIS_COMPUTER, PortIdentity, identify, read_identity
 from CNCStepper.control.session_file import session_folder
 from CNCStepper.errors import CNCStepperError
@@ -35,8 +36,13 @@ def latest_unfinished(folder: Path | None = None) -> Story | None:
 def unfinished_at(port: str, folder: Path | None = None) -> Story | None:
     """Return the last job of the machine at a port where it was killed or ended before its time, else None."""
     identity = identify(port)
-    last = next((story for story in stories(folder) if _is_of(story.header, port, identity)), None)
-    return None if last is None or last.is_done or last.end == RUNNING else last
+    for story in stories(folder):
+        unfinished = not story.is_done and story.end != RUNNING
+        if _is_of(story.header, port, identity):
+            return story if unfinished else None
+        if unfinished and identity.is_near(read_identity(story.header, story.header["port"])):
+            return story
+    return None
 
 
 def _is_of(header: Mapping[str, Any], port: str, identity: PortIdentity) -> bool:
@@ -60,7 +66,8 @@ def prune(folder: Path, now_s: float | None = None) -> None:
     """Remove the oldest journals beyond KEPT_JOBS and KEPT_BYTES, but none that is unfinished and recent."""
     now_s = time.time() if now_s is None else now_s
     kept_bytes = 0
-    for count, path in enumerate(journals(folder), 1):
+    ours = (path for path in journals(folder) if not is_closed(path))  # another user's take no room from these
+    for count, path in enumerate(ours, 1):
         with suppress(OSError):  # another program prunes too
             kept_bytes += path.stat().st_size
             if (count > KEPT_JOBS or kept_bytes > KEPT_BYTES) and not _is_needed(path, now_s):

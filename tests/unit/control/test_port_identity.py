@@ -23,7 +23,7 @@ from CNCStepper.control.port_holder import check_free
 from CNCStepper.control.port_identity import LOOK_UP_S, PortIdentity, identify, is_same_port
 from CNCStepper.control.send_job import SendJob
 from CNCStepper.control.session import SessionClient
-from CNCStepper.control.session_file import desk_at, session_at, write_private
+from CNCStepper.control.session_file import desk_at, session_at, session_near, write_private
 from CNCStepper.errors import MachineRefusal
 
 FROM_HERE = LOST._replace(counts_from_here=True)
@@ -108,6 +108,51 @@ def test_a_host_is_known_by_its_name_and_by_its_addresses(monkeypatch):
     assert known.is_same(identify("socket://table.local:23"))
 
 
+@pytest.fixture
+def hosts(monkeypatch):
+    """The addresses of hosts by name, as the system looks them up; None for one of which no answer comes."""
+    found: dict[str, tuple[str, ...] | None] = {}
+
+    def look_up(host, *_):
+        if host not in found:
+            raise socket.gaierror(socket.EAI_NONAME, "no such host")
+        if found[host] is None:
+            raise socket.gaierror(socket.EAI_AGAIN, "no answer")
+        return [(0, 0, 0, "", (address, 0)) for address in found[host]]
+
+    monkeypatch.setattr(socket, "getaddrinfo", look_up)
+    return found
+
+
+MILL, LATHE = "socket://mill.local:23", "socket://lathe.local:23"
+
+
+def test_hosts_with_an_address_in_common_may_be_one(hosts):
+    hosts.update({"mill.local": ("192.0.2.7", "192.0.2.8"), "lathe.local": ("192.0.2.8",), "far": ("192.0.2.9",)})
+    mill, lathe = identify(MILL), identify(LATHE)
+    for one, other in ((mill, lathe), (lathe, mill), (mill, identify("socket://192.0.2.7:23"))):
+        assert not one.is_same(other) and one.may_be(other) and one.is_near(other)
+    assert mill.key != lathe.key and not mill.may_be(identify("socket://far:23"))
+    assert not mill.may_be(identify("socket://lathe.local:24"))
+    assert lathe.is_same(identify("socket://192.0.2.8:23"))  # all its addresses
+
+
+def test_a_host_without_an_answer_may_be_any(hosts):
+    hosts.update({"mill.local": None, "lathe.local": ("192.0.2.8",)})
+    mill, lathe = identify(MILL), identify(LATHE)
+    assert mill.unsure and not lathe.unsure and not mill.is_same(lathe)
+    assert mill.may_be(lathe) and lathe.may_be(mill) and not mill.is_near(lathe)
+    assert not identify("socket://nowhere:23").unsure and not identify("socket://nowhere:23").may_be(lathe)
+    assert mill.is_same(identify(MILL)) and PortIdentity.from_json(mill.to_json()) == mill
+
+
+def test_an_identity_of_an_earlier_version_is_read(hosts):
+    old = {"names": ["192.0.2.7", "mill.local"], "tcp_port": 23, "board": "", "serial": "", "location": ""}
+    read = PortIdentity.from_json(old)
+    assert not read.unsure and read.hosts == {"mill.local"} and read.addresses == {"192.0.2.7"}
+    assert read.is_same(identify(MILL))
+
+
 def test_a_look_up_that_hangs_is_not_waited_for(monkeypatch):
     monkeypatch.setattr(port_identity, "LOOK_UP_S", 0.1)
     monkeypatch.setattr(socket, "getaddrinfo", lambda *_: time.sleep(60))
@@ -176,6 +221,18 @@ def test_boards_that_look_alike_are_never_mixed_up(tmp_path, plugged, serial):
     assert kept(tmp_path, "/dev/ttyUSB2").belief == LOST  # moved to where none was homed since
 
 
+def test_what_a_board_loses_later_counts_again_for_one_that_was_homed(tmp_path, plugged):
+    plugged[:] = [usb("/dev/ttyUSB0", None, "1-1:1.0"), usb("/dev/ttyUSB1", None, "1-2:1.0")]
+    kept(tmp_path, "/dev/ttyUSB0").keep(LOST)
+    kept(tmp_path, "/dev/ttyUSB1").keep(AT_HOME)
+    again = kept(tmp_path, "/dev/ttyUSB0")
+    again.keep(LOST)  # in another connection
+    assert kept(tmp_path, "/dev/ttyUSB1").belief == LOST
+    kept(tmp_path, "/dev/ttyUSB1").keep(AT_HOME)
+    again.keep(LOST)  # as at each turn of that connection
+    assert kept(tmp_path, "/dev/ttyUSB1").belief == NOTHING_AGAINST
+
+
 def test_a_board_of_another_kind_at_the_same_name_is_another(tmp_path, plugged):
     plugged[:] = [usb("/dev/ttyUSB0", None, "1-1:1.0")]
     kept(tmp_path, "/dev/ttyUSB0").keep(LOST)
@@ -188,6 +245,100 @@ def test_a_serial_number_that_is_not_read_this_time_changes_nothing(tmp_path, pl
     kept(tmp_path, "COM3").keep(LOST)
     plugged.clear()
     assert kept(tmp_path, "com3").belief == LOST
+
+
+# --- hosts that share an address -----------------------------------------------------------------
+
+
+SHARED = {"mill.local": ("192.0.2.7", "192.0.2.8"), "lathe.local": ("192.0.2.8",)}
+MOVED = {"lathe.local": ("192.0.2.7",)}  # the mill is off, and its address was given to the lathe
+
+
+@pytest.mark.parametrize("later", [SHARED, MOVED], ids=["at once", "one after the other"])
+def test_what_one_host_has_lost_is_not_forgotten_at_another_of_its_address(tmp_path, hosts, later):
+    hosts.update(SHARED if later is SHARED else {"mill.local": ("192.0.2.7",)})
+    kept(tmp_path, MILL).keep(FROM_HERE)
+    hosts.clear()
+    hosts.update(later)
+    assert kept(tmp_path, LATHE).belief == LOST  # it may be the mill
+    kept(tmp_path, LATHE).keep(AT_HOME)
+    assert kept(tmp_path, LATHE).belief == NOTHING_AGAINST
+    assert kept(tmp_path, MILL).belief == FROM_HERE  # that one was not homed
+    kept(tmp_path, MILL).keep(AT_HOME)
+    assert not list(tmp_path.iterdir())
+
+
+def test_a_loss_that_comes_later_counts_again_for_the_host_that_was_homed(tmp_path, hosts):
+    hosts.update(SHARED)
+    kept(tmp_path, MILL).keep(LOST)
+    kept(tmp_path, LATHE).keep(AT_HOME)
+    assert kept(tmp_path, LATHE).belief == NOTHING_AGAINST
+    kept(tmp_path, MILL).keep(LOST)  # in another connection
+    assert kept(tmp_path, LATHE).belief == LOST
+
+
+def test_each_host_of_an_address_has_a_file_of_its_own(tmp_path, hosts):
+    hosts.update(SHARED)
+    for url in (MILL, LATHE, "socket://192.0.2.7:23"):
+        kept(tmp_path, url).keep(LOST)
+    assert len(list(tmp_path.iterdir())) == 3
+    kept(tmp_path, LATHE).keep(AT_HOME)
+    assert len(list(tmp_path.iterdir())) == 2 and kept(tmp_path, MILL).belief == LOST
+
+
+def test_a_file_of_an_earlier_version_under_a_shared_address_is_not_overwritten(tmp_path, hosts):
+    """Earlier versions have named a host's file after its address."""
+    hosts.update({"mill.local": ("192.0.2.7", "192.0.2.8")})
+    kept(tmp_path, "socket://192.0.2.7:23").keep(LOST)
+    (path,) = tmp_path.iterdir()
+    identity = {"names": ["192.0.2.7", "mill.local"], "tcp_port": 23, "board": "", "serial": "", "location": ""}
+    path.unlink()
+    write_private(path, {"port_identity": identity, "counts_from_here": True, "zeroed": ""})
+    kept(tmp_path, "socket://192.0.2.7:23").keep(LOST)
+    kept(tmp_path, "socket://192.0.2.7:23").keep(AT_HOME)
+    assert list(tmp_path.iterdir()) == [path] and kept(tmp_path, MILL).belief == FROM_HERE
+
+
+def test_an_older_file_of_an_address_alone_is_in_doubt_for_its_host(tmp_path, hosts):
+    hosts.update({"mill.local": ("192.0.2.7",)})
+    url = "socket://192.0.2.7:23"
+    path = tmp_path / _old_name(url, hashlib.sha256(url.encode("utf-8")).hexdigest()[:16])
+    write_private(path, {"counts_from_here": True, "zeroed": ""})
+    assert kept(tmp_path, MILL).belief == LOST
+    kept(tmp_path, MILL).keep(AT_HOME)
+    assert kept(tmp_path, MILL).belief == NOTHING_AGAINST and kept(tmp_path, url).belief == FROM_HERE
+
+
+def test_names_of_one_host_share_what_is_known(tmp_path, hosts):
+    hosts.update({"mill.local": ("192.0.2.7", "fe80::1"), "fraese": ("fe80::1", "192.0.2.7")})
+    kept(tmp_path, MILL).keep(LOST)
+    hosts.update(dict.fromkeys(hosts, ("192.0.2.9",)))  # both have moved
+    fraese = kept(tmp_path, "socket://fraese:23")
+    assert fraese.belief == LOST
+    fraese.keep(LOST._replace(zeroed=frozenset("XY")))
+    assert kept(tmp_path, MILL).belief == LOST._replace(zeroed=frozenset("XY")) and len(list(tmp_path.iterdir())) == 1
+    kept(tmp_path, MILL).keep(AT_HOME)
+    assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize("silent", ["mill.local", "lathe.local"])
+def test_without_an_answer_nothing_is_forgotten(tmp_path, hosts, silent):
+    hosts.update(SHARED)
+    kept(tmp_path, MILL).keep(FROM_HERE)
+    hosts[silent] = None
+    assert kept(tmp_path, LATHE).belief == LOST
+    kept(tmp_path, LATHE).keep(AT_HOME)
+    assert kept(tmp_path, MILL).belief == FROM_HERE and kept(tmp_path, LATHE).belief == NOTHING_AGAINST
+
+
+def test_a_job_at_a_host_of_the_same_address_is_not_taken_for_ones_own(tmp_path, hosts):
+    hosts.update(SHARED)
+    running = OwnFile(tmp_path / "one.session")
+    running.write({"machine_port": MILL, "port_identity": identify(MILL).to_json()})
+    assert session_at(MILL, tmp_path) and not session_at(LATHE, tmp_path)
+    assert session_near(LATHE, tmp_path) == tmp_path / "one.session"  # so that the port is not opened twice
+    assert session_near("socket://far:23", tmp_path) is None
+    running.remove()
 
 
 # --- files ---------------------------------------------------------------------------------------
