@@ -16,8 +16,8 @@ import pytest
 from FreeCAD import Placement, Rotation, Vector
 
 from CNCStepper.workbench import api, cut_answers, cut_look, making
-from CNCStepper.workbench.features.base import edit
-from CNCStepper.workbench.remake import remake
+from CNCStepper.workbench.features.base import edit, proxy_type
+from CNCStepper.workbench.remake import remake, steps
 from CNCStepper.workbench.setting import setting_from
 
 ONCE = ("reach_of", "_stamp", "model_construct", "stock_content")  # what all operations need of their job
@@ -154,3 +154,14 @@ def test_what_is_kept_of_an_operation_follows_every_change(document: Any) -> Non
     assert region() == [[x + 1, y + 2] for x, y in shifted]
     api.edit(pocket, tolerance_mm=0.05)
     assert api.job_model(job).operation[1].tolerance_mm == 0.05
+
+
+def test_a_picture_that_is_left_is_drawn_with_the_document(document: Any) -> None:
+    job = job_of(document, 1)
+    (preview,) = [obj for obj in document.Objects if proxy_type(obj) == "CNCStepper_Preview"]
+    before = preview.Path.toGCode()
+    edit(job.Operations[0], depth_mm=3.5)
+    list(steps(document, lambda obj: obj is preview and not obj.touch()))
+    assert preview.Path.toGCode() == before and "Touched" in preview.State
+    document.recompute()
+    assert "-3.5" in preview.Path.toGCode() and "Touched" not in preview.State

@@ -30,9 +30,10 @@ from hand import Hand
 from PySide import QtCore, QtGui
 from test_cycle_panels import PANEL, every_panel, unfold
 
-from CNCStepper.workbench import api, editing, fitting
+from CNCStepper.workbench import api, editing, fitting, pictures
 from CNCStepper.workbench.features.base import problem_of, proxy_type, values
 from CNCStepper.workbench.features.catalogue import OPERATIONS
+from CNCStepper.workbench.features.preview import Preview
 
 TEXTS = ("10 m", "10 mm + 2 in", "1e3 mm", "0,5 mm", "-3 mm", "1/0", "99999999 mm", "abc", "10 mm", "")
 WHOLE = [text for text in TEXTS if not any(other.startswith(text) for other in TEXTS if other != text)]
@@ -167,6 +168,54 @@ def test_no_beginning_of_a_text_freezes_a_panel(hand: Hand) -> None:
     with hidden_view(hand):
         for kind in KINDS:
             type_into_all(hand, kind, plate[kind])
+
+
+def test_the_picture_is_drawn_when_the_keys_pause(hand: Hand) -> None:
+    plate = hand.main(draw, limit_s=120)
+    job, moments = plate["job"], Moments()
+    preview = hand.main(lambda: job.Document.getObject("CNCStepper_Preview"))
+    hand.keyboard.learn("0123456789.")
+    with hidden_view(hand):
+        typist = Typist(hand, plate["drill"])
+        lines = {line.objectName(): line for line in hand.main(typist.lines)}
+        depth = lines[f"{PANEL}depth_mm"]
+        hand.main(lambda: depth.textEdited.connect(moments.typed))
+        hand.main(partial(focus, depth))
+        typist.each_key = True
+        with moments.drawn():
+            typist.replace(depth, "4567")
+            typist.replace(depth, "5.37")
+            hand.wait(lambda: typist.done() and moments.pauses_s, 60, "the picture")
+        hand.wait(lambda: "Z-5.37" in preview.Path.toGCode(), 10, "the picture of that depth")
+        assert min(moments.pauses_s) > 0.9 * pictures.PAUSE_MS / 1000
+        hand.key("Esc")
+    hand.wait(lambda: not FreeCADGui.Control.activeDialog(), 20, "the panel to close")
+    assert "Z-5.37" not in hand.main(preview.Path.toGCode)
+
+
+class Moments:
+    """How long after the last key each picture was drawn."""
+
+    def __init__(self) -> None:
+        self.last_key_s, self.pauses_s = 0.0, []  # type: float, list[float]
+
+    def typed(self, *_: Any) -> None:
+        self.last_key_s = time.monotonic()
+
+    @contextmanager
+    def drawn(self) -> Iterator[None]:
+        """Note each drawing within."""
+        make = Preview.make
+
+        def noted(proxy: Any, obj: Any) -> None:
+            self.pauses_s.append(time.monotonic() - self.last_key_s)
+            make(proxy, obj)
+
+        Preview.make = noted  # type: ignore[method-assign]
+        try:
+            yield
+        finally:
+            Preview.make = make  # type: ignore[method-assign]
 
 
 def draw_splines() -> Any:
