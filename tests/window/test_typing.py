@@ -25,13 +25,15 @@ from typing import Any
 import FreeCAD
 import FreeCADGui
 import Part
+import pytest
 import screen_places as places
 from FreeCAD import Vector
 from hand import Hand
 from PySide import QtCore, QtGui
 from test_cycle_panels import PANEL, every_panel, unfold
 
-from CNCStepper.workbench import api, editing, fitting, pictures
+from CNCStepper.workbench import api, cut_answers, editing, fitting, pictures
+from CNCStepper.workbench.cutting import process
 from CNCStepper.workbench.features.base import problem_of, proxy_type, values
 from CNCStepper.workbench.features.catalogue import OPERATIONS
 from CNCStepper.workbench.features.preview import Preview
@@ -43,6 +45,7 @@ DRAWN_MS = 150.0  # of processor time in which Qt lays out and paints a large pa
 WAITS_MS = 250.0
 TRIES = 3
 SPLINES = 60
+RINGS = 20
 KEY_S = 10.0  # so long may a key take to be seen
 SHOWING = {  # values with which more lines are seen
     "pocket": {"pattern": "engagement"},
@@ -277,6 +280,67 @@ def test_a_new_tolerance_is_fitted_beside_the_window(hand: Hand) -> None:
             raise AssertionError(str(watch))
         hand.wait(typist.done, 60, "the cut")
         hand.key("Esc")
+
+
+def draw_rings() -> Any:
+    """Make a job and closed B-splines, which are selected."""
+    document = FreeCAD.newDocument("Rings")
+    document.UndoMode = 1
+    rings = document.addObject("Part::Feature", "Rings")
+    rings.Shape = Part.Compound([ring(number) for number in range(RINGS)])
+    job = api.new_job(document, stock_size_mm=(100, 80, 10))
+    api.add_tool(job, diameter_mm=1.0)
+    document.recompute()
+    FreeCADGui.Selection.clearSelection()
+    FreeCADGui.Selection.addSelection(rings)
+    return job
+
+
+def forget_fits() -> None:
+    fitting._fits.clear()
+    cut_answers.forget()
+
+
+def ring(number: int) -> Any:
+    curve = Part.BSplineCurve()
+    x_mm, y_mm = 16 * (number % 5) - 32, 16 * (number // 5) - 24
+    corners = [(5, 0), (2, 3.1 + number / 20), (-3, 4), (-5, -1), (1, -5)]
+    curve.interpolate([Vector(x_mm + x, y_mm + y) for x, y in corners], True)
+    return curve.toShape()
+
+
+def test_the_lines_of_a_new_operation_are_fitted_beside_the_window(hand: Hand, monkeypatch: pytest.MonkeyPatch) -> None:
+    job = hand.main(draw_rings, limit_s=60)
+    hand.main(forget_fits)
+    hand.wait(lambda: FreeCADGui.Command.get("CNCStepper_Pocket").getAction()[0].isEnabled(), 10, "the command")
+    fits: list[Any] = []
+    plain = fitting.Spline.fit
+    monkeypatch.setattr(
+        fitting.Spline, "fit", lambda line, tolerance_mm: fits.append(line) or plain(line, tolerance_mm)
+    )
+    hand.command("CNCStepper_Pocket")
+    hand.wait(lambda: hand.exists(f"{PANEL}ok"), 60, "the panel")
+    (pocket,) = hand.main(lambda: job.Operations)
+    hand.wait(lambda: not problem_of(pocket) and job.Program, 60, "the program")
+    assert [drawing.Label for drawing, _ in hand.main(lambda: pocket.Drawings)] == ["Rings"]
+    assert not fits
+    hand.key("Esc")
+    hand.wait(lambda: not FreeCADGui.Control.activeDialog(), 20, "the panel to close")
+    assert not hand.main(lambda: job.Operations)
+
+
+def test_a_new_operation_whose_drawing_is_gone_when_it_is_fitted_is_not_made(hand: Hand) -> None:
+    job = hand.main(draw_rings, limit_s=60)
+    hand.main(forget_fits)
+
+    def click_and_delete() -> None:
+        FreeCADGui.runCommand("CNCStepper_Pocket")
+        job.Document.removeObject("Rings")
+
+    hand.main(click_and_delete)
+    hand.wait(lambda: not process()._asked, 60, "the fit")
+    hand.settle()
+    assert not hand.main(lambda: job.Operations or FreeCADGui.Control.activeDialog())
 
 
 @contextmanager
