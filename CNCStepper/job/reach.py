@@ -45,21 +45,43 @@ class Reach:
 
     def limit(self, key: str) -> Limit | None:
         """Return the limit of a parameter, None where it has none here."""
-        if key in DEPTHS:
-            return self.depth
-        if key in HEIGHTS:
-            return self.height
-        if key in FEEDS:
-            return self.feed
-        return self.width if key.endswith(LENGTHS) and key not in NOT_JUDGED else None
+        kind = kind_of(key)
+        return getattr(self, kind) if kind else None
 
     def refusal(self, key: str, value: Any) -> Limit | None:
         """Return the limit that a value, or one of several, goes beyond; None where it does not."""
         limit = self.limit(key)
-        numbers = value if isinstance(value, tuple | list) else [value]
-        if limit is None or not all(isinstance(number, int | float) for number in numbers):
-            return None
-        return limit if any(abs(number) > limit.most for number in numbers) else None
+        return limit if limit is not None and _largest(value) > limit.most else None
+
+    def holds(self, most: dict[str, float]) -> bool:
+        """Return whether no value goes beyond its limit, of which the largest of each kind are given."""
+        return all(number <= getattr(self, kind).most for kind, number in most.items())
+
+
+def kind_of(key: str) -> str:
+    """Return what limits a parameter: "depth", "height", "width" or "feed" of a Reach, "" where nothing does here."""
+    if key in DEPTHS:
+        return "depth"
+    if key in HEIGHTS:
+        return "height"
+    if key in FEEDS:
+        return "feed"
+    return "width" if key.endswith(LENGTHS) and key not in NOT_JUDGED else ""
+
+
+def largest(found: dict[str, Any]) -> dict[str, float]:
+    """Return the largest of some values by key for each kind that they are of, whatever their sign."""
+    most: dict[str, float] = {}
+    for key, value in found.items():
+        if kind := kind_of(key):
+            most[kind] = max(most.get(kind, 0.0), _largest(value))
+    return most
+
+
+def _largest(value: Any) -> float:
+    """Return the largest number of a value, whatever its sign; 0 for what is none."""
+    numbers = value if isinstance(value, tuple | list) else [value]
+    return max(map(abs, numbers), default=0.0) if all(isinstance(number, int | float) for number in numbers) else 0.0
 
 
 def reach_of(stock_mm: tuple[float, float, float], machine: Machine) -> Reach:

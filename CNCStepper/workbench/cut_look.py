@@ -13,7 +13,7 @@ from CNCStepper.workbench import cut_answers
 from CNCStepper.workbench.cutting import Parts, process
 from CNCStepper.workbench.features.base import FAILED, JOB, edit, entry_of, named, proxy_type
 from CNCStepper.workbench.features.job import active_operations
-from CNCStepper.workbench.looking import Unfitted, only_looking
+from CNCStepper.workbench.looking import Unfitted, on_trial, only_looking
 
 
 @dataclass
@@ -82,16 +82,17 @@ def _trial(obj: Any, changes: dict[str, Any]) -> Iterator[None]:
     names = [entry_of(obj.Proxy, key).name for key in keys]
     before = {name: getattr(obj, name) for name in names}
     deleted, unused = getattr(obj, "DeletedDrawing", ""), getattr(obj.Proxy, "unused", ())
-    try:
-        edit(obj, **changes)
-        yield
-    finally:
-        for name, value in before.items():
-            setattr(obj, name, value)
-        if deleted:
-            obj.DeletedDrawing = deleted
-        if unused:
-            obj.Proxy.unused = unused
-        for other in ours:
-            if other.Name in current:
-                other.purgeTouched()
+    with on_trial():
+        try:
+            edit(obj, **changes)
+            yield
+        finally:
+            for name, value in before.items():
+                setattr(obj, name, value)
+            if deleted:
+                obj.DeletedDrawing = deleted
+            if unused:
+                obj.Proxy.unused = unused
+            for other in ours:
+                if other.Name in current:
+                    other.purgeTouched()

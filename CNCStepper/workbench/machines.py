@@ -8,10 +8,15 @@ from pathlib import Path
 from typing import Any
 
 from CNCStepper.machine.profile import Machine, load_machine, profile_names
+from CNCStepper.workbench.looking import once
 
 
 def machine_of(obj: Any) -> Machine:
     """Return the machine of a job object; a profile's file is looked for beside the document, its dialect set."""
+    return once("machine", obj, lambda: _machine_named(obj))
+
+
+def _machine_named(obj: Any) -> Machine:
     name = obj.Machine
     if name not in profile_names() and obj.Document.FileName:
         name = str(Path(obj.Document.FileName).parent / name)

@@ -12,10 +12,12 @@ from CNCStepper.machine.profile import validated
 from CNCStepper.toolpath import Toolpath
 from CNCStepper.workbench import cut_answers, setting
 from CNCStepper.workbench.clamps import clamps_content
+from CNCStepper.workbench.cut_answers import Content
 from CNCStepper.workbench.features.base import problem_of, values
 from CNCStepper.workbench.features.job import active_operations
 from CNCStepper.workbench.features.program import is_of_a_file, job_behind
-from CNCStepper.workbench.features.tool import model_of
+from CNCStepper.workbench.features.tool import model_of, tool_content
+from CNCStepper.workbench.looking import once
 from CNCStepper.workbench.machines import machine_of
 from CNCStepper.workbench.setting import content_of, machine_content, program_texts
 from CNCStepper.workbench.stock import stock_content
@@ -56,15 +58,21 @@ def program_question(obj: Any) -> dict[str, Any]:
 
 def cut_question(obj: Any, operation: Any, cycle: Any) -> dict[str, Any]:
     """Return what the cut process is asked for the cut of an operation of a job object, whose cycle is given."""
-    contents = _contents(obj, [operation, *_seen_by(obj, operation, cycle)])
-    return {
-        "cut": content_of(_setting(obj, operation, cycle), contents),
-        "machine": machine_content(machine_of(obj)),
-    }
+    seen = once("contours", obj, lambda: _contour_contents(obj)) if looks_at_others(cycle) else []
+    others = [content for name, content in seen if name != operation.Name]
+    given = once("given", obj, lambda: content_of(_bare(obj), []))
+    own = {"tool": [tool_content(operation.Tool)], "operation": [*_contents(obj, [operation]), *others]}
+    return {"cut": given | own, "machine": machine_content(machine_of(obj))}
 
 
-def _contents(obj: Any, operations: Sequence[Any]) -> list[dict[str, Any]]:
+def _contents(obj: Any, operations: Sequence[Any]) -> list[Content]:
     return [each.Proxy.content(each, tuple(obj.WorkOrigin)) for each in operations]
+
+
+def _contour_contents(obj: Any) -> list[tuple[str, Content]]:
+    """Return the names and the contents of a job object's contours on which the cuts of others depend."""
+    contours = _contours(obj)
+    return list(zip([each.Name for each in contours], _contents(obj, contours), strict=True))
 
 
 def job_of(obj: Any) -> Job:
@@ -98,24 +106,28 @@ def setup_of(obj: Any, operation: Any, cycle: Any) -> Setup:
 
 def _setting(obj: Any, operation: Any, cycle: Any) -> Job:
     """Return a job of one operation and of what else counts for it."""
-    contours = [each.Proxy.cycle(each, tuple(obj.WorkOrigin)) for each in _seen_by(obj, operation, cycle)]
+    seen = [each for each in _contours(obj) if each is not operation] if looks_at_others(cycle) else []
+    contours = [each.Proxy.cycle(each, tuple(obj.WorkOrigin)) for each in seen]
+    return _bare(obj).model_copy(update={"tool": (model_of(operation.Tool),), "operation": (cycle, *contours)})
+
+
+def _bare(obj: Any) -> Job:
+    """Return what a job object gives each of its operations, without them and their tools."""
     return Job.model_construct(
         machine=obj.Machine,
         clearance_mm=float(obj.Clearance),
         retract_mm=float(obj.Retract),
         stock=validated(StockForm, stock_content(obj), obj.Label),
-        tool=(model_of(operation.Tool),),
-        operation=(cycle, *contours),
+        tool=(),
+        operation=(),
         material=obj.Material,
     )
 
 
-def _seen_by(obj: Any, operation: Any, cycle: Any) -> list[Any]:
-    """Return the other operations that the cut of one depends on, without those that cannot be made."""
-    if not looks_at_others(cycle):
-        return []
-    others = [other for other in active_operations(obj) if other is not operation and other.Proxy.CYCLE == "contour"]
-    return [other for other in others if not problem_of(other)]
+def _contours(obj: Any) -> list[Any]:
+    """Return the operations on which the cuts of others depend, without those that cannot be made."""
+    contours = [each for each in active_operations(obj) if each.Proxy.CYCLE == "contour"]
+    return [each for each in contours if not problem_of(each)]
 
 
 def read_back(job: Any, text: str) -> Toolpath:

@@ -64,6 +64,8 @@ def missing(*names: str) -> list[str]:
 
 def require(*names: str) -> None:
     """Raise MissingPackage, which says how to get them, when one of the packages cannot be found."""
+    if _found.issuperset(names or NEEDED):
+        return
     lacking = missing(*(names or NEEDED))
     if lacking:
         raise MissingPackage(

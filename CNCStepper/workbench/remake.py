@@ -7,7 +7,7 @@ field that they are meant for. An object alone is made without it.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from typing import Any
 
 from CNCStepper.workbench.features.base import proxy_type
@@ -19,14 +19,17 @@ def remake(document: Any) -> None:
         pass
 
 
-def steps(document: Any) -> Iterator[None]:
-    """Do what `remake` does, an object at a time, so that a window can see to its events between two of them."""
+def steps(document: Any, left: Callable[[Any], bool] = lambda _: False) -> Iterator[None]:
+    """Do what `remake` does, an object at a time, so that a window can see to its events between two of them.
+
+    left: returns whether an object is left to somebody else.
+    """
     made: set[str] = set()
     for name in [obj.Name for obj in reversed(document.TopologicalSortedObjects)]:
         obj = document.getObject(name)
         if obj is None or not proxy_type(obj):
             continue
-        if "Touched" in obj.State or any(part.Name in made for part in obj.OutList):
+        if ("Touched" in obj.State or any(part.Name in made for part in obj.OutList)) and not left(obj):
             obj.recompute()
             obj.purgeTouched()
             made.add(name)

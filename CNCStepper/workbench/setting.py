@@ -6,6 +6,7 @@ from __future__ import annotations
 import functools
 import json
 from collections import deque
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -17,23 +18,24 @@ from CNCStepper.machine.profile import Machine, validated
 from CNCStepper.machine.tool import Tool
 from CNCStepper.state import Start
 from CNCStepper.toolpath import Toolpath
+from CNCStepper.workbench.cut_answers import Content
 from CNCStepper.workbench.picture import commands, gcode
 
-_machines: deque[tuple[Machine, dict[str, Any]]] = deque(maxlen=4)
+_machines: deque[tuple[Machine, Content]] = deque(maxlen=4)
 
 
-def content_of(job: Job, operations: list[dict[str, Any]] | None = None) -> dict[str, Any]:
+def content_of(job: Job, operations: Sequence[dict[str, Any]] | None = None) -> dict[str, Any]:
     """Return a job as plain data, its curves within it; operations: theirs, where that is at hand."""
     if operations is None:
         operations = [operation.model_dump(mode="json") for operation in job.operation]
     return {**job.model_dump(mode="json", exclude={"operation"}), "operation": operations}
 
 
-def machine_content(machine: Machine) -> dict[str, Any]:
+def machine_content(machine: Machine) -> Content:
     """Return a machine as plain data, which is kept for the last ones."""
     found = next((content for known, content in _machines if known is machine), None)
     if found is None:
-        found = machine.model_dump(mode="json")
+        found = Content(machine.model_dump(mode="json"))
         _machines.append((machine, found))
     return found
 

@@ -10,30 +10,43 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from CNCStepper.errors import CNCStepperError, JobError
+from CNCStepper.workbench.looking import once
 
 if TYPE_CHECKING:
-    from CNCStepper.job.reach import Limit
+    from CNCStepper.job.reach import Limit, Reach
 
 UNITS = {"_mm": "mm", "_mm_min": "mm/min"}
 
 
-def limits_passed(job: Any, found: dict[str, Any]) -> dict[str, Limit]:
-    """Return the limits that values by key go beyond on the stock and machine of a job object, by key."""
-    from CNCStepper.job.reach import reach_of
-    from CNCStepper.workbench.machines import machine_of
-    from CNCStepper.workbench.stock import size_mm
+def limits_passed(job: Any, found: dict[str, Any], most: dict[str, float] | None = None) -> dict[str, Limit]:
+    """Return the limits that values by key go beyond on the stock and machine of a job object, by key.
 
+    most: the largest of the values of each kind, where they are at hand.
+    """
     try:
-        reach = reach_of(size_mm(job), machine_of(job))
+        reach = once("reach", job, lambda: _reach(job))
     except CNCStepperError:  # what is wrong with the machine is said at the job
+        return {}
+    if most is not None and reach.holds(most):
         return {}
     refused = {key: reach.refusal(key, value) for key, value in found.items()}
     return {key: limit for key, limit in refused.items() if limit is not None}
 
 
-def require_within_reach(job: Any, found: dict[str, Any]) -> None:
-    """Raise JobError for the first of some values by key that goes beyond stock or machine; None: there is no job."""
-    for key, limit in limits_passed(job, found).items() if job is not None else ():
+def _reach(job: Any) -> Reach:
+    from CNCStepper.job.reach import reach_of
+    from CNCStepper.workbench.machines import machine_of
+    from CNCStepper.workbench.stock import size_mm
+
+    return reach_of(size_mm(job), machine_of(job))
+
+
+def require_within_reach(job: Any, found: dict[str, Any], most: dict[str, float] | None = None) -> None:
+    """Raise JobError for the first of some values by key that goes beyond stock or machine; None: there is no job.
+
+    most: the largest of the values of each kind, where they are at hand.
+    """
+    for key, limit in limits_passed(job, found, most).items() if job is not None else ():
         unit = next((unit for end, unit in UNITS.items() if key.endswith(end)), "")
         raise JobError(
             "beyond-reach",

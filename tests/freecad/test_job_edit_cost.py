@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import json
 import sys
 from collections import Counter
 from collections.abc import Callable
@@ -14,10 +15,13 @@ import Part
 import pytest
 from FreeCAD import Placement, Rotation, Vector
 
-from CNCStepper.workbench import api, cut_answers, cut_look
-from CNCStepper.workbench.features.base import edit
-from CNCStepper.workbench.remake import remake
+from CNCStepper.workbench import api, cut_answers, cut_look, making
+from CNCStepper.workbench.features.base import edit, proxy_type
+from CNCStepper.workbench.remake import remake, steps
+from CNCStepper.workbench.setting import setting_from
 
+ONCE = ("reach_of", "_stamp", "model_construct", "stock_content")  # what all operations need of their job
+MOST_CALLS = 130  # of Python's functions, for an operation that a panel of its job looks at with every key
 COUNTED = ("value_of", "curve_of_chain", "validated", "model_of", "cycle_values", "load_machine", "drawn_of")
 CYCLES = ("drill", "pocket", "contour", "rectangular_pocket", "engrave")
 
@@ -54,13 +58,15 @@ def answer(look: Any) -> None:
         cut_answers.keep(key, cut_answers.Cut({}, ()) if is_cut else cut_answers.Programs((("", "G21\n"),), ("",)))
 
 
-def calls_of(function: Callable[[], None]) -> Counter[str]:
-    """Return how often each of the counted functions is called."""
+def calls_of(function: Callable[[], Any], counted: tuple[str, ...] = COUNTED) -> Counter[str]:
+    """Return how often each of the counted functions is called, and how often any under ""."""
     calls: Counter[str] = Counter()
 
     def note(frame: Any, event: str, _: Any) -> None:
-        if event == "call" and frame.f_code.co_name in COUNTED:
-            calls[frame.f_code.co_name] += 1
+        if event == "call":
+            calls[""] += 1
+            if frame.f_code.co_name in counted:
+                calls[frame.f_code.co_name] += 1
 
     sys.setprofile(note)
     try:
@@ -82,7 +88,39 @@ def one_edit(job: Any, **changes: Any) -> None:
 def test_an_edit_of_a_job_costs_the_same_with_many_operations(document: Any, changes: dict[str, Any]) -> None:
     few, many = job_of(document, 5), job_of(FreeCAD.newDocument("Many"), 30)
     counts = [calls_of(lambda job=job: one_edit(job, **changes)) for job in (few, many)]  # type: ignore[misc]
-    assert counts[0]["value_of"] and counts[0] == counts[1]
+    assert counts[0]["value_of"]
+    assert all(counts[0][name] == counts[1][name] for name in COUNTED)
+
+
+HEIGHT = {"stock_size_mm": (100.0, 80.0, 21.0)}
+
+
+def test_a_look_works_out_once_what_all_operations_need_of_their_job(document: Any) -> None:
+    few, many = job_of(document, 5), job_of(FreeCAD.newDocument("Many"), 30)
+    for job in (few, many):
+        cut_look.look_at(job.Document, job, {"stock_size_mm": (100.0, 80.0, 22.0)})  # what is kept is kept now
+    counts = [calls_of(lambda job=job: cut_look.look_at(job.Document, job, HEIGHT), ONCE) for job in (few, many)]  # type: ignore[misc]
+    assert all(counts[0][name] == counts[1][name] for name in ONCE), counts
+    assert (counts[1][""] - counts[0][""]) / 25 < MOST_CALLS
+
+
+def test_a_question_holds_what_the_cut_in_the_window_is_set_up_with(document: Any) -> None:
+    job = job_of(document, 5)
+    machine = making.machine_content(making.machine_of(job))
+    for operation in job.Operations:
+        cycle = operation.Proxy.cycle(operation, tuple(job.WorkOrigin))
+        question = json.loads(json.dumps(making.cut_question(job, operation, cycle)))
+        asked = setting_from(question["cut"], machine)
+        assert asked.setup(asked.operation[0]) == making.setup_of(job, operation, cycle)
+
+
+def test_each_height_of_the_stock_is_a_question_of_its_own(document: Any) -> None:
+    job = job_of(document, 5)
+    looks = [cut_look.look_at(document, job, {"stock_size_mm": (100.0, 80.0, height)}) for height in (21.0, 22.0)]
+    assert len(looks[0].unknown) == 6 and not looks[0].unknown.keys() & looks[1].unknown.keys()
+    assert {question["cut"]["stock"]["size_mm"][2] for question in looks[1].unknown.values() if "cut" in question} == {
+        22.0
+    }
 
 
 def test_a_height_of_a_job_makes_no_cycle_and_no_curve_anew(document: Any) -> None:
@@ -116,3 +154,14 @@ def test_what_is_kept_of_an_operation_follows_every_change(document: Any) -> Non
     assert region() == [[x + 1, y + 2] for x, y in shifted]
     api.edit(pocket, tolerance_mm=0.05)
     assert api.job_model(job).operation[1].tolerance_mm == 0.05
+
+
+def test_a_picture_that_is_left_is_drawn_with_the_document(document: Any) -> None:
+    job = job_of(document, 1)
+    (preview,) = [obj for obj in document.Objects if proxy_type(obj) == "CNCStepper_Preview"]
+    before = preview.Path.toGCode()
+    edit(job.Operations[0], depth_mm=3.5)
+    list(steps(document, lambda obj: obj is preview and not obj.touch()))
+    assert preview.Path.toGCode() == before and "Touched" in preview.State
+    document.recompute()
+    assert "-3.5" in preview.Path.toGCode() and "Touched" not in preview.State

@@ -14,6 +14,7 @@ times what a graphics card takes.
 
 from __future__ import annotations
 
+import gc
 import queue
 import time
 from collections.abc import Iterator
@@ -24,15 +25,18 @@ from typing import Any
 import FreeCAD
 import FreeCADGui
 import Part
+import pytest
 import screen_places as places
 from FreeCAD import Vector
 from hand import Hand
 from PySide import QtCore, QtGui
 from test_cycle_panels import PANEL, every_panel, unfold
 
-from CNCStepper.workbench import api, editing, fitting
+from CNCStepper.workbench import api, cut_answers, editing, fitting, pictures
+from CNCStepper.workbench.cutting import process
 from CNCStepper.workbench.features.base import problem_of, proxy_type, values
 from CNCStepper.workbench.features.catalogue import OPERATIONS
+from CNCStepper.workbench.features.preview import Preview
 
 TEXTS = ("10 m", "10 mm + 2 in", "1e3 mm", "0,5 mm", "-3 mm", "1/0", "99999999 mm", "abc", "10 mm", "")
 WHOLE = [text for text in TEXTS if not any(other.startswith(text) for other in TEXTS if other != text)]
@@ -41,6 +45,8 @@ DRAWN_MS = 150.0  # of processor time in which Qt lays out and paints a large pa
 WAITS_MS = 250.0
 TRIES = 3
 SPLINES = 60
+RINGS = 20
+LOADED = 100_000  # containers, of 290 000
 KEY_S = 10.0  # so long may a key take to be seen
 SHOWING = {  # values with which more lines are seen
     "pocket": {"pattern": "engagement"},
@@ -169,6 +175,71 @@ def test_no_beginning_of_a_text_freezes_a_panel(hand: Hand) -> None:
             type_into_all(hand, kind, plate[kind])
 
 
+def test_the_picture_is_drawn_when_the_keys_pause(hand: Hand) -> None:
+    plate = hand.main(draw, limit_s=120)
+    job, moments = plate["job"], Moments()
+    preview = hand.main(lambda: job.Document.getObject("CNCStepper_Preview"))
+    hand.keyboard.learn("0123456789.")
+    with hidden_view(hand):
+        typist = Typist(hand, plate["drill"])
+        lines = {line.objectName(): line for line in hand.main(typist.lines)}
+        depth = lines[f"{PANEL}depth_mm"]
+        hand.main(lambda: depth.textEdited.connect(moments.typed))
+        hand.main(partial(focus, depth))
+        typist.each_key = True
+        with moments.drawn():
+            typist.replace(depth, "4567")
+            typist.replace(depth, "5.37")
+            hand.wait(lambda: typist.done() and moments.pauses_s, 60, "the picture")
+        hand.wait(lambda: "Z-5.37" in preview.Path.toGCode(), 10, "the picture of that depth")
+        assert min(moments.pauses_s) > 0.9 * pictures.PAUSE_MS / 1000
+        hand.key("Esc")
+    hand.wait(lambda: not FreeCADGui.Control.activeDialog(), 20, "the panel to close")
+    assert "Z-5.37" not in hand.main(preview.Path.toGCode)
+
+
+def test_garbage_collections_pass_over_what_freecad_has_loaded(hand: Hand) -> None:
+    plate = hand.main(draw, limit_s=120)
+    hand.main(editing.edit, plate["job"])
+    hand.settle()
+
+    def collect_ms() -> float:
+        begun_s = time.thread_time()
+        gc.collect()
+        return 1000 * (time.thread_time() - begun_s)
+
+    took_ms = [hand.main(collect_ms) for _ in range(TRIES)]
+    print(f"full collections take {', '.join(f'{each_ms:.0f} ms' for each_ms in took_ms)}", flush=True)
+    assert hand.main(gc.get_freeze_count) > LOADED  # the time counts what the tests before have left, too
+    hand.key("Esc")
+    hand.wait(lambda: not FreeCADGui.Control.activeDialog(), 20, "the panel to close")
+
+
+class Moments:
+    """How long after the last key each picture was drawn."""
+
+    def __init__(self) -> None:
+        self.last_key_s, self.pauses_s = 0.0, []  # type: float, list[float]
+
+    def typed(self, *_: Any) -> None:
+        self.last_key_s = time.monotonic()
+
+    @contextmanager
+    def drawn(self) -> Iterator[None]:
+        """Note each drawing within."""
+        make = Preview.make
+
+        def noted(proxy: Any, obj: Any) -> None:
+            self.pauses_s.append(time.monotonic() - self.last_key_s)
+            make(proxy, obj)
+
+        Preview.make = noted  # type: ignore[method-assign]
+        try:
+            yield
+        finally:
+            Preview.make = make  # type: ignore[method-assign]
+
+
 def draw_splines() -> Any:
     """Make an engraving along many B-splines."""
     document = FreeCAD.newDocument("Splines")
@@ -210,6 +281,67 @@ def test_a_new_tolerance_is_fitted_beside_the_window(hand: Hand) -> None:
             raise AssertionError(str(watch))
         hand.wait(typist.done, 60, "the cut")
         hand.key("Esc")
+
+
+def draw_rings() -> Any:
+    """Make a job and closed B-splines, which are selected."""
+    document = FreeCAD.newDocument("Rings")
+    document.UndoMode = 1
+    rings = document.addObject("Part::Feature", "Rings")
+    rings.Shape = Part.Compound([ring(number) for number in range(RINGS)])
+    job = api.new_job(document, stock_size_mm=(100, 80, 10))
+    api.add_tool(job, diameter_mm=1.0)
+    document.recompute()
+    FreeCADGui.Selection.clearSelection()
+    FreeCADGui.Selection.addSelection(rings)
+    return job
+
+
+def forget_fits() -> None:
+    fitting._fits.clear()
+    cut_answers.forget()
+
+
+def ring(number: int) -> Any:
+    curve = Part.BSplineCurve()
+    x_mm, y_mm = 16 * (number % 5) - 32, 16 * (number // 5) - 24
+    corners = [(5, 0), (2, 3.1 + number / 20), (-3, 4), (-5, -1), (1, -5)]
+    curve.interpolate([Vector(x_mm + x, y_mm + y) for x, y in corners], True)
+    return curve.toShape()
+
+
+def test_the_lines_of_a_new_operation_are_fitted_beside_the_window(hand: Hand, monkeypatch: pytest.MonkeyPatch) -> None:
+    job = hand.main(draw_rings, limit_s=60)
+    hand.main(forget_fits)
+    hand.wait(lambda: FreeCADGui.Command.get("CNCStepper_Pocket").getAction()[0].isEnabled(), 10, "the command")
+    fits: list[Any] = []
+    plain = fitting.Spline.fit
+    monkeypatch.setattr(
+        fitting.Spline, "fit", lambda line, tolerance_mm: fits.append(line) or plain(line, tolerance_mm)
+    )
+    hand.command("CNCStepper_Pocket")
+    hand.wait(lambda: hand.exists(f"{PANEL}ok"), 60, "the panel")
+    (pocket,) = hand.main(lambda: job.Operations)
+    hand.wait(lambda: not problem_of(pocket) and job.Program, 60, "the program")
+    assert [drawing.Label for drawing, _ in hand.main(lambda: pocket.Drawings)] == ["Rings"]
+    assert not fits
+    hand.key("Esc")
+    hand.wait(lambda: not FreeCADGui.Control.activeDialog(), 20, "the panel to close")
+    assert not hand.main(lambda: job.Operations)
+
+
+def test_a_new_operation_whose_drawing_is_gone_when_it_is_fitted_is_not_made(hand: Hand) -> None:
+    job = hand.main(draw_rings, limit_s=60)
+    hand.main(forget_fits)
+
+    def click_and_delete() -> None:
+        FreeCADGui.runCommand("CNCStepper_Pocket")
+        job.Document.removeObject("Rings")
+
+    hand.main(click_and_delete)
+    hand.wait(lambda: not process()._asked, 60, "the fit")
+    hand.settle()
+    assert not hand.main(lambda: job.Operations or FreeCADGui.Control.activeDialog())
 
 
 @contextmanager

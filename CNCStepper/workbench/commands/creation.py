@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 from typing import Any
 
 from CNCStepper.workbench import missing
@@ -67,12 +68,14 @@ class Operation(Command):
         return missing.why_not() or choice.why_no_panel() or choice.why_no_job() or lacks_drawing
 
     def run(self) -> None:
-        """Add the operation and open its panel."""
+        """Add the operation and open its panel, when the lines of its drawings are fitted."""
+        from CNCStepper.workbench.commands.fitted import when_fitted
         from CNCStepper.workbench.features.catalogue import operation_class
 
-        job, is_drawn = choice.job(), choice.drawing() is not None
-        pairs = choice.drawings(operation_class(self.cycle).PICKS_LINES)
-        create(job.Document, self.text(), lambda: self.add(job, pairs, is_drawn))
+        job, is_drawn, kind = choice.job(), choice.drawing() is not None, operation_class(self.cycle)
+        pairs = choice.drawings(kind.PICKS_LINES)
+        make = partial(self.add, job, pairs, is_drawn)
+        when_fitted(kind, job, pairs, partial(create, job.Document, self.text(), make))
 
     def add(self, job: Any, pairs: list[Any], is_drawn: bool) -> Any:
         """Return the new operation of the job, with those of the selected objects that it can follow.

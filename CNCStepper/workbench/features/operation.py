@@ -10,6 +10,7 @@ from typing import Any
 
 from CNCStepper.errors import CNCStepperError, CycleError
 from CNCStepper.workbench import packages
+from CNCStepper.workbench.cut_answers import Content
 from CNCStepper.workbench.features.base import (
     BOOL,
     CONTAINERS,
@@ -67,10 +68,16 @@ class Kept:
     measures: dict[str, Any]
 
     @functools.cached_property
-    def content(self) -> dict[str, Any]:
+    def content(self) -> Content:
         """The cycle as plain data."""
-        content: dict[str, Any] = self.cycle.model_dump(mode="json")
-        return content
+        return Content(self.cycle.model_dump(mode="json"))
+
+    @functools.cached_property
+    def most(self) -> dict[str, float]:
+        """The largest of the measures of each kind that is limited."""
+        from CNCStepper.job.reach import largest
+
+        return largest(self.measures)
 
 
 @dataclass(frozen=True)
@@ -166,7 +173,7 @@ class Operation(Feature):
         """Return the checked cycle of `obj` in work coordinates; raises CycleError, GeometryError or JobError."""
         return self._keep(obj, origin_mm).cycle
 
-    def content(self, obj: Any, origin_mm: tuple[float, ...]) -> dict[str, Any]:
+    def content(self, obj: Any, origin_mm: tuple[float, ...]) -> Content:
         """Return the cycle of `obj` as plain data; raises what `cycle` raises."""
         return self._keep(obj, origin_mm).content
 
@@ -274,7 +281,7 @@ class Operation(Feature):
         origin_mm = tuple(jobs[0].WorkOrigin) if jobs else (0.0, 0.0, 0.0)
         self.follow(obj, origin_mm)
         job, kept = (jobs[0] if jobs else None), self._keep(obj, origin_mm)
-        require_within_reach(job, kept.measures)
+        require_within_reach(job, kept.measures, kept.most)
         return job, kept.cycle
 
     def _known(self, job: Any, obj: Any, cycle: Any) -> Any:

@@ -21,6 +21,17 @@ class Preview(Feature):
         Property("job", "Job", LINK, later("Preview"), later("Job"), later("The job whose program is shown")),
     )
 
+    was_read: tuple[str, Any] | None = None  # a program's text and its path, until that is shown
+
+    def read(self, obj: Any) -> bool:
+        """Read the program, whose moves the cut process has told, for the next `make`; return whether it was unread."""
+        text = program_file.load(obj.Job) if obj.Job is not None else ""
+        moves = cut_answers.path_of(text) if text else None
+        if moves is None or (self.was_read is not None and self.was_read[0] == text):
+            return False
+        self.was_read = text, _path(moves)
+        return True
+
     def make(self, obj: Any) -> None:
         """Read the program text and show it."""
         text = program_file.load(obj.Job) if obj.Job is not None else ""
@@ -28,9 +39,10 @@ class Preview(Feature):
             self.clear(obj)
             return
         packages.require()
-        import Path
-
-        obj.Path = Path.Path(cut_answers.path_of(text) or path_text(obj.Job, text))
+        read, self.was_read = self.was_read, None
+        if read is None or read[0] != text:
+            read = text, _path(cut_answers.path_of(text) or path_text(obj.Job, text))
+        obj.Path = read[1]
         placement = obj.Placement
         placement.Base = obj.Job.WorkOrigin
         obj.Placement = placement
@@ -40,6 +52,12 @@ class Preview(Feature):
         import Path
 
         obj.Path = Path.Path()
+
+
+def _path(moves: str) -> Any:
+    import Path
+
+    return Path.Path(moves)
 
 
 def path_text(job: Any, text: str) -> str:

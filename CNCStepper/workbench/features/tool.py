@@ -7,6 +7,7 @@ from typing import Any
 
 from CNCStepper.machine.shapes import SHAPES, foreign_keys
 from CNCStepper.workbench import packages
+from CNCStepper.workbench.cut_answers import Content
 from CNCStepper.workbench.features.base import (
     ANGLE,
     DISTANCE,
@@ -98,10 +99,11 @@ class Tool(Feature):
             take_in(obj)
 
     model: Any = None  # until the object changes
+    content: Content | None = None  # the model as plain data
 
     def onChanged(self, obj: Any, name: str) -> None:
         """Let only those values be typed that the shape has; FreeCAD calls this at every change."""
-        self.model = None
+        self.model = self.content = None
         if name == "ToolShape":
             _fix_foreign(obj)
 
@@ -143,3 +145,11 @@ def model_of(obj: Any) -> Any:
     if obj.Proxy.model is None:
         obj.Proxy.model = validated(Model, obj.Proxy.given(values(obj)), obj.Label)
     return obj.Proxy.model
+
+
+def tool_content(obj: Any) -> Content:
+    """Return a tool object as plain data, kept with its model; raises JobError."""
+    model = model_of(obj)
+    if obj.Proxy.content is None:
+        obj.Proxy.content = Content(model.model_dump(mode="json"))
+    return obj.Proxy.content  # type: ignore[no-any-return]

@@ -17,11 +17,12 @@ def open_panel(obj: Any) -> None:
     import FreeCAD
     import FreeCADGui
 
-    from CNCStepper.workbench import packages
+    from CNCStepper.workbench import collecting, packages
 
     packages.require()
     from CNCStepper.workbench.panels.catalogue import panel_of
 
+    collecting.leave_what_is_loaded()  # before a person types
     if FreeCAD.getActiveTransaction() is None:
         obj.Document.openTransaction(tr("Edit {0}").format(obj.Label))
     panel = panel_of(obj)

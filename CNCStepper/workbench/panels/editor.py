@@ -6,7 +6,7 @@
                └── refused ─────┴──────── said beside the field ────┘
 
 The process (`cutting`) makes what changes before anything is written. Typing goes on meanwhile; the last value wins.
-So the object, its program and its picture are always those of the last good values.
+So the object and its program are always those of the last good values; the picture follows when the keys pause.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from typing import Any
 from PySide import QtCore, QtGui
 
 from CNCStepper.errors import CNCStepperError
-from CNCStepper.workbench import warming
+from CNCStepper.workbench import pictures, warming
 from CNCStepper.workbench.cut_look import Look, look_at
 from CNCStepper.workbench.cutting import Asked, process
 from CNCStepper.workbench.features.base import FAILED, edit, named, problem_of, values
@@ -37,7 +37,7 @@ from CNCStepper.workbench.words import tr
 
 PAUSE_MS = 20  # between two keys of one that types fast
 DONE = object()
-STEPS_S = 0.01  # so long are objects made before the window sees to its events
+STEPS_S = 0.005  # so long are objects made before the window sees to its events
 
 
 class Editor(QtGui.QWidget):
@@ -180,7 +180,7 @@ class Editor(QtGui.QWidget):
             edit(self.obj, **tried)
         for key in changed:  # now: what is typed while objects are made is newer
             self.form.fields[key].edited = False
-        self._steps = steps(self.obj.Document) if tried or self._stale else iter(())
+        self._steps = steps(self.obj.Document, pictures.leave) if tried or self._stale else iter(())
         self._changed, self._stale = changed, False
         self._step(begun_s)
 
@@ -199,6 +199,7 @@ class Editor(QtGui.QWidget):
     def _made(self) -> None:
         """Judge what became of what was written, and take up what was typed meanwhile."""
         self._steps, self.waiting = None, False
+        pictures.draw_soon(self.obj.Document)
         self._judge(self._changed)
         self._settled()
         if self._again:
@@ -220,6 +221,7 @@ class Editor(QtGui.QWidget):
     def _typed(self) -> None:
         """Apply what is typed when the keys pause; who has pressed OK before wants to see it."""
         self.then = None
+        pictures.hold()
         self.timer.start()
 
     def _read(self) -> dict[str, Any]:

@@ -6,6 +6,7 @@ from __future__ import annotations
 from typing import Any
 
 from CNCStepper.workbench.features.base import proxy_type
+from CNCStepper.workbench.looking import is_on_trial
 from CNCStepper.workbench.tell import guarded, polled
 from CNCStepper.workbench.viewproviders.base import Entry, ViewProvider
 from CNCStepper.workbench.viewproviders.clamp_blocks import ClampBlocks
@@ -43,7 +44,7 @@ class Job(ViewProvider):
     def updateData(self, obj: Any, name: str) -> None:
         """Follow stock and clamps too; FreeCAD calls this at every change of a property."""
         super().updateData(obj, name)
-        if name in DRAWN_FROM:
+        if name in DRAWN_FROM and not is_on_trial():
             self._draw()
 
     def _draw(self) -> None:

@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 
-from CNCStepper.job.reach import reach_of
+from CNCStepper.job.reach import largest, reach_of
 from CNCStepper.machine.profile import load_machine
 
 STOCK_MM = (100.0, 70.0, 20.0)  # table-a travels 400, 400 and 80 mm; its fastest axis 5000 mm/min
@@ -41,3 +41,17 @@ def test_what_a_job_may_hold_is_not_refused(key: str, value: Any) -> None:
 def test_a_thick_stock_is_cut_no_deeper_than_the_machine_travels() -> None:
     limit = reach_of((100.0, 70.0, 200.0), load_machine("table-a")).refusal("depth_mm", 100.0)
     assert limit is not None and (limit.most, limit.reason) == (80.0, "travel")
+
+
+def test_the_largest_of_each_kind_say_whether_any_value_goes_too_far() -> None:
+    reach = reach_of(STOCK_MM, load_machine("table-a"))
+    found = {
+        "depth_mm": -20.0,
+        "stepdown_mm": 2.0,
+        "pattern_centre_mm": (0.0, -1600.0),
+        "tolerance_mm": 1e6,
+        "tool": "T1",
+    }
+    assert largest(found) == {"depth": 20.0, "width": 1600.0}
+    assert reach.holds(largest(found))
+    assert not reach.holds(largest({**found, "peck_mm": -51.0}))

@@ -135,3 +135,12 @@ def test_whoever_begins_a_calculation_can_end_it() -> None:
     with pytest.raises(TimeoutError), interruptible(look):
         cut_operations(job.on(machine))
     assert len(looks) == 3
+
+
+def test_a_question_is_named_by_all_that_it_holds() -> None:
+    def asked(depth_mm: float, kind: type = dict, **given: int) -> str:
+        return cut_answers.key_of({"cut": {**given, "operation": [kind({"depth_mm": depth_mm})]}, "machine": kind(a=1)})
+
+    names = [asked(1.0), asked(2.0), asked(1.0, b=1), asked(1.0, cut_answers.Content), asked(2.0, cut_answers.Content)]
+    assert len(set(names)) == len(names)
+    assert asked(1.0, cut_answers.Content) == asked(1.0, cut_answers.Content)
