@@ -165,7 +165,6 @@ class _FileProof:
         self._tool_moves = ToolMoves(self._play, table.start.position_mm) if self._play else None
         self._stops: list[Event] = []  # events at which the motion stops
         self._rows = 0  # read so far
-        self._oldest_state = 0  # of the part before: events between two parts may still name it
         self._whole_s = 0.0
 
     def run(self) -> FileProof:
@@ -249,8 +248,8 @@ class _FileProof:
             self._part = HeightMap(self._stock, part=self._part.part.after(moves))
         spans = self._wire.table.spans
         spans[:] = [span for span in spans if span.kind == "operation"]  # a drilled hole each has a cycle's
-        self._wire.table.states.forget(self._oldest_state)
-        self._oldest_state = min((int(one.chunk.state[0]) for one in group if len(one.chunk)), default=0)
+        if len(group[-1].chunk):  # what follows names the state of the last row, or a later one
+            self._wire.table.states.forget(int(group[-1].chunk.state[-1]))
 
     def _proof(self) -> FileProof:
         table, judgement = self._wire.table, self._judgement()
