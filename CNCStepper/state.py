@@ -31,6 +31,7 @@ ZERO3 = (0.0, 0.0, 0.0)
 ZERO9 = (0.0,) * 9
 FEW = 256  # states that are made at once, rather than kept as feeds
 MOST_SHARED = 65_536  # feeds whose states are shared between runs
+PIECE = 4096  # states that are forgotten together
 
 
 @dataclass(frozen=True)
@@ -126,14 +127,13 @@ class States(Sequence[State]):
     """The states of a table of moves in their order; long runs that differ in the feed alone are kept as feeds.
 
     pieces    [State, State, State] | _Feeds | [State] | ...
-    firsts    0                       3        1003
+    firsts    0                       3        1003        of the pieces that are still held
     """
 
     def __init__(self, states: Iterable[State] = ()):
         self._pieces: list[Sequence[State]] = [list(states)]
         self._firsts = [0]
         self._count = len(self._pieces[0])
-        self._forgotten = 0  # the states before this one are forgotten
         self._made = _OfFeeds(State())
 
     def append(self, state: State) -> None:
@@ -149,21 +149,17 @@ class States(Sequence[State]):
         self._add(list(states) if len(states) < FEW else states)
 
     def forget(self, before: int) -> None:
-        """Let go of the states before this one, for a reader that will not ask for them again; each is None then.
+        """Let go of the states before this one, for a reader that will not ask for them again; few of them stay.
 
         A laser's raster has another S, and so another state, in each line.
         """
-        while self._forgotten < before:
-            piece = bisect_right(self._firsts, self._forgotten) - 1
-            first, states = self._firsts[piece], self._pieces[piece]
-            end = min(before, first + len(states))
-            if isinstance(states, list):
-                states[self._forgotten - first : end - first] = [None] * (end - self._forgotten)
-            self._forgotten = end
+        gone = bisect_right(self._firsts, before) - 1
+        if gone > 0:
+            del self._pieces[:gone], self._firsts[:gone]
 
     def _add(self, states: Sequence[State]) -> None:
         last = self._pieces[-1]
-        if isinstance(last, list) and isinstance(states, list):
+        if isinstance(last, list) and isinstance(states, list) and len(last) < PIECE:
             last += states
         else:
             self._pieces.append(states)
@@ -183,6 +179,8 @@ class States(Sequence[State]):
         if not 0 <= place < self._count:
             raise IndexError(f"there are {self._count} states, none at {index}")
         piece = bisect_right(self._firsts, place) - 1
+        if piece < 0:
+            raise IndexError(f"state {place} is forgotten, those from {self._firsts[0]} on are held")
         return self._pieces[piece][place - self._firsts[piece]]
 
     def __len__(self) -> int:

@@ -4,10 +4,12 @@
 from __future__ import annotations
 
 import sys
+from collections.abc import Callable
+from functools import partial
 from itertools import islice
 from pathlib import Path
 from tempfile import TemporaryDirectory
-from typing import TYPE_CHECKING, Any, NoReturn
+from typing import TYPE_CHECKING, Any, NamedTuple, NoReturn
 
 import click
 
@@ -25,6 +27,7 @@ from CNCStepper.cli.options import (
     stock_options,
 )
 from CNCStepper.cli.progress import Progress
+from CNCStepper.cli.regular_file import regular_file
 from CNCStepper.cli.show import show_figures, show_findings, write_report
 from CNCStepper.cli.start import Given, start_options
 from CNCStepper.cli.verb import OutputPath, Verb
@@ -36,7 +39,6 @@ if TYPE_CHECKING:
     from CNCStepper.job.model import Job
     from CNCStepper.job.prove import Proof
     from CNCStepper.job.prove_file import FileProof
-    from CNCStepper.simulation.stock import Stock
     from CNCStepper.state import Start
 
 STAGES = {
@@ -85,21 +87,47 @@ def command(
     """
     check_stock(stock, tool, job_path)
     language, start = dialect_name(dialect, machine), given.start()
-    if not job_path and program.is_file():  # a pipe can be read only once
-        _check_in_pieces(program, machine, language, start, stock_of(stock, origin), tool, json_path, certificate)
-    from CNCStepper.job.prove import prove, prove_job
+    asked = _Asked(program, machine, language, start, json_path, certificate)
+    job = job_of(job_path) if job_path else None
+    with Progress(f"{STAGES['make']} {program.name}"):
+        earlier = earlier_parts(job, machine, part) if job else []
+    with regular_file(program) as file:
+        if job and earlier:
+            _check_after(earlier, job, file, asked)
+        elif job:
+            from CNCStepper.job.prove_job_file import prove_job_file
 
-    text, job = read_program(program), job_of(job_path) if job_path else None
-    _require_readable(text, job.started(start, machine) if job else start, language, program)
-    words: dict[str, Any] = {"file": str(program), "dialect": language, "start": start}
+            _check_in_pieces(partial(prove_job_file, job), file, job.started(start, machine), asked)
+        else:
+            from CNCStepper.job.prove_file import prove_file
+
+            prove = partial(prove_file, stock=stock_of(stock, origin), tools=tool)
+            _check_in_pieces(prove, file, start, asked)
+
+
+class _Asked(NamedTuple):
+    """What the command line asks for; program: as it is named there."""
+
+    program: Path
+    machine: Machine
+    language: str
+    start: Start | None
+    json_path: Path | None
+    certificate: Path | None
+
+
+def _check_after(earlier: list[Proof], job: Job, file: Path, asked: _Asked) -> NoReturn:
+    """Check the program that a job's others have cut before, and end the command; all of them are held whole."""
+    from CNCStepper.job.prove import prove_job
+
+    program, machine = asked.program, asked.machine
+    text = read_program(file)
+    _require_readable(text, job.started(asked.start, machine), asked.language, program)
+    words: dict[str, Any] = {"file": str(program), "dialect": asked.language, "start": asked.start}
     with Progress(f"checking {program.name}") as progress:
         words["tell"] = lambda stage: progress.doing(f"{STAGES[stage]} {program.name}")
-        words["share"] = progress.share
-        if job:
-            proof = prove_job(job, machine, text, earlier=earlier_parts(job, machine, part), **words)
-        else:
-            proof = prove(text, machine, stock=stock_of(stock, origin), tools=tool, **words)
-    _conclude(proof, program, json_path, certificate)
+        proof = prove_job(job, machine, text, earlier=earlier, share=progress.share, **words)
+    _conclude(proof, program, asked.json_path, asked.certificate)
 
 
 def _conclude(proof: Proof | FileProof, program: Path, json_path: Path | None, certificate: Path | None) -> NoReturn:
@@ -120,35 +148,25 @@ def _conclude(proof: Proof | FileProof, program: Path, json_path: Path | None, c
     sys.exit(1 if proof.refused else 0)
 
 
-def _check_in_pieces(
-    program: Path,
-    machine: Machine,
-    language: str,
-    start: Start | None,
-    stock: Stock | None,
-    tool: Tool | None,
-    json_path: Path | None,
-    certificate: Path | None,
-) -> NoReturn:
-    """Check a program without holding it whole, and end the command."""
-    from CNCStepper.job.prove_file import prove_file
-
+def _check_in_pieces(prove: Callable[..., FileProof], file: Path, start: Start | None, asked: _Asked) -> NoReturn:
+    """Check a program without holding it whole, and end the command; start: with which its lines are read."""
+    program, certificate = asked.program, asked.certificate
     with TemporaryDirectory(prefix="cncstepper-check-") as folder:
         try:
             with Progress(f"checking {program.name}") as progress:
-                proof = prove_file(
-                    program,
-                    machine,
-                    dialect=language,
-                    start=start,
-                    stock=stock,
-                    tools=tool,
+                proof = prove(
+                    file,
+                    asked.machine,
+                    name=str(program),
+                    dialect=asked.language,
+                    start=asked.start,
                     spool=Path(folder) / "sent" if certificate else None,
                     share=progress.share,
+                    tell=lambda stage: progress.doing(f"{STAGES[stage]} {program.name}"),
                 )
         except ProgramError as error:
-            _end_unread(refusals_of_file(program, start, language) or [error], program)
-        _conclude(proof, program, json_path, certificate)
+            _end_unread(refusals_of_file(file, start, asked.language, str(program)) or [error], program)
+        _conclude(proof, program, asked.json_path, certificate)
 
 
 def _require_readable(text: str, start: Start | None, language: str, program: Path) -> None:
@@ -161,13 +179,13 @@ def _require_readable(text: str, start: Start | None, language: str, program: Pa
         _end_unread(refused, program)
 
 
-def refusals_of_file(program: Path, start: Start | None, language: str) -> list[ProgramError]:
-    """Return why lines of a long program are refused, the first of them."""
+def refusals_of_file(program: Path, start: Start | None, language: str, name: str = "") -> list[ProgramError]:
+    """Return why lines of a long program are refused, the first of them; name: by which people know it."""
     from CNCStepper.gcode.read_back import MOST_REFUSALS
     from CNCStepper.gcode.read_file import FileReading
 
-    with Progress(f"reading {program.name}") as progress:
-        reading = FileReading(program, start, language, progress=progress.share)
+    with Progress(f"reading {Path(name or program).name}") as progress:
+        reading = FileReading(program, start, language, progress=progress.share, name=name)
         return list(islice(reading.refusals(), MOST_REFUSALS))
 
 

@@ -47,11 +47,15 @@ class SpoolWriter:
         """Write further lines; raises ProgramError for one that holds the end of one."""
         self._file.writelines(_record(number, line, self._of) for number, line in zip(numbers, lines, strict=False))
 
+    def close(self) -> None:
+        """Write out what is still held."""
+        self._file.close()
+
     def __enter__(self) -> SpoolWriter:
         return self
 
     def __exit__(self, *error: object) -> None:
-        self._file.close()
+        self.close()
 
 
 def read_spool(path: Path, job: SendJob) -> SendJob:

@@ -50,10 +50,12 @@ class FileReading:
         *,
         progress: Callable[[float], None] | None = None,
         cancelled: Callable[[], bool] | None = None,
+        name: str = "",
     ):
-        self.path = path
-        self.interpreter = Interpreter(start, dialect, str(path))
-        self._library = library_of(str(path), start)
+        """name: by which refusals know the file; its path where left out."""
+        self.path, self._name = path, name or str(path)
+        self.interpreter = Interpreter(start, dialect, self._name)
+        self._library = library_of(self._name, start)
         self._progress = progress or (lambda share: None)
         self._cancelled = cancelled or (lambda: False)
 
@@ -137,6 +139,6 @@ class FileReading:
         """Yield the file as pieces of whole lines, without the byte-order mark; raises ProgramError when cancelled."""
         for piece in byte_pieces(self.path, mark):
             if self._cancelled():
-                place = Place(str(self.path), self.interpreter.line_number)
+                place = Place(self._name, self.interpreter.line_number)
                 raise ProgramError("cancelled", "reading was cancelled", place=place)
             yield piece

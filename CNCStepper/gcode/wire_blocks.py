@@ -35,11 +35,13 @@ def wire_of_file(
     *,
     sink: Sink = lambda wire: None,
     progress: Callable[[float], None] = lambda share: None,
+    name: str = "",
 ) -> WireFile:
     """Return the reading of any program's file; see `WireFile`."""
     language = dialect_named(dialect)
     written_out = writes_out(language) and not all(map(is_plain, text_pieces(path)))
-    return (WireBlocks if written_out else WireFile)(path, start, language, play, sink=sink, progress=progress)
+    reading = WireBlocks if written_out else WireFile
+    return reading(path, start, language, play, sink=sink, progress=progress, name=name)
 
 
 class WireBlocks(WireFile):
@@ -48,7 +50,7 @@ class WireBlocks(WireFile):
     def _chunks(self) -> Iterator[Chunk]:
         reader = self._reading.interpreter
         with LineStore.of(text_pieces(self._path)) as lines:
-            blocks = expanded_lines(lines, self._language, self._start, str(self._path))
+            blocks = expanded_lines(lines, self._language, self._start, self._name)
             while some := list(islice(blocks, BLOCKS)):
                 self._read(some)
                 self._progress(min(1.0, some[-1].line / len(lines)))

@@ -43,7 +43,7 @@ class WireFile:
     """One reading of a program's file through the wire.
 
     sink: given what is sent of each piece, in their order. count: lines sent so far. messages: index of a line that is
-    sent -> what to tell the operator before it runs.
+    sent -> what to tell the operator before it runs. name: by which refusals know the file; its path where left out.
     """
 
     def __init__(
@@ -55,12 +55,14 @@ class WireFile:
         *,
         sink: Sink = lambda wire: None,
         progress: Callable[[float], None] = lambda share: None,
+        name: str = "",
     ):
         self._path, self._sink, self._progress = path, sink, progress
+        self._name = name or str(path)
         self._language = dialect_named(dialect)
-        self._reading = _Reading(path, start, self._language)
-        self._encoder = WireEncoder(self._language, str(path))
-        self._take_up = TakeUp(play, self._language, start, str(path)) if play else None
+        self._reading = _Reading(path, start, self._language, name=name)
+        self._encoder = WireEncoder(self._language, self._name)
+        self._take_up = TakeUp(play, self._language, start, self._name) if play else None
         self._start = start
         self._digest = hashlib.sha256()
         self._numbers = _LineNumbers()
@@ -82,7 +84,7 @@ class WireFile:
         try:
             yield from self._chunks()
         except ProgramError:
-            for _ in FileReading(self._path, self._start, self._language).chunks():
+            for _ in FileReading(self._path, self._start, self._language, name=self._name).chunks():
                 pass  # refuses the same line, naming the column in the file
             raise
 
@@ -140,7 +142,7 @@ class WireFile:
         for index, (line, number) in enumerate(zip(wire.lines, wire.file_lines.tolist(), strict=True)):
             sent = self._take_up.lines(line, number)
             for one in sent:
-                check_wire_line(one, self._language, Place(str(self._path), number))
+                check_wire_line(one, self._language, Place(self._name, number))
                 lines += f"{one}\n".encode("ascii")
             numbers += [number] * len(sent)
             leads += bytes([*[1] * (len(sent) - 1), 0])

@@ -3,32 +3,38 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-
-import numpy as np
+from collections.abc import Iterable, Iterator, Sequence
 
 from CNCStepper.cycles.form import Answer
 from CNCStepper.errors import Place
+from CNCStepper.job.first_lines import FirstLines
 from CNCStepper.job.loose import cuts_into_loose, wanted_area
 from CNCStepper.job.model import Job
 from CNCStepper.job.stock_fit import ON_EDGE_MM
 from CNCStepper.machine.profile import Machine
 from CNCStepper.simulation.finding import Finding
 from CNCStepper.simulation.stock import Stock
-from CNCStepper.toolpath import Toolpath
+from CNCStepper.toolpath import Span
 
 
 def findings_of(
-    job: Job, machine: Machine, toolpath: Toolpath, answers: Sequence[Answer], file: str, first: int = 0
+    job: Job,
+    machine: Machine,
+    lines: FirstLines,
+    spans: Iterable[Span],
+    answers: Sequence[Answer],
+    file: str,
+    first: int = 0,
 ) -> Iterator[Finding]:
-    """Yield all that a job says of its program, read back as `toolpath`; `answers` are those of its operations.
+    """Yield all that a job says of its program, of which `lines` and `spans` were read back.
 
-    first: how many of the job's operations the programs before this one hold.
+    answers: those of its operations. first: how many of the job's operations the programs before this one hold.
     """
+    places = [Place(file, line, 1) for line in lines.of_operations(spans)]
     yield from _notes(job, machine, file)
-    yield from _warnings(toolpath, answers, job.stock.stock(), file)
-    yield from _loose(job, first, toolpath, answers, file)
-    yield from _feeds(toolpath, job, machine, file)
+    yield from _warnings(places, answers, job.stock.stock())
+    yield from _loose(job, first, places, answers)
+    yield from _feeds(lines, job, machine, file)
 
 
 def _notes(job: Job, machine: Machine, file: str) -> Iterator[Finding]:
@@ -43,39 +49,29 @@ def _notes(job: Job, machine: Machine, file: str) -> Iterator[Finding]:
             yield Finding("info", "tool-length", Place(file), text, "give the tool its length_offset_mm")
 
 
-def _feeds(toolpath: Toolpath, job: Job, machine: Machine, file: str) -> Iterator[Finding]:
+def _feeds(lines: FirstLines, job: Job, machine: Machine, file: str) -> Iterator[Finding]:
     """Yield feeds and speeds out of the range of tool or material, each at the first line on which its tool is used."""
-    states, table = toolpath.states, toolpath.table()
-    tools = np.array([state.tool for state in states], int)[table.state]
     for number, remarks in job.remarks(machine).items():
-        rows = np.flatnonzero(tools == number)
-        for remark in remarks if len(rows) else ():
-            place = Place(file, int(table.line[rows[0]]), 1)
+        for remark in remarks if number in lines.of_tool else ():
+            place = Place(file, lines.of_tool[number], 1)
             numbers = {"value": remark.value, "limit": remark.limit, "unit": remark.unit}
             yield Finding(remark.severity, "feeds", place, remark.text, remark.advice, **numbers)  # type: ignore[arg-type]
 
 
-def _loose(job: Job, first: int, toolpath: Toolpath, answers: Sequence[Answer], file: str) -> Iterator[Finding]:
+def _loose(job: Job, first: int, places: Sequence[Place], answers: Sequence[Answer]) -> Iterator[Finding]:
     """Yield cuts into pieces that nothing holds any more, each at the first line of its operation."""
-    places = _places(toolpath, file)
     for index, text, place_mm in cuts_into_loose(job, first, answers):
         if index < len(places):
             advice = "cut it before, or hold the piece by tabs"
             yield Finding("warning", "piece-loose", places[index], text, advice, place_mm=place_mm)
 
 
-def _warnings(toolpath: Toolpath, answers: Sequence[Answer], stock: Stock, file: str) -> Iterator[Finding]:
+def _warnings(places: Sequence[Place], answers: Sequence[Answer], stock: Stock) -> Iterator[Finding]:
     """Yield what the cycles warn of, and shapes beside the stock, each at the first line of its operation."""
-    for place, answer in zip(_places(toolpath, file), answers, strict=False):
+    for place, answer in zip(places, answers, strict=False):
         for warning in answer.warnings:
             yield Finding("warning", "not-exact", place, warning)
         if stock.outline.buffer(ON_EDGE_MM).covers(wanted_area(answer)):
             continue
         advice = "move the shape or the work zero, or take larger stock"
         yield Finding("warning", "beside-stock", place, "part of the drawn shape lies beside the stock", advice)
-
-
-def _places(toolpath: Toolpath, file: str) -> list[Place]:
-    """Return the first line of each operation."""
-    lines = toolpath.table().line
-    return [Place(file, int(lines[span.first]), 1) for span in toolpath.spans if span.kind == "operation"]

@@ -11,7 +11,7 @@ from dataclasses import asdict, dataclass, replace
 from functools import reduce
 from itertools import groupby, islice, takewhile
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
 
@@ -20,6 +20,7 @@ from CNCStepper.cycles.form import Answer, Removal
 from CNCStepper.errors import JobError, Place
 from CNCStepper.gcode.wire_text import WireText
 from CNCStepper.job.findings import findings_of
+from CNCStepper.job.first_lines import FirstLines
 from CNCStepper.job.given import Given
 from CNCStepper.job.make import Part, is_split, make_parts, make_program
 from CNCStepper.job.milestones import milestones
@@ -40,6 +41,7 @@ from CNCStepper.state import Start
 from CNCStepper.toolpath import Toolpath, require_straight_axes
 
 if TYPE_CHECKING:
+    from CNCStepper.job.prove_file import FileProof
     from CNCStepper.simulation.scene import Scene
     from CNCStepper.simulation.timeline import Moment
 
@@ -47,6 +49,7 @@ STAGES = ("make", "read", "cut", "time", "judge", "check", "report")  # what `te
 Tell = Callable[[str], None]
 Share = Callable[[float], None]
 See = Callable[[HeightMap], None]
+AnyProof = TypeVar("AnyProof", "Proof", "FileProof")
 
 
 @dataclass(frozen=True)
@@ -220,7 +223,7 @@ def prove_job(
     answers: what the program's own operations answered, where somebody has just cut them; else they are cut anew.
     """
     tell("make")
-    answers = _answers(job, machine, len(earlier)) if answers is None else answers
+    answers = answers_of(job, machine, len(earlier)) if answers is None else answers
     own = [removal for answer in answers for removal in answer.removals]
     proof = prove_operations(
         job,
@@ -277,8 +280,9 @@ def prove_operations(
         share=share,
         see=see,
     )
-    own = list(findings_of(job, machine, proof.toolpath, answers, file, first))
-    return with_findings(replace(proof, report=_told(proof, answers)), own)
+    lines, spans = FirstLines.of(proof.toolpath), proof.toolpath.spans
+    own = list(findings_of(job, machine, lines, spans, answers, file, first))
+    return with_findings(with_answers(proof, answers), own)
 
 
 def operations_before(job: Job, parts: int) -> int:
@@ -287,17 +291,16 @@ def operations_before(job: Job, parts: int) -> int:
     return sum(len(list(stretch)) for _, stretch in islice(stretches, parts))
 
 
-def _told(proof: Proof, answers: Sequence[Answer]) -> dict[str, Any]:
-    """Return a proof's report with what its job's cycles answered."""
-    return proof.report | {
-        "operations": [
-            operation | {"figures": answer.figures, "rest_corners": [asdict(corner) for corner in answer.corners]}
-            for operation, answer in zip(proof.report["operations"], answers, strict=False)
-        ]
-    }
+def with_answers(proof: AnyProof, answers: Sequence[Answer]) -> AnyProof:
+    """Return a proof whose report tells what its job's cycles answered."""
+    told = [
+        operation | {"figures": answer.figures, "rest_corners": [asdict(corner) for corner in answer.corners]}
+        for operation, answer in zip(proof.report["operations"], answers, strict=False)
+    ]
+    return replace(proof, report=proof.report | {"operations": told})
 
 
-def with_findings(proof: Proof, more: Sequence[Finding]) -> Proof:
+def with_findings(proof: AnyProof, more: Sequence[Finding]) -> AnyProof:
     """Return a proof in which more was found; its report tells of it too."""
     findings = worst_first([*proof.findings, *more])
     counts = {f"{kind}s": sum(one.severity == kind for one in findings) for kind in ("error", "warning")}
@@ -346,7 +349,7 @@ def earlier_proofs(
     return tuple(prove_parts(job, machine, before, Path(), start))
 
 
-def _answers(job: Job, machine: Machine, number: int) -> list[Answer]:
+def answers_of(job: Job, machine: Machine, number: int) -> list[Answer]:
     """Return what the operations of the job's program answer, of the one after `number` others where it is split."""
     if is_split(job, machine):
         return make_parts(job, machine)[number].answers

@@ -4,7 +4,8 @@
     WireFile ─chunks─► tool's way ─► planner ─► parts of PART_ROWS rows ─► Checks · Figures · the cut part
         └── what is sent ─► spool, for the certificate
 
-It finds and reports what `prove.prove` does of the whole text. Jobs, whose shapes are judged, are left to that.
+It finds and reports what `prove.prove` does of the whole text. Where shapes are judged, the path that cuts lies on the
+disk until all of it is known; then it is held.
 """
 
 from __future__ import annotations
@@ -24,6 +25,7 @@ from CNCStepper.gcode.take_up import play_of
 from CNCStepper.gcode.wire_blocks import wire_of_file
 from CNCStepper.gcode.wire_text import WireText
 from CNCStepper.input_file import Unchanged
+from CNCStepper.job.first_lines import FirstLines
 from CNCStepper.job.given import Given
 from CNCStepper.job.milestones import Milestones
 from CNCStepper.machine.profile import Machine
@@ -38,14 +40,18 @@ from CNCStepper.simulation.report import Figures
 from CNCStepper.simulation.subject import Subject
 from CNCStepper.simulation.table_parts import PART_ROWS, TableParts
 from CNCStepper.state import Start
-from CNCStepper.toolpath import Chunk, Event, Toolpath, straight_chunks
+from CNCStepper.toolpath import Chunk, Event, Span, Toolpath, straight_chunks
 
 if TYPE_CHECKING:  # what looks at the stock is loaded where there is one: a short check takes half the time without
     from CNCStepper.control.spool import SpoolWriter
+    from CNCStepper.cycles.form import Removal
+    from CNCStepper.simulation.clamps import Clamp
     from CNCStepper.simulation.cutter import Tools
     from CNCStepper.simulation.heightmap import HeightMap
+    from CNCStepper.simulation.judged_path import JudgedPath
     from CNCStepper.simulation.kept_cuts import KeptCuts
     from CNCStepper.simulation.stock import Stock
+    from CNCStepper.simulation.sweep import Judgement
 
 
 @dataclass(frozen=True)
@@ -54,7 +60,7 @@ class FileProof:
 
     wire: what would be sent; its lines are read from the spool, and there are none where no spool was asked for.
     start: of the table. plan: as `milestones` gives it. cell_mm: of the cut part, None without stock. unchanged:
-    whether the file is still the one that was proven.
+    whether the file is still the one that was proven. spans: of its operations, whose first lines `lines` knows.
     """
 
     path: Path
@@ -66,6 +72,8 @@ class FileProof:
     given: Given
     cell_mm: tuple[float, float] | None
     unchanged: Unchanged
+    spans: list[Span]
+    lines: FirstLines
 
     @property
     def refused(self) -> bool:
@@ -101,15 +109,22 @@ def prove_file(
     start: Start | None = None,
     stock: Stock | None = None,
     tools: Tools | None = None,
+    removals: Sequence[Removal] = (),
+    keep_out: Sequence[Clamp] = (),
+    edge_mm: float | None = None,
     spool: Path | None = None,
+    name: str = "",
     share: Callable[[float], None] = lambda share: None,
+    tell: Callable[[str], None] = lambda stage: None,
 ) -> FileProof:
     """Return the proof of a program's file; raises ProgramError as `prove` does.
 
-    tools: by number, or one that stands for every number. spool: a new file for what is sent. share: called with the
+    tools: by number, or one that stands for every number. removals, keep_out, edge_mm, tell: as `prove` takes them.
+    spool: a new file for what is sent. name: of the file, for people; its path where left out. share: called with the
     share that is done.
     """
-    return _FileProof(path, machine, dialect or machine.controller, start, stock, tools, spool, share).run()
+    given = Given("", dialect or machine.controller, machine, stock, tools, removals, keep_out, edge_mm)
+    return _FileProof(path, given, start, spool, name or str(path), share, tell).run()
 
 
 class _FileProof:
@@ -118,35 +133,38 @@ class _FileProof:
     def __init__(
         self,
         path: Path,
-        machine: Machine,
-        dialect: str,
+        given: Given,
         start: Start | None,
-        stock: Stock | None,
-        tools: Tools | None,
         spool: Path | None,
+        name: str,
         share: Callable[[float], None],
+        tell: Callable[[str], None],
     ):
-        self._path, self._machine, self._dialect = path, machine, dialect
+        self._path, self._given, self._machine, self._name, self._tell = path, given, given.machine, name, tell
         self._unchanged = Unchanged(path)
-        self._stock, self._tools, self._spool = stock, tools, spool
-        self._play = play_of(machine, dialect)
-        self._wire = wire_of_file(path, start, dialect, self._play, sink=self._keep, progress=share)
+        self._stock, self._tools, self._spool = given.stock, given.tools, spool
+        self._play = play_of(self._machine, given.dialect)
+        self._wire = wire_of_file(path, start, given.dialect, self._play, sink=self._keep, progress=share, name=name)
         self._kept: KeptCuts | None = None
         self._part: HeightMap | None = None
-        if stock is not None and tools is not None:
+        self._judged: JudgedPath | None = None
+        if given.stock is not None and given.tools is not None:
             from CNCStepper.simulation.heightmap import HeightMap
             from CNCStepper.simulation.kept_cuts import KeptCuts
 
-            self._kept, self._part = KeptCuts(), HeightMap(stock)
-        self._checks = Checks(stock, tools, kept=self._kept)
-        self._figures, self._milestones = Figures(tools), Milestones()
+            self._kept, self._part = KeptCuts(), HeightMap(given.stock)
+            if given.removals:
+                from CNCStepper.simulation.judged_path import JudgedPath
+
+                self._judged = JudgedPath(given.tools, given.stock)
+        self._checks = Checks(given.stock, given.tools, given.keep_out, given.edge_mm, kept=self._kept)
+        self._figures, self._milestones, self._lines = Figures(given.tools), Milestones(), FirstLines()
         self._writer: SpoolWriter | None = None
         table = self._wire.table
         self._motors, self._tool_parts = (TableParts(table.start, table.states) for _ in range(2))
         self._tool_moves = ToolMoves(self._play, table.start.position_mm) if self._play else None
         self._stops: list[Event] = []  # events at which the motion stops
         self._rows = 0  # read so far
-        self._oldest_state = 0  # of the part before: events between two parts may still name it
         self._whole_s = 0.0
 
     def run(self) -> FileProof:
@@ -154,14 +172,19 @@ class _FileProof:
         with ExitStack() as files:
             if self._kept:
                 files.callback(self._kept.close)
+            if self._judged:
+                files.callback(self._judged.close)
             if self._spool:
                 from CNCStepper.control.spool import SpoolWriter
 
-                self._writer = files.enter_context(SpoolWriter(self._spool, str(self._path)))
+                self._writer = files.enter_context(SpoolWriter(self._spool, self._name))
+            self._tell("read")
             for group, is_last in _groups(self._planned()):
                 self._see(group, is_last)
-        self._unchanged.check()
-        return self._proof()
+            if self._writer:
+                self._writer.close()
+            self._unchanged.check()
+            return self._proof()
 
     def _keep(self, wire: WireText) -> None:
         if self._writer:
@@ -186,7 +209,7 @@ class _FileProof:
 
     def _chunks(self, waiting: deque[Chunk]) -> Iterator[Chunk]:
         """Yield the motors' chunks, which then wait to be planned; their events are in both lists when they are out."""
-        for chunk in straight_chunks(self._wire.chunks(), self._wire.table, str(self._path)):
+        for chunk in straight_chunks(self._wire.chunks(), self._wire.table, self._name):
             self._take_events()
             if len(chunk):
                 self._rows += len(chunk)
@@ -202,7 +225,7 @@ class _FileProof:
 
     def _see(self, group: list[_Planned], is_last: bool) -> None:
         """Check, measure and cut the next part of the program."""
-        file, lines = str(self._path), np.concatenate([one.chunk.line for one in group])
+        file, lines = self._name, np.concatenate([one.chunk.line for one in group])
         ends_s = np.concatenate([one.ends_s for one in group])
         speeds = [one.speeds_mm_s for one in group if one.speeds_mm_s is not None]
         motors = self._motors.part([one.chunk for one in group], is_last)
@@ -211,21 +234,28 @@ class _FileProof:
             moved = [self._tool_moves.moved(one.chunk) for one in group]
             of_tool = Subject.of(self._tool_parts.part(moved, is_last), self._machine, file)
         self._checks.see(of_motors, of_tool)
-        self._figures.see(of_tool.toolpath, ends_s, self._wire.table.span_marks("operation"))
+        marks = list(self._wire.table.span_marks("operation"))
+        self._figures.see(of_tool.toolpath, ends_s, marks)
+        self._lines.see(of_tool.toolpath, marks)
         self._milestones.see(lines, ends_s)
+        if self._judged:
+            self._judged.see(of_tool.toolpath)
         if self._part is not None and self._stock is not None and self._tools is not None:
             from CNCStepper.simulation.heightmap import HeightMap
             from CNCStepper.simulation.removal_moves import moves_of
 
             moves = moves_of(of_tool.toolpath, self._tools, self._stock)
             self._part = HeightMap(self._stock, part=self._part.part.after(moves))
-        self._wire.table.states.forget(self._oldest_state)
-        self._oldest_state = min((int(one.chunk.state[0]) for one in group if len(one.chunk)), default=0)
+        spans = self._wire.table.spans
+        spans[:] = [span for span in spans if span.kind == "operation"]  # a drilled hole each has a cycle's
+        if len(group[-1].chunk):  # what follows names the state of the last row, or a later one
+            self._wire.table.states.forget(int(group[-1].chunk.state[-1]))
 
     def _proof(self) -> FileProof:
-        table, findings = self._wire.table, self._checks.end()
+        table, judgement = self._wire.table, self._judgement()
+        self._tell("check")
+        findings = self._checks.end(judgement, self._judged.line if self._judged else None)
         toolpath = Toolpath(table.start, [], table.states, spans=table.spans)
-        given = Given("", self._dialect, self._machine, self._stock, self._tools)
         return FileProof(
             path=self._path,
             wire=self._sent(),
@@ -233,12 +263,26 @@ class _FileProof:
             plan=self._milestones.all(),
             findings=findings,
             report=self._figures.report(
-                toolpath, whole_s=self._whole_s, file=str(self._path), findings=findings, part=self._part
+                toolpath,
+                whole_s=self._whole_s,
+                file=self._name,
+                findings=findings,
+                judgement=judgement,
+                part=self._part,
             ),
-            given=given,
+            given=self._given,
             cell_mm=None if self._part is None else self._part.cell_mm,
             unchanged=self._unchanged,
+            spans=table.spans,
+            lines=self._lines,
         )
+
+    def _judgement(self) -> Judgement | None:
+        """Return how far the shapes that are cut are from those wanted, where there are some."""
+        if not self._judged:
+            return None
+        self._tell("judge")
+        return self._judged.judged(self._given.removals)
 
     def _sent(self) -> SpooledWire:
         """Return what would be sent."""

@@ -112,8 +112,11 @@ class Checks:
             self._findings.add(clamps(of_tool, self._tools, self._keep_out))
         self._findings.add(finding for finding in self._in_stock(of_cut) if finding.place.line)
 
-    def end(self, judgement: Judgement | None = None) -> list[Finding]:
-        """Return what was found, in the order of the lines."""
+    def end(self, judgement: Judgement | None = None, line: Callable[[int], int] | None = None) -> list[Finding]:
+        """Return what was found, in the order of the lines.
+
+        line: gives the file's line of a row that was judged, where that is not a row of the last part.
+        """
         if self._last:
             of_motors, of_cut = self._last
             for one in self._of_motors:
@@ -122,7 +125,7 @@ class Checks:
             if judgement:
                 from CNCStepper.simulation.stock_checks import verdict
 
-                found += verdict(of_cut, judgement)
+                found += verdict(of_cut, judgement, line)
             self._findings.add(finding for finding in found if finding.place.line)
         return self._findings.all()
 

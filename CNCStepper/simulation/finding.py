@@ -12,7 +12,7 @@ from CNCStepper.errors import Place
 
 Severity = Literal["error", "warning", "info"]
 SEVERITIES: tuple[Severity, ...] = get_args(Severity)  # the worst first
-MOST_LISTED = 1000  # findings of one code that are listed one by one
+MOST_LISTED = 1000  # findings of one code and severity that are listed one by one
 
 
 @dataclass(frozen=True)
@@ -82,40 +82,47 @@ class Finding:
 
 
 class Findings:
-    """The findings of a program that is checked part after part, in the order of its rows."""
+    """The findings of a program that is checked part after part, in the order of its rows.
+
+    However many there are, at most MOST_LISTED of one code and severity are kept, and how many more there were:
+    warnings never hide an error, so that the verdict is that of all.
+    """
 
     def __init__(self) -> None:
         self._found: list[Finding] = []
         self._places: dict[tuple[str, str], int] = {}  # of a group among them
-        self._counts: Counter[str] = Counter()  # of findings that stand alone, by code
+        self._listed: Counter[tuple[str, str]] = Counter()  # by code and severity
+        self._more: dict[tuple[str, str], int] = {}  # where the finding stands that counts the rest of them
 
     def add(self, found: Iterable[Finding]) -> None:
         """Take the findings of one part."""
         for one in found:
-            place = None if one.group is None else self._places.setdefault((one.code, one.group), len(self._found))
-            if place is not None and place < len(self._found):
+            place = None if one.group is None else self._places.get((one.code, one.group))
+            if place is not None:
                 self._found[place] = _as_one(self._found[place], one)
-            elif place is not None:
-                self._found.append(one)
+            elif self._listed[one.code, one.severity] < MOST_LISTED:
+                self._list(one)
             else:
-                self._add_single(one)
+                self._count(one)
 
-    def _add_single(self, one: Finding) -> None:
-        self._counts[one.code] += 1
-        if self._counts[one.code] <= MOST_LISTED:
-            self._found.append(one)
-        elif self._counts[one.code] == MOST_LISTED + 1:
-            text, advice = (
-                "from here on findings of this kind are not listed",
-                "correct those that are, and check again",
-            )
-            self.add([Finding(one.severity, one.code, one.place, text, advice, group="not-listed")])
+    def _list(self, one: Finding) -> None:
+        self._listed[one.code, one.severity] += 1
+        if one.group is not None:
+            self._places[one.code, one.group] = len(self._found)
+        self._found.append(one)
+
+    def _count(self, one: Finding) -> None:
+        """Count a finding that is not listed any more."""
+        place = self._more.setdefault((one.code, one.severity), len(self._found))
+        if place < len(self._found):
+            self._found[place] = replace(self._found[place], count=self._found[place].count + one.count)
         else:
-            place = self._places[one.code, "not-listed"]
-            self._found[place] = replace(self._found[place], count=self._counts[one.code] - MOST_LISTED)
+            text = "from here on findings of this kind are not listed"
+            advice = "correct those that are, and check again"
+            self._found.append(Finding(one.severity, one.code, one.place, text, advice, count=one.count))
 
     def all(self) -> list[Finding]:
-        """Return all of them, the worst first; of each code at most MOST_LISTED one by one."""
+        """Return all that are kept, the worst first."""
         return worst_first(self._found)
 
 

@@ -16,6 +16,7 @@ from CNCStepper.simulation.segments import segments_of_chunks
 from CNCStepper.simulation.subject import PartCheck, Subject
 
 ROUNDING_MM = 1e-4
+MOST_SPEEDS = 100_000  # of a spindle that are told from one another
 DIRECTION_TOLERANCE_MM = 0.01  # of the chords whose directions stand for an arc's
 
 
@@ -175,7 +176,10 @@ def _first_of(
 
 
 class Outputs(PartCheck):
-    """Finds spindle speeds out of range and coolant that the machine does not have, each once."""
+    """Finds spindle speeds out of range and coolant that the machine does not have, each once.
+
+    Of a program with more than MOST_SPEEDS wrong speeds the others are not told any more: it is refused long since.
+    """
 
     def __init__(self) -> None:
         self._seen: set[tuple] = set()
@@ -185,8 +189,8 @@ class Outputs(PartCheck):
         min_rpm = 0.0 if spindle.laser else spindle.min_rpm
         for index, row in subject.first_rows_of_states():
             state = subject.toolpath.states[index]
-            speed = ("rpm", state.spindle_rpm)
-            if state.spindle != "off" and not min_rpm <= state.spindle_rpm <= spindle.max_rpm and speed not in seen:
+            speed, wrong = ("rpm", state.spindle_rpm), not min_rpm <= state.spindle_rpm <= spindle.max_rpm
+            if state.spindle != "off" and wrong and speed not in seen and len(seen) < MOST_SPEEDS:
                 seen.add(speed)
                 yield subject.finding(
                     row,

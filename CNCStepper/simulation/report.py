@@ -15,6 +15,7 @@ import numpy as np
 
 from CNCStepper.simulation.arcs import extremes
 from CNCStepper.simulation.finding import Finding
+from CNCStepper.simulation.line_set import LineSet
 from CNCStepper.simulation.segments import Segments, clipped_below, segments_of_chunks, tips_mm, tips_of_chunks
 from CNCStepper.toolpath import ARC_CCW, ARC_CW, LINE, RAPID, Span, Toolpath
 
@@ -61,7 +62,7 @@ class Figures:
         self._tools = tools
         self._stretches = [_Stretch(0)]  # between the rows at which operations begin and end
         self._moves = self._arcs = 0
-        self._is_line = np.zeros(0, bool)  # by number: whether that line of the file moves
+        self._lines = LineSet()  # of the file, that move
         self._used_tools: set[int] = set()
         self._low, self._high = np.full(3, np.nan), np.full(3, np.nan)
 
@@ -72,7 +73,7 @@ class Figures:
         self._moves += len(table)
         self._arcs += int(np.isin(table.kind, (ARC_CW, ARC_CCW)).sum())
         self._used_tools |= {toolpath.states[k].tool for k in np.unique(table.state)}
-        self._see_lines(table.line)
+        self._lines.add(table.line)
         self._see_places(toolpath)
         inner = sorted({mark for mark in marks if first <= mark < self._moves})
         if inner[:1] == [self._stretches[-1].first]:
@@ -99,7 +100,7 @@ class Figures:
         whole = self._between(0, self._moves)
         return {
             "program": file,
-            "blocks": int(self._is_line[1:].sum()),
+            "blocks": self._lines.count(),
             "moves": self._moves,
             "time_s": _number(self._end_s(self._moves) if whole_s is None else whole_s),
             **whole.lengths(),
@@ -118,12 +119,6 @@ class Figures:
             "removed_volume_mm3": None if part is None else _number(part.removed_volume_mm3),
             "findings": [finding.as_dict() for finding in findings],
         }
-
-    def _see_lines(self, lines: np.ndarray) -> None:
-        most = int(lines.max(initial=0))
-        if most >= len(self._is_line):
-            self._is_line = np.append(self._is_line, np.zeros(most + 1, bool))
-        self._is_line[lines] = True
 
     def _see_places(self, toolpath: Toolpath) -> None:
         """Let the box grow by the way of the tip."""

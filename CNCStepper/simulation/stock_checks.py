@@ -3,7 +3,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from functools import partial
 
 import numpy as np
 import shapely
@@ -23,6 +24,7 @@ from CNCStepper.simulation.sweep import FLATTEN_MM, Judgement, cutting_path
 
 JUDGE_ERROR_MM = 0.001  # the judge's own error does not count against a program
 PASSED_MM = 0.001
+LineOf = Callable[[int], int]
 SPOIL_MM = 5.0  # a spoil board is cut no deeper on purpose; below lies the table
 
 
@@ -164,10 +166,13 @@ class StillSpindle:
         self._still, self._reported = bool(still[-1]), int(stretch[-1]) in reported
 
 
-def verdict(subject: Subject, judgement: Judgement) -> Iterator[Finding]:
-    """Yield the deepest gouge and the thickest material left where they exceed the removals' tolerances."""
-    yield from _excess(
-        subject,
+def verdict(subject: Subject, judgement: Judgement, line: LineOf | None = None) -> Iterator[Finding]:
+    """Yield the deepest gouge and the thickest material left where they exceed the removals' tolerances.
+
+    line: gives the file's line of a row that was judged; those of `subject` where left out.
+    """
+    at = partial(_excess, subject, line or subject.line)
+    yield from at(
         judgement.gouge,
         judgement.gouge_tolerance_mm,
         "gouge",
@@ -176,8 +181,7 @@ def verdict(subject: Subject, judgement: Judgement) -> Iterator[Finding]:
     )
     for left in judgement.removals:
         islands = f", {len(left.islands)} island(s)" if left.islands else ""
-        yield from _excess(
-            subject,
+        yield from at(
             left.worst,
             left.tolerance_mm,
             "left-over",
@@ -187,9 +191,9 @@ def verdict(subject: Subject, judgement: Judgement) -> Iterator[Finding]:
 
 
 def _excess(
-    subject: Subject, worst: Worst, tolerance_mm: float, code: str, text: str, advice: str
+    subject: Subject, line: LineOf, worst: Worst, tolerance_mm: float, code: str, text: str, advice: str
 ) -> Iterator[Finding]:
     if worst.depth_mm > tolerance_mm + JUDGE_ERROR_MM:
         numbers = {"value": worst.depth_mm, "limit": tolerance_mm, "unit": "mm"}
         place = {"place_mm": worst.place_mm}
-        yield subject.finding(worst.row, "error", code, text, advice=advice, **place, **numbers)
+        yield subject.finding_at(line(worst.row), "error", code, text, advice=advice, **place, **numbers)

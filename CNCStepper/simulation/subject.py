@@ -69,10 +69,13 @@ class Subject:
 
     def finding(self, row: int, severity: Severity, code: str, text: str, **more: Any) -> Finding:
         """Return a finding at a row of the table, or at the start of the file where there is none (-1)."""
-        line = int(self.table.line[row]) if 0 <= row < len(self.table) else 1
         if "place_mm" not in more and 0 <= row < len(self.table) and np.isfinite(self.end[row]).all():
             more["place_mm"] = tuple(self.end[row].tolist())
-        return self.finding_at(line, severity, code, text, **more)
+        return self.finding_at(self.line(row), severity, code, text, **more)
+
+    def line(self, row: int) -> int:
+        """Return the file's line of a row of the table, and 1 where there is none (-1)."""
+        return int(self.table.line[row]) if 0 <= row < len(self.table) else 1
 
     def finding_at(self, line: int, severity: Severity, code: str, text: str, **more: Any) -> Finding:
         """Return a finding at a line of the file."""

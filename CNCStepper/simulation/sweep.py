@@ -78,9 +78,13 @@ def judge(
     Without a stock everything below z = 0 outside the removals is to stay. Rows with a tool that is not
     among `tools` are not judged.
     """
+    return judge_cuts(cutting_path(toolpath, tools, 0.0, stock), removals, stock)
+
+
+def judge_cuts(cuts: Cuts, removals: Sequence[Removal], stock: Stock | None = None) -> Judgement:
+    """Return the same of the tip's path below z = 0, as `cutting_path` gives it."""
     _, lines = _areas_and_lines(removals)  # drawn lines may leave the stock: beside it the tool cuts air
     removals = [_inside_stock(removal, stock) for removal in removals]
-    cuts = cutting_path(toolpath, tools, 0.0, stock)
     areas, _ = _areas_and_lines(removals)
     kept = _kept(areas, stock)
     everything = [entries(cutter, pieces, kept) for cutter, pieces in cuts]

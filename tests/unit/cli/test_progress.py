@@ -159,3 +159,20 @@ def test_what_is_no_file_is_refused_at_once(verb: str, kind: str, tmp_path: Path
     outcome = CliRunner().invoke(group, [verb, str(place), "--machine", "table-a"])
     assert outcome.exit_code == 2
     assert (kind if kind != "a folder" else "directory") in outcome.stderr
+
+
+def test_a_program_from_a_pipe_is_checked_as_its_file_and_nothing_is_left(tmp_path: Path) -> None:
+    if not os.path.exists("/dev/stdin"):  # Windows has no such name
+        pytest.skip("no /dev/stdin")
+    file, spools = tmp_path / "p.nc", tmp_path / "spools"
+    spools.mkdir()
+    file.write_text("G21 G90\nG0 Z5\nG0 X0 Y0\nG1 X10 F99999\nM2\n", "ascii")
+    words = [sys.executable, "-m", "CNCStepper.cli", "check", "--machine", "table-a"]
+    of_file = subprocess.run([*words, str(file)], capture_output=True, text=True)
+    environment = os.environ | {"TMPDIR": str(spools)}
+    of_pipe = subprocess.run(
+        [*words, "/dev/stdin"], input=file.read_text("ascii"), capture_output=True, text=True, env=environment
+    )
+    assert "feed-above-rate" in of_file.stdout and of_pipe.returncode == of_file.returncode
+    assert of_pipe.stdout == of_file.stdout.replace(str(file), "/dev/stdin")
+    assert not list(spools.iterdir())

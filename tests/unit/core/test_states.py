@@ -11,7 +11,7 @@ import pytest
 
 from CNCStepper.gcode.interpret import Interpreter
 from CNCStepper.gcode.plain import PlainReader
-from CNCStepper.state import FEW, Start, State, States
+from CNCStepper.state import FEW, PIECE, Start, State, States
 
 BASES = (State(), State(tool=2, spindle="cw"), State(plane="ZX", feed_mm_min=5.0))
 
@@ -64,11 +64,23 @@ def test_a_program_with_a_feed_on_each_line_names_a_state_on_each_row() -> None:
 
 
 @pytest.mark.parametrize("seed", range(5))
-def test_forgotten_states_are_gone_and_the_others_stay(seed: int) -> None:
+def test_forgotten_states_are_gone_and_the_others_stay(seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("CNCStepper.state.PIECE", 5)
     states, expected = both(seed)
     half = len(expected) // 2
     for before in (3, half, half):  # a second time there is nothing to do
         states.forget(before)
-    single = [place for place in range(half) if states[place] is None]
-    assert single and all(states[place] in (None, expected[place]) for place in range(half))
+    with pytest.raises(IndexError, match="forgotten"):
+        states[0]
     assert states[half:] == expected[half:] and len(states) == len(expected)
+
+
+def test_nothing_is_left_of_forgotten_states() -> None:
+    states, sizes = States(), []
+    for count in (5 * PIECE, 50 * PIECE):
+        while len(states) < count:
+            states.append(State(spindle_rpm=float(len(states))))
+        states.forget(count - 1)
+        sizes.append(sum(map(len, states._pieces)) + len(states._firsts))
+        assert states[count - 1].spindle_rpm == count - 1
+    assert sizes[0] == sizes[1] <= PIECE + 1

@@ -220,6 +220,39 @@ def test_a_certificate_of_a_spool_is_read_back(tmp_path: Path) -> None:
         assert list(Certificate.read(file, files).send_job().lines) == ["G21G90", "G0Z5", "G1X1F100", "M2"]
 
 
+RASTER = "G21 G90\nG0 X0 Y0\nM4 S0\nG1 F3000\n", "G1 X{x} Y{y} S{s}\n", "M5\nM2\n"
+HOLES = "G21 G90\nM3 S9000\nG0 Z5\nG99 G81 X0 Y0 Z-1 R1 F300\n", "X{x} Y{y}\n", "G80\nM5\nM2\n"
+
+
+@pytest.mark.parametrize(("text", "dialect"), [(RASTER, "grbl"), (HOLES, "linuxcnc")], ids=["raster", "holes"])
+def test_three_times_the_lines_hold_no_more(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, text: tuple[str, str, str], dialect: str
+) -> None:
+    rows = 100
+    monkeypatch.setattr("CNCStepper.toolpath.CHUNK_ROWS", rows)
+    monkeypatch.setattr("CNCStepper.state.PIECE", rows)
+    monkeypatch.setattr(prove_file_module, "PART_ROWS", 2 * rows)
+    monkeypatch.setattr(file_pieces, "PIECE", 4000)
+    held: list[int] = []
+    see = prove_file_module._FileProof._see
+
+    def seen(self: Any, group: Any, is_last: bool) -> None:
+        see(self, group, is_last)
+        table = self._wire.table
+        held.append(sum(map(len, table.states._pieces)) + len(table.spans) + len(table.events))
+
+    monkeypatch.setattr(prove_file_module._FileProof, "_see", seen)
+    most = []
+    for lines in (3000, 9000):
+        held.clear()
+        file = tmp_path / f"{lines}.nc"
+        body = (text[1].format(x=n % 97 * 0.2, y=n // 97 * 0.1, s=n) for n in range(lines))
+        file.write_text(text[0] + "".join(body) + text[2], "ascii")
+        assert prove_file(file, TABLE, dialect=dialect).report["blocks"] >= lines
+        most.append(max(held))
+    assert most[1] <= 1.2 * most[0] < 2000, most
+
+
 PEAK = """
 import resource, subprocess, sys
 words = ["-m", "CNCStepper.cli", "check", sys.argv[1], "--machine", "table-a"]
