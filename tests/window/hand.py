@@ -29,6 +29,7 @@ FINGER_S = 0.05  # between the clicks of a double click
 NO_DOUBLE_S = 0.6  # between two clicks, so that Qt takes them for no double click (it does within 0.4 s)
 NEAR_PX = 20.0  # two clicks that near might be taken for a double click
 AGAIN_S = 0.2  # before a key is pressed once more that was not seen
+LIST_S = 2.0  # so long may the list of a combo box take to appear
 REST_S = 0.03  # what has not moved for so long rests
 CLICKS = 3  # so often is a button clicked that does not see it
 TOOLTIP_S = 2.0  # so long may a tooltip take that comes
@@ -274,13 +275,24 @@ class Hand:
 
         Where the list opens under the pointer, Qt takes a click at the same place for half of a double click.
         """
-        self.click(combo)
         entries = self.main(places.combo_list, combo)
-        self.wait(lambda: entries.isVisible(), APPEARS_S, f"the list of {combo}")
+        self._open(combo, entries)
         until_s = time.monotonic() + APPEARS_S
         while self.main(lambda: entries.isVisible()):
             assert time.monotonic() < until_s, f"the list of {combo} does not see clicks at {text!r}; {self.describe()}"
             self.item(entries, text)
+
+    def _open(self, combo: Target, entries: Any) -> None:
+        """Click a combo box until its list is there."""
+        for _ in range(CLICKS):
+            self.click(combo)
+            until_s = time.monotonic() + LIST_S
+            while time.monotonic() < until_s:
+                if self.main(lambda: entries.isVisible()):
+                    return
+                time.sleep(REST_S)
+            print(f"{combo} did not see the click", flush=True)
+        raise AssertionError(f"the list of {combo} does not open; {self.describe()}")
 
     def click_view(
         self, point: Point, *, button: int = x_input.LEFT, double: bool = False, modifiers: Sequence[str] = ()

@@ -214,6 +214,7 @@ def test_a_bad_depth_is_said_beside_it_and_goes_nowhere(hand: Hand, bench: Bench
 def test_every_field_of_every_panel_takes_bad_values(hand: Hand, bench: Bench, kind: str) -> None:
     hand.main(lambda: api.edit(getattr(bench, kind), **SHOWING_ALL.get(kind, {})))
     hand.main(bench.document.recompute)
+    hand.wait(lambda: not problem_of(bench.job), CUT_S, "the program")
     before = hand.main(bench.values)
     bench.open(getattr(bench, kind))
     fields = hand.main(bench.fields)
@@ -263,8 +264,8 @@ def test_what_the_cut_refuses_is_said_and_the_last_good_program_stays(hand: Hand
     hand.wait(lambda: bench.note("stepover_mm") and not bench.note("depth_mm"))
     hand.shot("panel-pocket-refused")
     hand.fill(STEPOVER, "3")
-    hand.wait(lambda: not bench.note("stepover_mm"))
-    assert hand.main(lambda: (bench.pocket.Stepover.Value, bench.pocket.Depth.Value)) == (3, 9)
+    hand.wait(lambda: (bench.pocket.Stepover.Value, bench.pocket.Depth.Value) == (3, 9), CUT_S, "what is typed")
+    assert not hand.main(bench.note, "stepover_mm")
 
 
 @pytest.fixture
