@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 
-from CNCStepper.printable import printable
+from CNCStepper.safe_text import printable
 
 MOST_CHARACTERS = 4000  # of a part of a sentence: what a file or a library says may be of any length
 

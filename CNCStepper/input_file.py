@@ -16,7 +16,7 @@ import stat
 from pathlib import Path
 
 from CNCStepper.errors import CNCStepperError, JobError, Place
-from CNCStepper.printable import printable
+from CNCStepper.safe_text import printable
 
 MOST_TEXT_BYTES = 64_000_000  # of a job, a profile, a tool file, a point list: far more than a person or a CAD writes
 CHUNK_BYTES = 1 << 20

@@ -14,7 +14,7 @@ from pathlib import Path
 import platformdirs
 
 PACKAGE = Path(__file__).resolve().parent
-ROOMS_ABOVE = {"cli", "control", "drawing", "gcode", "job", "virtual", "workbench"}  # no kernel uses them
+ROOMS_ABOVE = {"cli", "control", "drawing", "job", "recovery", "virtual", "workbench", "workers"}  # no kernel uses them
 KEPT_CACHES = 16
 VARIABLE = "NUMBA_CACHE_DIR"
 
@@ -55,7 +55,7 @@ def folder() -> Path:
 
 @functools.cache
 def stamp() -> Path:
-    """Return the file that is there once `job/warm.py` has run: for these sources, this Python, numba and processor.
+    """Return the file that `workers/kernel_warm_up.py` leaves: for these sources, this Python, numba and processor.
 
     Raises importlib.metadata.PackageNotFoundError without numba.
     """

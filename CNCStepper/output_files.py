@@ -26,8 +26,8 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
+from CNCStepper.atomic_file import checked_target, followed, is_stream
 from CNCStepper.errors import OutputError, Place
-from CNCStepper.whole_file import checked_target, followed, is_stream
 
 MADE_BY = "made by CNCStepper"  # in comments
 LOOKED_AT = 8192  # bytes at the begin and at the end of a file

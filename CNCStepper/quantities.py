@@ -15,7 +15,7 @@ from dataclasses import dataclass
 from typing import Annotated, Any
 
 from CNCStepper.errors import JobError, Place
-from CNCStepper.printable import printable
+from CNCStepper.safe_text import printable
 
 ERROR_TYPE = "quantity"  # of pydantic's error for a number out of its bounds
 ROUNDING = 1e-9  # what is smaller is the rounding error of a calculation that gives 0, such as 0.1 + 0.2 - 0.3

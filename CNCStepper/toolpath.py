@@ -21,7 +21,7 @@ from typing import Any
 
 import numpy as np
 
-from CNCStepper.checkpoint import checkpoint
+from CNCStepper.cancellation import checkpoint
 from CNCStepper.errors import Place, ProgramError
 from CNCStepper.state import Start, State, States
 

@@ -9,8 +9,8 @@ from collections.abc import Callable
 from pathlib import Path
 
 from CNCStepper.gcode.edit.compact import compact
-from CNCStepper.gcode.edit.geometry import offset, rotate
-from CNCStepper.gcode.interpret import interpret
+from CNCStepper.gcode.edit.transform_verbs import offset, rotate
+from CNCStepper.gcode.interpreter.interpret import interpret
 from CNCStepper.job.make import make_program
 from CNCStepper.job.model import load_job
 

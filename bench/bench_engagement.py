@@ -20,13 +20,13 @@ from engaged import met_by
 from judged import cut, tool
 from random_areas import random_area
 
-from CNCStepper.cycles.clearing.engagement import engagement_pattern
-from CNCStepper.cycles.clearing.engagement_length import parallels_mm
-from CNCStepper.cycles.clearing.form import Area
-from CNCStepper.cycles.pocket import Pocket
+from CNCStepper.cycles.clearing.engagement.cut_length import parallels_mm
+from CNCStepper.cycles.clearing.engagement.engagement_pattern import engagement_pattern
+from CNCStepper.cycles.clearing.pattern import Area
+from CNCStepper.cycles.pockets.pocket import Pocket
 from CNCStepper.geometry.curve import circle, from_points
 from CNCStepper.geometry.region import Region
-from CNCStepper.simulation.report import report
+from CNCStepper.simulation.checks.report import report
 
 TOLERANCE_MM = 0.01
 PLATE = [(30, 25), (70, 22), (85, 40), (120, 30), (130, 60), (100, 85), (60, 70), (35, 85)]

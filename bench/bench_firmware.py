@@ -9,9 +9,9 @@ from pathlib import Path
 
 import numpy as np
 
-from CNCStepper.gcode.interpret import interpret
+from CNCStepper.gcode.interpreter.interpret import interpret
 from CNCStepper.machine.profile import load_machine
-from CNCStepper.motion.plan import duration_s, step_events
+from CNCStepper.motion.planner.plan import duration_s, step_events
 from CNCStepper.state import Start
 from CNCStepper.toolpath import Toolpath
 

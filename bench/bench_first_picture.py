@@ -12,15 +12,15 @@ from pathlib import Path
 
 from bench_removal import spiral
 
-from CNCStepper.gcode.prepare import prepare
-from CNCStepper.gcode.read_back import read_back
+from CNCStepper.gcode.wire.encoder import prepare
+from CNCStepper.gcode.wire.read_back import read_back
 from CNCStepper.job.make import make_program
 from CNCStepper.job.model import load_job
-from CNCStepper.job.proof_files import write_question
-from CNCStepper.machine.tool import Tool
-from CNCStepper.simulation.first_picture import save_first_picture
-from CNCStepper.simulation.heightmap import height_map
+from CNCStepper.job.proof_folder import write_question
+from CNCStepper.machine.tools.tool import Tool
+from CNCStepper.simulation.removal.heightmap import height_map
 from CNCStepper.simulation.stock import Stock
+from CNCStepper.simulation.views.quick_picture import save_first_picture
 
 POCKET = Path(__file__).parents[1] / "examples" / "jobs" / "elliptical-pocket.toml"
 RUNS = 5
@@ -78,7 +78,7 @@ def proof_stages(folder: Path) -> dict[str, float]:
         asked.mkdir()
         write_question(asked, program, job, machine)
         begun = time.perf_counter()
-        line = [sys.executable, "-m", "CNCStepper.job.proof_worker", str(asked), "pocket.nc"]
+        line = [sys.executable, "-m", "CNCStepper.workers.proof", str(asked), "pocket.nc"]
         with subprocess.Popen(line, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True) as process:
             assert process.stdout
             for stage in process.stdout:

@@ -21,8 +21,8 @@ from typing import Any
 
 from paced_controller import serve
 
-from CNCStepper.control.desk_client import DeskClient
-from CNCStepper.control.send_job import SendJob
+from CNCStepper.control.program.send_job import SendJob
+from CNCStepper.control.service.connection_client import DeskClient
 
 BAUDS = (115_200, 1_000_000)
 LINES_OVER = ("socket", "terminal")  # see `paced_controller`

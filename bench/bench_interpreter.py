@@ -57,7 +57,7 @@ def write(path: Path, program: Iterator[str]) -> None:
 
 def ours_s(text: str) -> float:
     """Return the seconds of processor time that our interpreter takes."""
-    from CNCStepper.gcode.interpret import interpret
+    from CNCStepper.gcode.interpreter.interpret import interpret
     from CNCStepper.state import Start
 
     begun = time.process_time()
@@ -92,7 +92,7 @@ def compare(folder: Path) -> None:
 def large(path: Path, how: str) -> None:
     """Print time and memory of a large file, which is the only thing that this process reads."""
     from CNCStepper.errors import ProgramError
-    from CNCStepper.gcode.read_file import FileReading, interpret_file
+    from CNCStepper.gcode.interpreter.program_file import FileReading, interpret_file
     from CNCStepper.state import Start
 
     start, shares, begun = Start.at_zero(), [0.0], time.process_time()

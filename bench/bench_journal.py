@@ -14,11 +14,11 @@ import tracemalloc
 from collections.abc import Sequence
 from pathlib import Path
 
-from CNCStepper.control.connect import Found
-from CNCStepper.control.grbl import Grbl
-from CNCStepper.control.grbl_report import Feedback, Status
-from CNCStepper.control.journal.journal import Journal
-from CNCStepper.control.send_job import SendJob
+from CNCStepper.control.journal.writer import Journal
+from CNCStepper.control.program.send_job import SendJob
+from CNCStepper.control.protocol.grbl.connect import Found
+from CNCStepper.control.protocol.grbl.driver import Grbl
+from CNCStepper.control.protocol.grbl.report import Feedback, Status
 
 RATES = {115_200: 576, 1_000_000: 5000}  # lines of 20 bytes a second
 STREAM_S = 20.0

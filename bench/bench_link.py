@@ -20,14 +20,14 @@ from dataclasses import dataclass
 from multiprocessing.connection import Connection
 from pathlib import Path
 
-from CNCStepper.control.outcome import Outcome
-from CNCStepper.control.send_job import SendJob
-from CNCStepper.control.session import SessionClient
+from CNCStepper.control.program.send_job import SendJob
+from CNCStepper.control.session.client import SessionClient
+from CNCStepper.control.session.status import Outcome
 from CNCStepper.machine.profile import Machine, load_machine
 from CNCStepper.virtual.grbl import realtime
 from CNCStepper.virtual.grbl.firmware import FIRMWARES
 from CNCStepper.virtual.grbl.machine import Grbl
-from CNCStepper.virtual.grbl.server import serve
+from CNCStepper.virtual.server.grbl_server import serve
 
 BLOCKS = 100_000
 HOLDS = 200

@@ -18,16 +18,16 @@ from pathlib import Path
 
 import numpy as np
 
-from CNCStepper.gcode.read_file import FileReading, interpret_file
-from CNCStepper.machine.play import Play
+from CNCStepper.gcode.interpreter.program_file import FileReading, interpret_file
+from CNCStepper.machine.backlash import Play
 from CNCStepper.machine.profile import load_machine
-from CNCStepper.motion.backlash import motor_chunks
-from CNCStepper.motion.limits import Limits
-from CNCStepper.motion.memory import new_planner
-from CNCStepper.motion.plan import Run, step_events
-from CNCStepper.motion.planner import push_line
-from CNCStepper.motion.pulse_stream import PulseStream, moved_steps, pulse_stream
-from CNCStepper.motion.smooth_entries import plan_entries
+from CNCStepper.motion.planner.backlash import motor_chunks
+from CNCStepper.motion.planner.buffers import new_planner
+from CNCStepper.motion.planner.look_ahead import push_line
+from CNCStepper.motion.planner.machine_limits import Limits
+from CNCStepper.motion.planner.plan import Run, step_events
+from CNCStepper.motion.planner.s_curve_look_ahead import plan_entries
+from CNCStepper.motion.signals.pulse_stream import PulseStream, moved_steps, pulse_stream
 from CNCStepper.state import Start, State
 from CNCStepper.toolpath import CHUNK_ROWS, LINE, Chunk, Toolpath
 

@@ -27,7 +27,7 @@ def pocket(document: Any) -> tuple[Any, Any]:
 
 def engraving(document: Any) -> tuple[Any, Any]:
     """Return the demo's engraving and its job."""
-    from CNCStepper.drawing.points import read_points
+    from CNCStepper.drawing.point_list import read_points
     from CNCStepper.workbench import api
 
     points = read_points(ROOT / "examples" / "brazil-outline.csv", closed=True).xy
@@ -39,7 +39,7 @@ def engraving(document: Any) -> tuple[Any, Any]:
 def measure(document: Any, make: Any) -> str:
     """Return a line with what the edits of an operation took."""
     from CNCStepper.workbench import api
-    from CNCStepper.workbench.remake import remake
+    from CNCStepper.workbench.calculation.recompute import remake
 
     operation, job = make(document)
     document.recompute()

@@ -19,15 +19,15 @@ from pathlib import Path
 import numpy as np
 from first_call import as_new
 
-from CNCStepper.cycles.elliptical_pocket import EllipticalPocket
-from CNCStepper.cycles.form import Answer, Cycle, Removal, Setup
-from CNCStepper.cycles.pocket import Pocket
+from CNCStepper.cycles.cycle import Answer, Cycle, Removal, Setup
+from CNCStepper.cycles.pockets.elliptical_pocket import EllipticalPocket
+from CNCStepper.cycles.pockets.pocket import Pocket
 from CNCStepper.gcode.dialects import dialect
-from CNCStepper.gcode.interpret import interpret
-from CNCStepper.gcode.write import WriteOptions, write
+from CNCStepper.gcode.interpreter.interpret import interpret
+from CNCStepper.gcode.writer.write import WriteOptions, write
 from CNCStepper.geometry.curve import circle, from_points
-from CNCStepper.machine.tool import Tool
-from CNCStepper.simulation.sweep import judge
+from CNCStepper.machine.tools.tool import Tool
+from CNCStepper.simulation.exact.swept_area import judge
 from CNCStepper.state import Start, State
 from CNCStepper.toolpath import LINE, RAPID, TableBuilder, Toolpath
 

@@ -16,12 +16,12 @@ import tempfile
 import time
 from pathlib import Path
 
-from CNCStepper.control.pulse_pacing import WRITES_A_PULSE, Jitter, come_first, pace, stall_ns
-from CNCStepper.control.pulse_ports import Port, is_parallel_port, open_port
-from CNCStepper.control.pulse_program import PulseProgram
-from CNCStepper.gcode.interpret import interpret
+from CNCStepper.control.pulses.pacing import WRITES_A_PULSE, Jitter, come_first, pace, stall_ns
+from CNCStepper.control.pulses.ports import Port, is_parallel_port, open_port
+from CNCStepper.control.pulses.program import PulseProgram
+from CNCStepper.gcode.interpreter.interpret import interpret
 from CNCStepper.machine.profile import load_machine
-from CNCStepper.motion.parallel_port import idle_registers
+from CNCStepper.motion.signals.parallel_port import idle_registers
 from CNCStepper.state import Start
 
 PULSES_PER_S = (1000, 5000, 10_000, 25_000, 40_000)

@@ -10,9 +10,9 @@ from dataclasses import replace
 import numpy as np
 
 from CNCStepper.machine.profile import load_machine
-from CNCStepper.machine.waits import accelerated_s
-from CNCStepper.motion.limits import Limits
-from CNCStepper.motion.plan import duration_s
+from CNCStepper.machine.step_wait_tables import accelerated_s
+from CNCStepper.motion.planner.machine_limits import Limits
+from CNCStepper.motion.planner.plan import duration_s
 from CNCStepper.state import Start, State
 from CNCStepper.toolpath import ARC_CCW, TableBuilder, Toolpath
 

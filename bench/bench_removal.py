@@ -15,14 +15,14 @@ from pathlib import Path
 
 import numpy as np
 
-from CNCStepper.machine.tool import Tool
-from CNCStepper.simulation.cutter import Tools
-from CNCStepper.simulation.engagement import engagement
-from CNCStepper.simulation.form import form_of
-from CNCStepper.simulation.removal_moves import Moves
+from CNCStepper.machine.tools.tool import Tool
+from CNCStepper.simulation.cutter_profile import form_of
+from CNCStepper.simulation.cutter_solid import Tools
+from CNCStepper.simulation.removal.engagement import engagement
+from CNCStepper.simulation.removal.removal_moves import Moves
+from CNCStepper.simulation.removal.tiles import Grid, Part
+from CNCStepper.simulation.removal.timeline import Timeline
 from CNCStepper.simulation.stock import Stock
-from CNCStepper.simulation.tiles import Grid, Part
-from CNCStepper.simulation.timeline import Timeline
 from CNCStepper.state import Start, State
 from CNCStepper.toolpath import TableBuilder, Toolpath
 
@@ -80,10 +80,10 @@ def theirs(points: np.ndarray, size_mm: float) -> tuple[float, float]:
 
 def of_job(path: Path) -> tuple[Toolpath, np.ndarray, Tools, Stock, float]:
     """Return what a timeline of a job is made from."""
-    from CNCStepper.gcode.interpret import interpret
+    from CNCStepper.gcode.interpreter.interpret import interpret
     from CNCStepper.job.make import make_program
     from CNCStepper.job.model import load_job
-    from CNCStepper.motion.plan import times_s
+    from CNCStepper.motion.planner.plan import times_s
 
     job, machine = load_job(path)
     start = Start.with_work_zero((0.0, 0.0, 0.0))

@@ -25,14 +25,14 @@ from multiprocessing.connection import Connection
 from pathlib import Path
 from typing import Any
 
-from CNCStepper.control.certificate import FORMAT, VERSION, digest_of, digest_of_lines
-from CNCStepper.control.desk_client import DeskClient
-from CNCStepper.control.long_json import pieces
-from CNCStepper.control.outcome import SenderStatus
-from CNCStepper.control.send_job import SendJob
-from CNCStepper.control.session import SessionClient
-from CNCStepper.control.session_file import read_private, sessions
-from CNCStepper.control.spooler import spooled
+from CNCStepper.control.program.certificate import FORMAT, VERSION, digest_of, digest_of_lines
+from CNCStepper.control.program.long_json import pieces
+from CNCStepper.control.program.send_job import SendJob
+from CNCStepper.control.service.connection_client import DeskClient
+from CNCStepper.control.service.spool_process import spooled
+from CNCStepper.control.session.client import SessionClient
+from CNCStepper.control.session.files import read_private, sessions
+from CNCStepper.control.session.status import SenderStatus
 from CNCStepper.state import Start
 
 COUNTS = (100_000, 10_000_000)

@@ -35,7 +35,7 @@ def until(done: Callable[[], Any]) -> None:
 
 def proven(job: Any) -> Any:
     """Return the proof of a job."""
-    from CNCStepper.workbench.proof import ProofRun
+    from CNCStepper.workbench.proving.proof_process import ProofRun
 
     answers: list[Any] = []
     run = ProofRun(job)
@@ -71,9 +71,9 @@ def measure(result: Any) -> str:
     import numpy as np
     from PySide import QtCore
 
-    from CNCStepper.workbench.simulation.material import Material
     from CNCStepper.workbench.simulation.player import Player
     from CNCStepper.workbench.simulation.scene import Scene
+    from CNCStepper.workbench.simulation.stock_update import Material
 
     player, scene = Player(result.moves), Scene(View(), result.part, result.work_origin_mm)
     list(scene.load_part())

@@ -24,7 +24,7 @@ import shapely
 from rich.console import Console
 from rich.table import Table
 
-from CNCStepper.geometry.ellipse import Ellipse
+from CNCStepper.geometry.shapes.ellipse import Ellipse
 from CNCStepper.job.model import load_job
 from CNCStepper.job.prove import Proof, prove_job
 from CNCStepper.state import Start

@@ -20,7 +20,7 @@ def draw(out: Path) -> None:
 
     from CNCStepper.job.model import save_job
     from CNCStepper.workbench import api
-    from CNCStepper.workbench.making import job_of
+    from CNCStepper.workbench.document.core_job import job_of
 
     document = FreeCAD.newDocument("Demo")
     sketch = document.addObject("Sketcher::SketchObject", "PocketSketch")

@@ -12,7 +12,7 @@ from pathlib import Path
 
 import pytest
 
-from CNCStepper.control.desk_client import DeskClient, running_desks
+from CNCStepper.control.service.connection_client import DeskClient, running_desks
 
 WINDOW = Path(__file__).parent / "window"
 sys.path.append(str(WINDOW))

@@ -8,7 +8,8 @@ Where a text belongs (its context) is where FreeCAD or we look it up:
     CNCStepper       `tr("…")` and `later("…")`
     App::Property    names, groups and texts of properties, for FreeCAD's property editor
     a command's name and Workbench: `QT_TRANSLATE_NOOP("context", "…")`
-    CNCStepper core  sentences of errors and findings, which workbench/sentences.py recognises; {0} is a value
+    CNCStepper core  sentences of errors and findings, which workbench/services/message_translation.py recognises; {0}
+    is a value
 """
 
 from __future__ import annotations
@@ -30,11 +31,28 @@ DEBIAN_QT = "/usr/lib/qt5/bin"
 FOLDER = ROOT / "resources" / "translations"
 LANGUAGES = {"": "en", "_pt-BR": "pt_BR"}
 OURS, PROPERTY, CORE = "CNCStepper", "App::Property", "CNCStepper core"
-CORE_ROOMS = ("gcode", "geometry", "drawing", "cycles", "machine", "job", "simulation", "control", "workbench")
-CORE_MODULES = ("input_file.py", "quantities.py", "whole_file.py")
-NO_SENTENCES = {"picture.py", "picture_style.py", "sentences.py"}  # labels in pictures; what puts these together
+CORE_ROOMS = (
+    "gcode",
+    "geometry",
+    "drawing",
+    "cycles",
+    "machine",
+    "job",
+    "recovery",
+    "simulation",
+    "control",
+    "workers",
+    "workbench",
+)
+CORE_MODULES = ("input_file.py", "quantities.py", "atomic_file.py")
+NO_SENTENCES = {
+    "picture.py",
+    "picture_style.py",
+    "path_commands.py",
+    "message_translation.py",
+}  # labels in pictures; what puts these together
 MARKED = {"tr", "later", "QT_TRANSLATE_NOOP"}
-# code, styles, names, pieces, and the calls of `gcode/trace.py`
+# code, styles, names, pieces, and the calls of `gcode/interpreter/canonical_trace.py`
 NO_SENTENCE = re.compile(r"[\n|\\]|\{ |px|: \{0\};|^User parameter|^\*\.|^\s|^, |\s$|^[A-Z][A-Z0-9_]+\(")
 SHOWN_BY = {
     "setText", "setToolTip", "setWindowTitle", "setTitle", "setPlaceholderText", "setStatusTip", "setWhatsThis",

@@ -6,7 +6,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from CNCStepper.cli.progress import Progress
+from CNCStepper.cli.common.progress import Progress
 
 if TYPE_CHECKING:
     from CNCStepper.job.model import Job

@@ -11,58 +11,89 @@ from typing import Any
 import click
 
 from CNCStepper import __version__, kernel_cache
-from CNCStepper.cli.hints import show_hints
+from CNCStepper.cli.common.option_hints import show_hints
 from CNCStepper.errors import CNCStepperError
 
 STOPPED = 130  # 128 + SIGINT
-VERBS = {
-    "run": "Make program, report, certificate and picture from a job file.",
-    "check": "Check a program against a machine; exit 0 clean, 1 refused.",
-    "time": "Print the seconds that a program takes.",
-    "steps": "Write every step of a program: letters, bytes, port writes, edges.",
-    "simulate": "Draw the part that a program cuts.",
-    "edit": "Move, scale, turn, mirror, renumber, split ... a program.",
-    "compact": "Rewrite tiny moves of a program as arcs and longer lines.",
-    "print": "Put a program and its work surface on paper: PDF or HTML.",
-    "convert": "Write a program in another dialect.",
-    "trace": "Print the canonical calls of a program.",
-    "tools": "List the tools of a FreeCAD library or a LinuxCNC table, and convert them.",
-    "feeds": "Print feed and speed of a tool in a material.",
-    "axis": "Print steps per mm, pulse rate, motor speed and resolution of an axis.",
-    "ports": "List the serial ports, or say what controller answers at one.",
-    "home": "Let a machine find its own zero.",
-    "zero": "Make the tool's place the work zero.",
-    "jog": "Move a machine's axes by hand.",
-    "console": "Type lines to a controller, with history.",
-    "send": "Send a program to a controller and wait until it is cut.",
-    "hold": "Hold a job that runs, from any terminal.",
-    "go": "Let a job go on that stands.",
-    "stop": "End a job that runs.",
-    "override": "Change feed, rapid, spindle or coolant of a job that runs.",
-    "restart": "Go on with a program from a place in its middle: checked, written or sent.",
-    "resume": "Say how far a job came that was killed, and how to restart it safely.",
-    "back": "Go back along the cut of a held job, forward again, and go on.",
-    "drive": "Send a program's pulses to a parallel port, or to a file that records them.",
-    "virtual": "Be a controller without hardware.",
+FAMILIES = {  # folder of the verbs' modules: title in the help, and its verbs
+    "program": (
+        "Make and check programs",
+        {
+            "run": "Make program, report, certificate and picture from a job file.",
+            "check": "Check a program against a machine; exit 0 clean, 1 refused.",
+            "time": "Print the seconds that a program takes.",
+            "steps": "Write every step of a program: letters, bytes, port writes, edges.",
+            "simulate": "Draw the part that a program cuts.",
+            "print": "Put a program and its work surface on paper: PDF or HTML.",
+            "trace": "Print the canonical calls of a program.",
+        },
+    ),
+    "editing": (
+        "Change programs",
+        {
+            "edit": "Move, scale, turn, mirror, renumber, split ... a program.",
+            "compact": "Rewrite tiny moves of a program as arcs and longer lines.",
+            "convert": "Write a program in another dialect.",
+        },
+    ),
+    "calculators": (
+        "Calculate",
+        {
+            "tools": "List the tools of a FreeCAD library or a LinuxCNC table, and convert them.",
+            "feeds": "Print feed and speed of a tool in a material.",
+            "axis": "Print steps per mm, pulse rate, motor speed and resolution of an axis.",
+        },
+    ),
+    "machine": (
+        "Set up a machine",
+        {
+            "ports": "List the serial ports, or say what controller answers at one.",
+            "home": "Let a machine find its own zero.",
+            "zero": "Make the tool's place the work zero.",
+            "jog": "Move a machine's axes by hand.",
+            "console": "Type lines to a controller, with history.",
+            "virtual": "Be a controller without hardware.",
+        },
+    ),
+    "job": (
+        "Send a job and control it",
+        {
+            "send": "Send a program to a controller and wait until it is cut.",
+            "hold": "Hold a job that runs, from any terminal.",
+            "go": "Let a job go on that stands.",
+            "stop": "End a job that runs.",
+            "override": "Change feed, rapid, spindle or coolant of a job that runs.",
+            "drive": "Send a program's pulses to a parallel port, or to a file that records them.",
+        },
+    ),
+    "recovery": (
+        "Go on after an interruption",
+        {
+            "restart": "Go on with a program from a place in its middle: checked, written or sent.",
+            "resume": "Say how far a job came that was killed, and how to restart it safely.",
+            "back": "Go back along the cut of a held job, forward again, and go on.",
+        },
+    ),
 }
+FAMILY_OF = {verb: family for family, (_, verbs) in FAMILIES.items() for verb in verbs}
 
 
 SHORT = {"check", "time", "convert", "edit", "compact", "trace"}  # mostly done before numba would be loaded
 
 
 class _Verbs(click.Group):
-    """Loads `CNCStepper.cli.VERB` when VERB is called, so that `--help` is quick."""
+    """Loads `CNCStepper.cli.FAMILY.VERB` when VERB is called, so that `--help` is quick."""
 
     def list_commands(self, context: click.Context) -> list[str]:
-        return list(VERBS)
+        return list(FAMILY_OF)
 
     def get_command(self, context: click.Context, name: str) -> click.Command | None:
-        if name not in VERBS:
+        if name not in FAMILY_OF:
             return None
         os.environ.setdefault("PYDANTIC_DISABLE_PLUGINS", "__all__")  # looking for them takes longer than a short verb
         if name in SHORT and "CNCStepper.kernels" not in sys.modules:
             kernel_cache.postponed = True
-        module = importlib.import_module(f"CNCStepper.cli.{name}")
+        module = importlib.import_module(f"CNCStepper.cli.{FAMILY_OF[name]}.{name}")
         return module.command
 
     def invoke(self, context: click.Context) -> Any:
@@ -74,8 +105,9 @@ class _Verbs(click.Group):
             sys.exit(STOPPED)
 
     def format_commands(self, context: click.Context, formatter: click.HelpFormatter) -> None:
-        with formatter.section("Commands"):
-            formatter.write_dl(list(VERBS.items()))
+        for title, verbs in FAMILIES.values():
+            with formatter.section(title):
+                formatter.write_dl(list(verbs.items()))
 
 
 @click.command(cls=_Verbs, context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 110})

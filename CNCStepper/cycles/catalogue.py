@@ -5,16 +5,16 @@ from __future__ import annotations
 
 from pydantic import BaseModel
 
-from CNCStepper.cycles.bore import Bore
-from CNCStepper.cycles.circular_pocket import CircularPocket
-from CNCStepper.cycles.contour import Contour
-from CNCStepper.cycles.drill import Drill
-from CNCStepper.cycles.elliptical_pocket import EllipticalPocket
-from CNCStepper.cycles.engrave import Engrave
-from CNCStepper.cycles.face import Face
-from CNCStepper.cycles.pocket import Pocket
-from CNCStepper.cycles.rectangular_pocket import RectangularPocket
-from CNCStepper.cycles.thread import Thread
+from CNCStepper.cycles.contours.contour import Contour
+from CNCStepper.cycles.contours.engrave import Engrave
+from CNCStepper.cycles.facing.face import Face
+from CNCStepper.cycles.holes.bore import Bore
+from CNCStepper.cycles.holes.drill import Drill
+from CNCStepper.cycles.holes.thread_milling import Thread
+from CNCStepper.cycles.pockets.circular_pocket import CircularPocket
+from CNCStepper.cycles.pockets.elliptical_pocket import EllipticalPocket
+from CNCStepper.cycles.pockets.pocket import Pocket
+from CNCStepper.cycles.pockets.rectangular_pocket import RectangularPocket
 from CNCStepper.errors import JobError
 from CNCStepper.quantities import shown
 

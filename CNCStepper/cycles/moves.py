@@ -14,10 +14,10 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from CNCStepper.cycles.form import Setup
+from CNCStepper.cycles.cycle import Setup
 from CNCStepper.errors import CycleError
 from CNCStepper.geometry.curve import Curve
-from CNCStepper.machine.tool import Tool
+from CNCStepper.machine.tools.tool import Tool
 from CNCStepper.toolpath import ARC_CCW, ARC_CW, LINE, TableBuilder
 
 Point = tuple[float, float]

@@ -8,7 +8,7 @@ import math
 import numpy as np
 
 from CNCStepper.errors import CycleError
-from CNCStepper.machine.tool import Tool
+from CNCStepper.machine.tools.tool import Tool
 
 MOST_PASSES = 10_000
 MOST_BLOCKS = 1_000_000  # of one operation

@@ -19,7 +19,7 @@ r"""Curve: an open or closed chain of lines and arcs in the plane, exact, in two
                 distances_mm(points) · winding(points)
     pieces      reversed · started_at(vertex) · started_at_length(s) · part(s, t) · split(lengths) · without_short
     transforms  moved · rotated · scaled · mirrored_x · transformed(2 x 3 matrix)
-    makers      from_points · circle · straight · joined (pieces in order); chains.py joins loose ones in any order
+    makers      from_points · circle · straight · joined (pieces in order); chain_joining.py joins loose ones
 
 Nothing changes a curve: each method returns a new one or plain arrays, and works on whole columns, so that
 100 000 segments are no loop. Segments of no length are allowed and do no harm; without_short takes them out.
@@ -36,12 +36,12 @@ from typing import Any
 import numpy as np
 
 from CNCStepper.errors import GeometryError
-from CNCStepper.geometry.along import area_of, measured, places_along, stretch, with_vertices
-from CNCStepper.geometry.columns import COINCIDENT_MM, LIMIT_MM, Columns, pairs_of, require_lengths
-from CNCStepper.geometry.nearest import nearest, nearest_of
+from CNCStepper.geometry.arc_length import area_of, measured, places_along, stretch, with_vertices
+from CNCStepper.geometry.curve_columns import COINCIDENT_MM, LIMIT_MM, Columns, pairs_of, require_lengths
+from CNCStepper.geometry.nearest_point import nearest, nearest_of
+from CNCStepper.geometry.proximity_tree import spines_of
 from CNCStepper.geometry.segments import xy_of
-from CNCStepper.geometry.spine_tree import spines_of
-from CNCStepper.geometry.winding import windings
+from CNCStepper.geometry.winding_number import windings
 
 __all__ = ["COINCIDENT_MM", "LIMIT_MM", "Curve", "circle", "from_points", "joined", "straight"]
 

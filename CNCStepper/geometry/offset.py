@@ -26,12 +26,12 @@ import numpy as np
 
 from CNCStepper.errors import GeometryError
 from CNCStepper.geometry.box_tree import WIDTH, lay_row, place_at
-from CNCStepper.geometry.bundle import Bundle, bundle_of, long_enough
-from CNCStepper.geometry.columns import COINCIDENT_MM
-from CNCStepper.geometry.crossings import NODE_MM
 from CNCStepper.geometry.curve import Curve
-from CNCStepper.geometry.pieces import LOOKED_AT, chained, crossed, looked_at_mm
-from CNCStepper.geometry.spine_tree import DEAD, FAR, looks, spines_of
+from CNCStepper.geometry.curve_bundle import Bundle, bundle_of, long_enough
+from CNCStepper.geometry.curve_columns import COINCIDENT_MM
+from CNCStepper.geometry.intersections import NODE_MM
+from CNCStepper.geometry.loop_pieces import LOOKED_AT, chained, crossed, looked_at_mm
+from CNCStepper.geometry.proximity_tree import DEAD, FAR, looks, spines_of
 from CNCStepper.kernels import njit
 
 SAME_MM = 1e-8  # by so much a piece may be too near: what rounding does to coordinates

@@ -20,17 +20,17 @@ from functools import cached_property
 
 import numpy as np
 
-from CNCStepper.checkpoint import checkpoint
+from CNCStepper.cancellation import checkpoint
 from CNCStepper.errors import GeometryError
-from CNCStepper.geometry.bounds import bounds
-from CNCStepper.geometry.bundle import Bundle, areas, bundle_of, bundled_rows, short_ones
-from CNCStepper.geometry.columns import pairs_of
-from CNCStepper.geometry.crossings import NODE_MM
+from CNCStepper.geometry.boundary_loops import bounds
 from CNCStepper.geometry.curve import Curve
-from CNCStepper.geometry.nearest import nearest
+from CNCStepper.geometry.curve_bundle import Bundle, areas, bundle_of, bundled_rows, short_ones
+from CNCStepper.geometry.curve_columns import pairs_of
+from CNCStepper.geometry.intersections import NODE_MM
+from CNCStepper.geometry.nearest_point import nearest
 from CNCStepper.geometry.offset import left_loops
-from CNCStepper.geometry.spine_tree import spines_of
-from CNCStepper.geometry.winding import windings
+from CNCStepper.geometry.proximity_tree import spines_of
+from CNCStepper.geometry.winding_number import windings
 
 SMALL_MM = (1e-4, 2e-4, 5e-4, 1e-3)  # how long a step of an outline must be to count; more where that tangles
 BESIDE_MM = (4.0 * NODE_MM, 1.2 * NODE_MM)  # how far beside a piece its two sides are looked at
@@ -105,7 +105,7 @@ class Region:
 
     @cached_property
     def spines(self) -> np.ndarray:
-        """The tree over `rows`; see spine_tree.py."""
+        """The tree over `rows`; see proximity_tree.py."""
         return spines_of(self.rows)  # type: ignore[no-any-return]
 
     def offset(self, distance_mm: float, tolerance_mm: float) -> Region:

@@ -15,22 +15,22 @@ import numpy as np
 from pydantic import TypeAdapter
 
 from CNCStepper import __version__
-from CNCStepper.control.certificate import CHECK_AGAIN, FORMAT, VERSION, Certificate, digest_of
-from CNCStepper.control.readiness import expected_settings
-from CNCStepper.control.send_job import SendJob
+from CNCStepper.control.program.certificate import CHECK_AGAIN, FORMAT, VERSION, Certificate, digest_of
+from CNCStepper.control.program.send_job import SendJob
+from CNCStepper.control.protocol.grbl.readiness import expected_settings
 from CNCStepper.errors import JobError
-from CNCStepper.gcode.offsets import HOMES
-from CNCStepper.gcode.prepare import prepare
-from CNCStepper.gcode.take_up import play_of
-from CNCStepper.gcode.wire_lines import WireLines
-from CNCStepper.gcode.wire_text import WireText
-from CNCStepper.job.given import Given
-from CNCStepper.job.start_file import start_from
-from CNCStepper.machine.play import Play
+from CNCStepper.gcode.interpreter.functions.coordinate_offsets import HOMES
+from CNCStepper.gcode.wire.backlash_compensation import play_of
+from CNCStepper.gcode.wire.encoder import prepare
+from CNCStepper.gcode.wire.wire_lines import WireLines
+from CNCStepper.gcode.wire.wire_text import WireText
+from CNCStepper.job.proof_inputs import Given
+from CNCStepper.job.start_state_file import start_from
+from CNCStepper.machine.backlash import Play
 from CNCStepper.machine.profile import Machine
-from CNCStepper.machine.tool import Tool
-from CNCStepper.simulation.clamps import Clamp
-from CNCStepper.simulation.cutter import Tools
+from CNCStepper.machine.tools.tool import Tool
+from CNCStepper.simulation.checks.clamps import Clamp
+from CNCStepper.simulation.cutter_solid import Tools
 from CNCStepper.simulation.stock import HeightField, Stock
 from CNCStepper.state import ZERO3, Start
 

@@ -11,7 +11,7 @@ import math
 from collections.abc import Iterable
 from typing import Any
 
-from CNCStepper.cycles.form import Cycle
+from CNCStepper.cycles.cycle import Cycle
 from CNCStepper.geometry.curve import Curve
 from CNCStepper.job.model import Job
 

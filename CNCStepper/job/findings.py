@@ -5,10 +5,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 
-from CNCStepper.cycles.form import Answer
+from CNCStepper.cycles.cycle import Answer
 from CNCStepper.errors import Place
+from CNCStepper.job.detached_parts import cuts_into_loose, wanted_area
 from CNCStepper.job.first_lines import FirstLines
-from CNCStepper.job.loose import cuts_into_loose, wanted_area
 from CNCStepper.job.model import Job
 from CNCStepper.job.stock_fit import ON_EDGE_MM
 from CNCStepper.machine.profile import Machine

@@ -6,10 +6,10 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from itertools import groupby
 
-from CNCStepper.cycles.form import Answer, Cycle, Removal
+from CNCStepper.cycles.cycle import Answer, Cycle, Removal
 from CNCStepper.errors import CNCStepperError, Place
 from CNCStepper.gcode.dialects import dialect
-from CNCStepper.gcode.write import WriteOptions, write, write_split
+from CNCStepper.gcode.writer.write import WriteOptions, write, write_split
 from CNCStepper.job.model import Job
 from CNCStepper.machine.profile import Machine
 from CNCStepper.state import Start, State

@@ -11,28 +11,28 @@ from typing import Annotated, Any, Literal
 import numpy as np
 from pydantic import BaseModel, ConfigDict, Field, model_validator
 
-from CNCStepper.cycles.area_cycle import AreaCycle
+from CNCStepper.atomic_file import write_whole
 from CNCStepper.cycles.catalogue import cycle_class
-from CNCStepper.cycles.elliptical_pocket import EllipticalPocket
-from CNCStepper.cycles.form import Cycle, Setup
-from CNCStepper.drawing.dxf import Share
-from CNCStepper.drawing.heights import read_heights
-from CNCStepper.drawing.points import read_points
+from CNCStepper.cycles.cycle import Cycle, Setup
+from CNCStepper.cycles.pockets.area_cycle import AreaCycle
+from CNCStepper.cycles.pockets.elliptical_pocket import EllipticalPocket
+from CNCStepper.drawing.dxf.reader import Share
+from CNCStepper.drawing.height_field import read_heights
+from CNCStepper.drawing.point_list import read_points
 from CNCStepper.errors import JobError, Place, placed
 from CNCStepper.geometry.curve import Curve, circle, from_points
 from CNCStepper.job.shapes import NO_SHAPES, Drawn, Shapes, read_shapes, with_curves
-from CNCStepper.job.tool_keys import take_tool_file
-from CNCStepper.machine.feeds import Remark, remarks_on, with_feeds
-from CNCStepper.machine.json_file import read_json
-from CNCStepper.machine.material import material, material_names
+from CNCStepper.job.tool_library import take_tool_file
+from CNCStepper.machine.feeds_and_speeds import Remark, remarks_on, with_feeds
+from CNCStepper.machine.files.json_file import read_json
+from CNCStepper.machine.files.toml_file import read_toml
+from CNCStepper.machine.materials import material, material_names
 from CNCStepper.machine.profile import Machine, load_machine, profile_names, validated
-from CNCStepper.machine.toml_file import read_toml
-from CNCStepper.machine.tool import Tool
+from CNCStepper.machine.tools.tool import Tool
 from CNCStepper.quantities import MOST_ITEMS, Coordinate, Height, Length, LengthOr0, shown
-from CNCStepper.simulation.clamps import Clamp
+from CNCStepper.simulation.checks.clamps import Clamp
 from CNCStepper.simulation.stock import Cylinder, HeightField, Stock
 from CNCStepper.state import WORK_SYSTEMS, Start
-from CNCStepper.whole_file import write_whole
 
 HeightRow = Annotated[tuple[Coordinate, ...], Field(max_length=MOST_ITEMS["heights"])]
 

@@ -15,35 +15,35 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
 
-from CNCStepper.control.certificate import digest_of_text
-from CNCStepper.cycles.form import Answer, Removal
+from CNCStepper.control.program.certificate import digest_of_text
+from CNCStepper.cycles.cycle import Answer, Removal
 from CNCStepper.errors import JobError, Place
-from CNCStepper.gcode.wire_text import WireText
+from CNCStepper.gcode.wire.wire_text import WireText
 from CNCStepper.job.findings import findings_of
 from CNCStepper.job.first_lines import FirstLines
-from CNCStepper.job.given import Given
 from CNCStepper.job.make import Part, is_split, make_parts, make_program
-from CNCStepper.job.milestones import milestones
 from CNCStepper.job.model import Job
-from CNCStepper.job.wire_and_ways import wire_and_ways
+from CNCStepper.job.planned_times import milestones
+from CNCStepper.job.proof_inputs import Given
+from CNCStepper.job.wire_round_trip import wire_and_ways
 from CNCStepper.machine.profile import Machine
-from CNCStepper.machine.tool import Tool
-from CNCStepper.motion.plan import begun, times_and_whole_s
-from CNCStepper.simulation.check import check
-from CNCStepper.simulation.clamps import Clamp
-from CNCStepper.simulation.earlier import followed
+from CNCStepper.machine.tools.tool import Tool
+from CNCStepper.motion.planner.plan import begun, times_and_whole_s
+from CNCStepper.simulation.checks.check_program import check
+from CNCStepper.simulation.checks.clamps import Clamp
+from CNCStepper.simulation.checks.report import report
+from CNCStepper.simulation.exact.swept_area import Judgement, judge
 from CNCStepper.simulation.finding import Finding, refused, worst_first
-from CNCStepper.simulation.heightmap import HeightMap, height_map
-from CNCStepper.simulation.report import report
+from CNCStepper.simulation.prior_programs import followed
+from CNCStepper.simulation.removal.heightmap import HeightMap, height_map
 from CNCStepper.simulation.stock import Stock
-from CNCStepper.simulation.sweep import Judgement, judge
 from CNCStepper.state import Start
 from CNCStepper.toolpath import Toolpath, require_straight_axes
 
 if TYPE_CHECKING:
     from CNCStepper.job.prove_file import FileProof
-    from CNCStepper.simulation.scene import Scene
-    from CNCStepper.simulation.timeline import Moment
+    from CNCStepper.simulation.removal.timeline import Moment
+    from CNCStepper.simulation.views.scene import Scene
 
 STAGES = ("make", "read", "cut", "time", "judge", "check", "report")  # what `tell` hears, in this order
 Tell = Callable[[str], None]
@@ -101,7 +101,7 @@ class Proof:
 
         Raises JobError for a program that was proven without stock and tools.
         """
-        from CNCStepper.simulation.scene import scene_at
+        from CNCStepper.simulation.views.scene import scene_at
 
         part = part or self.part
         if part is None or self.given.tools is None:
@@ -110,7 +110,7 @@ class Proof:
 
     def draw(self, path: Path, title: str, tools: str) -> None:
         """Draw the cut part and the tool's paths as PNG or SVG; `tools` names the cutters for people."""
-        from CNCStepper.simulation.picture import facts_of, save_picture
+        from CNCStepper.simulation.views.picture import facts_of, save_picture
 
         scene = self.scene()
         save_picture(path, scene, title, facts_of(scene, tools, self.report["time_s"]))

@@ -20,38 +20,38 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from CNCStepper.gcode.file_pieces import text_pieces
-from CNCStepper.gcode.take_up import play_of
-from CNCStepper.gcode.wire_blocks import wire_of_file
-from CNCStepper.gcode.wire_text import WireText
+from CNCStepper.gcode.interpreter.file_chunks import text_pieces
+from CNCStepper.gcode.wire.backlash_compensation import play_of
+from CNCStepper.gcode.wire.expanded_wire_file import wire_of_file
+from CNCStepper.gcode.wire.wire_text import WireText
 from CNCStepper.input_file import Unchanged
 from CNCStepper.job.first_lines import FirstLines
-from CNCStepper.job.given import Given
-from CNCStepper.job.milestones import Milestones
+from CNCStepper.job.planned_times import Milestones
+from CNCStepper.job.proof_inputs import Given
 from CNCStepper.machine.profile import Machine
-from CNCStepper.motion.backlash import ToolMoves
-from CNCStepper.motion.chunk_window import ChunkWindow
-from CNCStepper.motion.memory import TICKS_PER_S
-from CNCStepper.motion.plan import Run, begun_chunks
-from CNCStepper.motion.stops import RUNNING_EVENTS
-from CNCStepper.simulation.check import Checks
+from CNCStepper.motion.planner.backlash import ToolMoves
+from CNCStepper.motion.planner.buffers import TICKS_PER_S
+from CNCStepper.motion.planner.chunk_window import ChunkWindow
+from CNCStepper.motion.planner.plan import Run, begun_chunks
+from CNCStepper.motion.planner.standstills import RUNNING_EVENTS
+from CNCStepper.simulation.check_context import Subject
+from CNCStepper.simulation.checks.check_program import Checks
+from CNCStepper.simulation.checks.report import Figures
 from CNCStepper.simulation.finding import Finding, refused
-from CNCStepper.simulation.report import Figures
-from CNCStepper.simulation.subject import Subject
 from CNCStepper.simulation.table_parts import PART_ROWS, TableParts
 from CNCStepper.state import Start
 from CNCStepper.toolpath import Chunk, Event, Span, Toolpath, straight_chunks
 
 if TYPE_CHECKING:  # what looks at the stock is loaded where there is one: a short check takes half the time without
-    from CNCStepper.control.spool import SpoolWriter
-    from CNCStepper.cycles.form import Removal
-    from CNCStepper.simulation.clamps import Clamp
-    from CNCStepper.simulation.cutter import Tools
-    from CNCStepper.simulation.heightmap import HeightMap
-    from CNCStepper.simulation.judged_path import JudgedPath
-    from CNCStepper.simulation.kept_cuts import KeptCuts
+    from CNCStepper.control.program.spool import SpoolWriter
+    from CNCStepper.cycles.cycle import Removal
+    from CNCStepper.simulation.checks.clamps import Clamp
+    from CNCStepper.simulation.cutter_solid import Tools
+    from CNCStepper.simulation.exact.cutting_path import JudgedPath
+    from CNCStepper.simulation.exact.stored_cuts import KeptCuts
+    from CNCStepper.simulation.exact.swept_area import Judgement
+    from CNCStepper.simulation.removal.heightmap import HeightMap
     from CNCStepper.simulation.stock import Stock
-    from CNCStepper.simulation.sweep import Judgement
 
 
 @dataclass(frozen=True)
@@ -83,7 +83,7 @@ class FileProof:
     @property
     def program_sha256(self) -> str:
         """The fingerprint of the program's text; raises JobError where it is another one than was proven."""
-        from CNCStepper.control.certificate import digest_of_pieces
+        from CNCStepper.control.program.certificate import digest_of_pieces
 
         digest = digest_of_pieces(text_pieces(self.path))
         self.unchanged.check()
@@ -149,12 +149,12 @@ class _FileProof:
         self._part: HeightMap | None = None
         self._judged: JudgedPath | None = None
         if given.stock is not None and given.tools is not None:
-            from CNCStepper.simulation.heightmap import HeightMap
-            from CNCStepper.simulation.kept_cuts import KeptCuts
+            from CNCStepper.simulation.exact.stored_cuts import KeptCuts
+            from CNCStepper.simulation.removal.heightmap import HeightMap
 
             self._kept, self._part = KeptCuts(), HeightMap(given.stock)
             if given.removals:
-                from CNCStepper.simulation.judged_path import JudgedPath
+                from CNCStepper.simulation.exact.cutting_path import JudgedPath
 
                 self._judged = JudgedPath(given.tools, given.stock)
         self._checks = Checks(given.stock, given.tools, given.keep_out, given.edge_mm, kept=self._kept)
@@ -175,7 +175,7 @@ class _FileProof:
             if self._judged:
                 files.callback(self._judged.close)
             if self._spool:
-                from CNCStepper.control.spool import SpoolWriter
+                from CNCStepper.control.program.spool import SpoolWriter
 
                 self._writer = files.enter_context(SpoolWriter(self._spool, self._name))
             self._tell("read")
@@ -241,8 +241,8 @@ class _FileProof:
         if self._judged:
             self._judged.see(of_tool.toolpath)
         if self._part is not None and self._stock is not None and self._tools is not None:
-            from CNCStepper.simulation.heightmap import HeightMap
-            from CNCStepper.simulation.removal_moves import moves_of
+            from CNCStepper.simulation.removal.heightmap import HeightMap
+            from CNCStepper.simulation.removal.removal_moves import moves_of
 
             moves = moves_of(of_tool.toolpath, self._tools, self._stock)
             self._part = HeightMap(self._stock, part=self._part.part.after(moves))
@@ -289,8 +289,8 @@ class _FileProof:
         wire = self._wire
         if self._spool is None:
             return SpooledWire((), (), wire.messages, wire.sha256, wire.count)
-        from CNCStepper.control.send_job import SendJob
-        from CNCStepper.control.spool import read_spool
+        from CNCStepper.control.program.send_job import SendJob
+        from CNCStepper.control.program.spool import read_spool
 
         job = read_spool(self._spool, SendJob("", ()))
         return SpooledWire(job.lines, job.file_lines, wire.messages, wire.sha256, wire.count)

@@ -19,13 +19,13 @@ from typing import Annotated, Any
 import numpy as np
 from pydantic import BaseModel, ConfigDict, Field, StrictBool, model_validator
 
-from CNCStepper.cycles.fields import CurveField
-from CNCStepper.drawing.dxf import Drawing, Share, read_dxf
-from CNCStepper.drawing.points import read_points
+from CNCStepper.cycles.parameter_types import CurveField
+from CNCStepper.drawing.dxf.reader import Drawing, Share, read_dxf
+from CNCStepper.drawing.point_list import read_points
 from CNCStepper.errors import GeometryError, JobError, Place, placed
 from CNCStepper.geometry.curve import Curve, circle, from_points
-from CNCStepper.geometry.ellipse import Ellipse
-from CNCStepper.geometry.rectangle import rectangle
+from CNCStepper.geometry.shapes.ellipse import Ellipse
+from CNCStepper.geometry.shapes.rectangle import rectangle
 from CNCStepper.machine.profile import validated
 from CNCStepper.quantities import MOST_ITEMS, Angle, Bounds, Coordinate, Length, LengthOr0, Unit, shown
 

@@ -3,7 +3,8 @@
 
 depth_mm, through_mm ──► below the stock's bottom?      what is drawn, seen from above ──► outside the stock's outline?
 
-A panel asks this while somebody types. The checks of the program (`simulation/stock_checks.py`, `job/findings.py`)
+A panel asks this while somebody types. The checks of the program (`simulation/checks/stock_checks.py`,
+`job/findings.py`)
 say the same of what is cut, in the same words, so that nobody reads two names of one fault.
 """
 
@@ -16,23 +17,23 @@ from typing import Any
 import numpy as np
 import shapely
 
-from CNCStepper.cycles.bore import Bore
-from CNCStepper.cycles.circular_pocket import CircularPocket
-from CNCStepper.cycles.contour import Contour
-from CNCStepper.cycles.drill import Drill
-from CNCStepper.cycles.elliptical_pocket import EllipticalPocket
-from CNCStepper.cycles.engrave import Engrave
-from CNCStepper.cycles.face import Face
-from CNCStepper.cycles.form import Cycle
-from CNCStepper.cycles.pocket import Pocket
-from CNCStepper.cycles.rectangular_pocket import RectangularPocket
-from CNCStepper.cycles.thread import Thread
+from CNCStepper.cycles.contours.contour import Contour
+from CNCStepper.cycles.contours.engrave import Engrave
+from CNCStepper.cycles.cycle import Cycle
+from CNCStepper.cycles.facing.face import Face
+from CNCStepper.cycles.holes.bore import Bore
+from CNCStepper.cycles.holes.drill import Drill
+from CNCStepper.cycles.holes.thread_milling import Thread
+from CNCStepper.cycles.pockets.circular_pocket import CircularPocket
+from CNCStepper.cycles.pockets.elliptical_pocket import EllipticalPocket
+from CNCStepper.cycles.pockets.pocket import Pocket
+from CNCStepper.cycles.pockets.rectangular_pocket import RectangularPocket
 from CNCStepper.errors import Place
 from CNCStepper.geometry.curve import Curve, circle
-from CNCStepper.geometry.ellipse import Ellipse
+from CNCStepper.geometry.shapes.ellipse import Ellipse
+from CNCStepper.simulation.checks.stock_checks import PASSED_MM, SPOIL_MM
 from CNCStepper.simulation.finding import Finding, Severity, worst_first
 from CNCStepper.simulation.stock import Stock
-from CNCStepper.simulation.stock_checks import PASSED_MM, SPOIL_MM
 
 ON_EDGE_MM = 0.01  # a shape may end on the stock's edge
 FLAT_MM = 0.005  # of chords for arcs: half of what may lie beside

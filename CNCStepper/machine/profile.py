@@ -15,14 +15,13 @@ from pydantic import BaseModel, ConfigDict, Field, StrictBool, ValidationError, 
 
 from CNCStepper.errors import JobError
 from CNCStepper.input_file import is_there
-from CNCStepper.machine.drive import Drive
-from CNCStepper.machine.inputs import Input, check_apart
-from CNCStepper.machine.json_file import read_json
-from CNCStepper.machine.refusal import refusal_of
-from CNCStepper.machine.signals import Signals
-from CNCStepper.machine.toml_file import read_toml
-from CNCStepper.machine.waits import Waits
-from CNCStepper.printable import printable
+from CNCStepper.machine.axis_drive import Drive
+from CNCStepper.machine.files.json_file import read_json
+from CNCStepper.machine.files.toml_file import read_toml
+from CNCStepper.machine.files.validation_errors import refusal_of
+from CNCStepper.machine.input_pins import Input, check_apart
+from CNCStepper.machine.step_wait_tables import Waits
+from CNCStepper.machine.wiring import Signals
 from CNCStepper.quantities import (
     MOST_ITEMS,
     Acceleration,
@@ -35,6 +34,7 @@ from CNCStepper.quantities import (
     SpeedOr0,
     Tolerance,
 )
+from CNCStepper.safe_text import printable
 
 AXIS_NAMES = ("x", "y", "z")
 CALIBRATED = 0.02  # steps_per_mm, as measured, may differ from what the drive gives by this share

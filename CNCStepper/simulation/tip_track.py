@@ -14,9 +14,9 @@ from pathlib import Path
 
 import numpy as np
 
-from CNCStepper.simulation.arcs import Arcs, arcs_of
-from CNCStepper.simulation.segments import tips_mm
-from CNCStepper.simulation.stepping import end_after, end_before, ends_of_lines_s
+from CNCStepper.simulation.arc_chords import Arcs, arcs_of
+from CNCStepper.simulation.time_steps import end_after, end_before, ends_of_lines_s
+from CNCStepper.simulation.tip_segments import tips_mm
 from CNCStepper.toolpath import Chunk, Toolpath
 
 

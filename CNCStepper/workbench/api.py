@@ -24,9 +24,10 @@ from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from CNCStepper.atomic_file import write_whole
 from CNCStepper.errors import CNCStepperError, JobError, OutputError, Place
-from CNCStepper.whole_file import write_whole
-from CNCStepper.workbench import packages, program_file
+from CNCStepper.workbench import packages
+from CNCStepper.workbench.document import program_file
 from CNCStepper.workbench.features.base import Feature, edit, require_parts
 from CNCStepper.workbench.features.catalogue import operation_class
 from CNCStepper.workbench.features.freehand import Freehand
@@ -82,8 +83,8 @@ def import_tools(job: Any, path: str | Path, unit_mm: float = 1.0) -> tuple[list
     the job has already becomes the next free one. Raises JobError for a file that cannot be read, and adds nothing.
     """
     packages.require()
-    from CNCStepper.machine.stored_tool import given_keys
-    from CNCStepper.machine.tool_files import read_tools
+    from CNCStepper.machine.tools.stored_tool import given_keys
+    from CNCStepper.machine.tools.tool_files import read_tools
 
     stored = read_tools(Path(path), unit_mm)
     tools, notes = [], [f"{each.name or each.number}: {text}" for each in stored for text in each.notes]
@@ -137,7 +138,7 @@ def load_program(job: Any, path: str | Path) -> Any:
 
     One that was read from the same file before takes its text. Raises JobError for a file that cannot be read.
     """
-    from CNCStepper.workbench.editor.source import FileSource
+    from CNCStepper.workbench.editor.program_source import FileSource
 
     text = FileSource(Path(path)).text()
     found = (obj for obj in job.InList if is_of_a_file(obj) and obj.File == str(path))
@@ -187,7 +188,7 @@ def save_program(job: Any, path: str | Path, overwrite: bool = False) -> list[Pa
     text, path = program_text(job), Path(path)
     if job.ProgramParts == 1:
         return [_write(path, text)]
-    from CNCStepper.workbench.making import programs
+    from CNCStepper.workbench.document.core_job import programs
 
     names = [(name.removeprefix("program").removesuffix(".nc"), each) for name, each in programs(job)]
     files = [(path.with_name(f"{path.stem}{name}{path.suffix}"), each) for name, each in names]
@@ -212,7 +213,7 @@ def _write(path: Path, text: str) -> Path:
 def job_model(job: Any) -> Model:
     """Return the job as the core's own checked model, for reports and checks; raises what the core raises."""
     packages.require()
-    from CNCStepper.workbench.making import job_of
+    from CNCStepper.workbench.document.core_job import job_of
 
     return job_of(job)
 

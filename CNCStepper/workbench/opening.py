@@ -5,9 +5,10 @@ from __future__ import annotations
 
 from typing import Any
 
-from CNCStepper.workbench import commands, dock, missing
-from CNCStepper.workbench.tell import NAME, guarded
-from CNCStepper.workbench.viewproviders import tips
+from CNCStepper.workbench import commands, dock
+from CNCStepper.workbench.services import missing_packages
+from CNCStepper.workbench.services.messages import NAME, guarded
+from CNCStepper.workbench.viewproviders import tree_tooltips
 
 
 @guarded
@@ -16,7 +17,7 @@ def first(workbench: Any) -> None:
     toolbar, menu = commands.register()
     workbench.appendToolbar(NAME, toolbar)
     workbench.appendMenu(NAME, menu)
-    tips.install()
+    tree_tooltips.install()
 
 
 @guarded
@@ -25,10 +26,10 @@ def every() -> None:
 
     What a first cut needs is compiled, where it is not.
     """
-    missing.look_again()
-    missing.tell_once()
-    if not missing.why_not():
-        from CNCStepper.workbench import warming
+    missing_packages.look_again()
+    missing_packages.tell_once()
+    if not missing_packages.why_not():
+        from CNCStepper.workbench.calculation import kernel_warmup
 
-        warming.begin()
+        kernel_warmup.begin()
     dock.greet()

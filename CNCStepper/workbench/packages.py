@@ -11,11 +11,11 @@ import os
 import sys
 from pathlib import Path
 
-from CNCStepper import needs
+from CNCStepper import dependencies
 from CNCStepper.errors import MissingPackage
 
 ROOT = Path(__file__).resolve().parents[2]
-NEEDED = needs.modules(needs.PROGRAM)
+NEEDED = dependencies.modules(dependencies.PROGRAM)
 
 _found: set[str] = set()  # looking takes milliseconds, and every recompute asks
 

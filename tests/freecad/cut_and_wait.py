@@ -17,7 +17,7 @@ TURN_S = 0.02
 
 def cut():
     """Let the job begin and say so; never comes back."""
-    from CNCStepper.workbench.dock.link import Link
+    from CNCStepper.workbench.dock.connection import Link
 
     link = Link()
     link.open(os.environ["CNCSTEPPER_PORT"], 115_200)

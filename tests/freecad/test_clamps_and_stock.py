@@ -14,14 +14,14 @@ from FreeCAD import Rotation, Vector
 
 from CNCStepper.errors import JobError
 from CNCStepper.job.model import Job as Model
-from CNCStepper.simulation.clamps import clamps, sheet_edge
+from CNCStepper.simulation.check_context import Subject
+from CNCStepper.simulation.checks.clamps import clamps, sheet_edge
 from CNCStepper.simulation.finding import Finding
 from CNCStepper.simulation.stock import Cylinder
-from CNCStepper.simulation.subject import Subject
 from CNCStepper.workbench import api
+from CNCStepper.workbench.document.core_job import read_back
+from CNCStepper.workbench.document.machine_of_job import machine_of
 from CNCStepper.workbench.features.base import problem_of
-from CNCStepper.workbench.machines import machine_of
-from CNCStepper.workbench.making import read_back
 
 DATA = Path(__file__).parent / "data"
 

@@ -16,8 +16,8 @@ from FreeCAD import Vector
 
 from CNCStepper.errors import GeometryError
 from CNCStepper.geometry.curve import Curve
-from CNCStepper.workbench.curves import curves_of
-from CNCStepper.workbench.ellipses import ellipse_of
+from CNCStepper.workbench.drawings.curves import curves_of
+from CNCStepper.workbench.drawings.ellipses import ellipse_of
 
 ORIGIN = (0.0, 0.0, 0.0)
 

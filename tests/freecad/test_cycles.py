@@ -17,16 +17,17 @@ import shapely
 from FreeCAD import Vector
 
 from CNCStepper.cycles.catalogue import cycle_class
-from CNCStepper.cycles.form import Removal
+from CNCStepper.cycles.cycle import Removal
 from CNCStepper.errors import GeometryError
 from CNCStepper.job.make import make_program
 from CNCStepper.job.prove import prove
-from CNCStepper.workbench import api, program_file
+from CNCStepper.workbench import api
+from CNCStepper.workbench.document import program_file
+from CNCStepper.workbench.document.core_job import machine_of
+from CNCStepper.workbench.drawings.holes import holes_of
 from CNCStepper.workbench.features.base import problem_of, values
 from CNCStepper.workbench.features.catalogue import OPERATIONS
-from CNCStepper.workbench.holes import holes_of
-from CNCStepper.workbench.making import machine_of
-from CNCStepper.workbench.panels.complaints import complaints
+from CNCStepper.workbench.panels.field_errors import complaints
 
 MILL = {"diameter_mm": 6, "feed_mm_min": 800, "plunge_mm_min": 200, "spindle_rpm": 10000}
 DRILL = {"shape": "drill", "diameter_mm": 4, "feed_mm_min": 120, "plunge_mm_min": 120, "spindle_rpm": 8000}

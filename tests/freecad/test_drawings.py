@@ -21,11 +21,11 @@ from shapely.geometry.base import BaseGeometry
 from CNCStepper.errors import CNCStepperError
 from CNCStepper.job.make import make_program
 from CNCStepper.workbench import api
+from CNCStepper.workbench.document.core_job import machine_of
+from CNCStepper.workbench.document.selection import Selected, members, selected_drawings
 from CNCStepper.workbench.features.base import problem_of
 from CNCStepper.workbench.features.catalogue import OPERATIONS
 from CNCStepper.workbench.features.operation import drawings_of
-from CNCStepper.workbench.making import machine_of
-from CNCStepper.workbench.selection import Selected, members, selected_drawings
 
 Point = tuple[float, float]
 

@@ -14,9 +14,9 @@ import pytest
 import shapely
 from FreeCAD import Vector
 
-from CNCStepper.drawing.dxf import read_dxf
+from CNCStepper.drawing.dxf.reader import read_dxf
 from CNCStepper.geometry.curve import Curve
-from CNCStepper.workbench.curves import curves_of
+from CNCStepper.workbench.drawings.curves import curves_of
 
 CASES = 12
 TOLERANCE_MM = 0.01

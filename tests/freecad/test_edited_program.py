@@ -10,13 +10,14 @@ import FreeCAD
 import pytest
 
 from CNCStepper.errors import JobError
-from CNCStepper.job.proof_files import read_question, write_question
-from CNCStepper.workbench import api, program_file
-from CNCStepper.workbench.editor.meanings import CODES, LETTERS, meaning_of
-from CNCStepper.workbench.editor.status import clock, modes_text, place_text, time_text
+from CNCStepper.job.proof_folder import read_question, write_question
+from CNCStepper.workbench import api
+from CNCStepper.workbench.document import program_file
+from CNCStepper.workbench.document.core_job import job_of, machine_of, proven_with
+from CNCStepper.workbench.editor.model.line_status import clock, modes_text, place_text, time_text
+from CNCStepper.workbench.editor.model.word_meanings import CODES, LETTERS, meaning_of
 from CNCStepper.workbench.features.base import problem_of
 from CNCStepper.workbench.features.program import job_behind
-from CNCStepper.workbench.making import job_of, machine_of, proven_with
 
 
 @pytest.fixture

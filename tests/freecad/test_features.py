@@ -12,9 +12,10 @@ import Part
 import pytest
 from FreeCAD import Vector
 
-from CNCStepper.cycles.elliptical_pocket import EllipticalPocket
+from CNCStepper.cycles.pockets.elliptical_pocket import EllipticalPocket
 from CNCStepper.errors import JobError
-from CNCStepper.workbench import api, program_file
+from CNCStepper.workbench import api
+from CNCStepper.workbench.document import program_file
 from CNCStepper.workbench.features.base import problem_of
 
 DATA = Path(__file__).parent / "data"

@@ -17,10 +17,11 @@ import Sketcher
 from FreeCAD import Vector
 
 from CNCStepper.errors import JobError
-from CNCStepper.gcode.interpret import interpret
+from CNCStepper.gcode.interpreter.interpret import interpret
 from CNCStepper.state import Start
 from CNCStepper.toolpath import RAPID
-from CNCStepper.workbench import api, program_file
+from CNCStepper.workbench import api
+from CNCStepper.workbench.document import program_file
 from CNCStepper.workbench.features.base import problem_of, proxy_type
 
 

@@ -15,10 +15,12 @@ import Part
 import pytest
 from FreeCAD import Placement, Rotation, Vector
 
-from CNCStepper.workbench import api, cut_answers, cut_look, making
+from CNCStepper.job.cut_transfer import setting_from
+from CNCStepper.workbench import api
+from CNCStepper.workbench.calculation import precalculation, result_cache
+from CNCStepper.workbench.calculation.recompute import remake, steps
+from CNCStepper.workbench.document import core_job
 from CNCStepper.workbench.features.base import edit, proxy_type
-from CNCStepper.workbench.remake import remake, steps
-from CNCStepper.workbench.setting import setting_from
 
 ONCE = ("reach_of", "_stamp", "model_construct", "stock_content")  # what all operations need of their job
 MOST_CALLS = 130  # of Python's functions, for an operation that a panel of its job looks at with every key
@@ -32,9 +34,9 @@ class NoProcess:
 
 @pytest.fixture(autouse=True)
 def asked(monkeypatch: pytest.MonkeyPatch) -> Any:
-    monkeypatch.setattr(cut_look, "process", lambda: NoProcess)
+    monkeypatch.setattr(precalculation, "process", lambda: NoProcess)
     yield
-    cut_answers.forget()
+    result_cache.forget()
 
 
 def job_of(document: Any, operations: int) -> Any:
@@ -55,7 +57,7 @@ def answer(look: Any) -> None:
     """Let the cut process have answered all that a look wants to know."""
     for key, question in look.unknown.items():
         is_cut = "cut" in question
-        cut_answers.keep(key, cut_answers.Cut({}, ()) if is_cut else cut_answers.Programs((("", "G21\n"),), ("",)))
+        result_cache.keep(key, result_cache.Cut({}, ()) if is_cut else result_cache.Programs((("", "G21\n"),), ("",)))
 
 
 def calls_of(function: Callable[[], Any], counted: tuple[str, ...] = COUNTED) -> Counter[str]:
@@ -78,8 +80,8 @@ def calls_of(function: Callable[[], Any], counted: tuple[str, ...] = COUNTED) ->
 
 def one_edit(job: Any, **changes: Any) -> None:
     """Do what a panel does with an edit that the cut process answers."""
-    answer(cut_look.look_at(job.Document, job, changes))
-    assert not cut_look.look_at(job.Document, job, changes).unknown
+    answer(precalculation.look_at(job.Document, job, changes))
+    assert not precalculation.look_at(job.Document, job, changes).unknown
     edit(job, **changes)
     remake(job.Document)
 
@@ -98,25 +100,25 @@ HEIGHT = {"stock_size_mm": (100.0, 80.0, 21.0)}
 def test_a_look_works_out_once_what_all_operations_need_of_their_job(document: Any) -> None:
     few, many = job_of(document, 5), job_of(FreeCAD.newDocument("Many"), 30)
     for job in (few, many):
-        cut_look.look_at(job.Document, job, {"stock_size_mm": (100.0, 80.0, 22.0)})  # what is kept is kept now
-    counts = [calls_of(lambda job=job: cut_look.look_at(job.Document, job, HEIGHT), ONCE) for job in (few, many)]  # type: ignore[misc]
+        precalculation.look_at(job.Document, job, {"stock_size_mm": (100.0, 80.0, 22.0)})  # what is kept is kept now
+    counts = [calls_of(lambda job=job: precalculation.look_at(job.Document, job, HEIGHT), ONCE) for job in (few, many)]  # type: ignore[misc]
     assert all(counts[0][name] == counts[1][name] for name in ONCE), counts
     assert (counts[1][""] - counts[0][""]) / 25 < MOST_CALLS
 
 
 def test_a_question_holds_what_the_cut_in_the_window_is_set_up_with(document: Any) -> None:
     job = job_of(document, 5)
-    machine = making.machine_content(making.machine_of(job))
+    machine = core_job.machine_content(core_job.machine_of(job))
     for operation in job.Operations:
         cycle = operation.Proxy.cycle(operation, tuple(job.WorkOrigin))
-        question = json.loads(json.dumps(making.cut_question(job, operation, cycle)))
+        question = json.loads(json.dumps(core_job.cut_question(job, operation, cycle)))
         asked = setting_from(question["cut"], machine)
-        assert asked.setup(asked.operation[0]) == making.setup_of(job, operation, cycle)
+        assert asked.setup(asked.operation[0]) == core_job.setup_of(job, operation, cycle)
 
 
 def test_each_height_of_the_stock_is_a_question_of_its_own(document: Any) -> None:
     job = job_of(document, 5)
-    looks = [cut_look.look_at(document, job, {"stock_size_mm": (100.0, 80.0, height)}) for height in (21.0, 22.0)]
+    looks = [precalculation.look_at(document, job, {"stock_size_mm": (100.0, 80.0, height)}) for height in (21.0, 22.0)]
     assert len(looks[0].unknown) == 6 and not looks[0].unknown.keys() & looks[1].unknown.keys()
     assert {question["cut"]["stock"]["size_mm"][2] for question in looks[1].unknown.values() if "cut" in question} == {
         22.0

@@ -14,9 +14,9 @@ from pathlib import Path
 import pytest
 
 from CNCStepper.control.journal.store import stories
-from CNCStepper.control.python_finder import command, environment, find_python
-from CNCStepper.control.send_job import SendJob
-from CNCStepper.control.session_file import running_desks
+from CNCStepper.control.processes.python_finder import command, environment, find_python
+from CNCStepper.control.program.send_job import SendJob
+from CNCStepper.control.session.files import running_desks
 
 HERE = Path(__file__).parent
 ROOT = HERE.parents[1]

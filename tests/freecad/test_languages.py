@@ -14,7 +14,7 @@ from PySide import QtCore, QtGui, QtSvg
 import CNCStepper
 from CNCStepper.workbench import api
 from CNCStepper.workbench.features.base import problem_of
-from CNCStepper.workbench.sentences import CONTEXT, translated
+from CNCStepper.workbench.services.message_translation import CONTEXT, translated
 
 RESOURCES = Path(CNCStepper.__file__).parents[1] / "resources"
 PORTUGUESE = RESOURCES / "translations" / "CNCStepper_pt-BR.ts"

@@ -7,13 +7,13 @@ from typing import Any
 
 import pytest
 
-from CNCStepper.machine.feeds import feeds_of
-from CNCStepper.machine.material import material, material_names
+from CNCStepper.machine.feeds_and_speeds import feeds_of
+from CNCStepper.machine.materials import material, material_names
 from CNCStepper.workbench import api
+from CNCStepper.workbench.document.core_job import machine_of
 from CNCStepper.workbench.features.base import problem_of
 from CNCStepper.workbench.features.tool import model_of
-from CNCStepper.workbench.making import machine_of
-from CNCStepper.workbench.panels.choices import WORDS
+from CNCStepper.workbench.panels.choice_labels import WORDS
 
 NOTHING = {"feed_mm_min": 0, "plunge_mm_min": 0, "spindle_rpm": 0}
 

@@ -11,8 +11,8 @@ import pytest
 from PySide import QtCore
 
 from CNCStepper.workbench import api
-from CNCStepper.workbench.panels.measures import text_of, value_of_text, whole_of_text
-from CNCStepper.workbench.panels.numbers import Refused
+from CNCStepper.workbench.panels.number_input import Refused
+from CNCStepper.workbench.panels.unit_values import text_of, value_of_text, whole_of_text
 
 METRIC, US, DECIMAL_INCH, CENTIMETRE = 0, 2, 3, 4
 

@@ -11,8 +11,8 @@ import pytest
 
 from CNCStepper.errors import JobError
 from CNCStepper.workbench import api
+from CNCStepper.workbench.document.operation_order import can_step, duplicate, job_of, move, step
 from CNCStepper.workbench.features.base import problem_of, proxy_type
-from CNCStepper.workbench.operation_order import can_step, duplicate, job_of, move, step
 
 
 @pytest.fixture

@@ -13,11 +13,12 @@ from typing import Any
 import pytest
 from PySide import QtCore
 
-from CNCStepper.control import python_finder
-from CNCStepper.control.certificate import sendable
+from CNCStepper.control.processes import python_finder
+from CNCStepper.control.program.certificate import sendable
 from CNCStepper.errors import CNCStepperError
-from CNCStepper.workbench import api, program_file
-from CNCStepper.workbench.proof import ProofResult, ProofRun
+from CNCStepper.workbench import api
+from CNCStepper.workbench.document import program_file
+from CNCStepper.workbench.proving.proof_process import ProofResult, ProofRun
 
 LIMIT_S = 240  # with kernels to compile on a busy machine
 

@@ -11,9 +11,10 @@ import pytest
 
 from CNCStepper.errors import JobError, OutputError
 from CNCStepper.job.prove import earlier_proofs, prove_job
-from CNCStepper.workbench import api, program_file
+from CNCStepper.workbench import api
+from CNCStepper.workbench.document import program_file
+from CNCStepper.workbench.document.core_job import machine_of, programs
 from CNCStepper.workbench.features.base import problem_of
-from CNCStepper.workbench.making import machine_of, programs
 
 
 @pytest.fixture

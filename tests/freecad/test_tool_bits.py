@@ -8,9 +8,9 @@ from typing import Any
 
 import pytest
 
-from CNCStepper.machine.stored_tool import StoredTool
-from CNCStepper.machine.tool import Tool
-from CNCStepper.machine.tool_files import read_tools, write_tools
+from CNCStepper.machine.tools.stored_tool import StoredTool
+from CNCStepper.machine.tools.tool import Tool
+from CNCStepper.machine.tools.tool_files import read_tools, write_tools
 
 TOOLS = [
     (Tool(number=1, shape="flat", diameter_mm=6, flute_length_mm=22, feed_mm_min=800), {"Diameter": 6.0}),

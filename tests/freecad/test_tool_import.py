@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 
 from CNCStepper.errors import JobError
-from CNCStepper.machine.tool_files import read_tools
+from CNCStepper.machine.tools.tool_files import read_tools
 from CNCStepper.workbench import api
 from CNCStepper.workbench.features.base import problem_of
 from CNCStepper.workbench.features.tool import model_of

@@ -10,12 +10,12 @@ import FreeCAD
 import pytest
 
 from CNCStepper.errors import JobError
-from CNCStepper.machine.shapes import SHAPES, foreign_keys
-from CNCStepper.machine.tool import Tool as Model
+from CNCStepper.machine.tools.tool import Tool as Model
+from CNCStepper.machine.tools.tool_shapes import SHAPES, foreign_keys
 from CNCStepper.workbench import api
 from CNCStepper.workbench.features.base import problem_of, values
 from CNCStepper.workbench.features.tool import OPTIONAL, Tool, model_of
-from CNCStepper.workbench.panels.complaints import complaints
+from CNCStepper.workbench.panels.field_errors import complaints
 
 OLD = Path(__file__).parent / "data" / "first-release.FCStd"
 PLAIN = {"number": 1, "diameter_mm": 6, "feed_mm_min": 800, "plunge_mm_min": 200, "spindle_rpm": 10000}

@@ -14,9 +14,12 @@ from FreeCAD import Vector
 from PySide import QtCore
 
 from CNCStepper import kernel_cache, kernels
-from CNCStepper.control import python_finder
-from CNCStepper.workbench import api, patience, program_file, warming
+from CNCStepper.control.processes import python_finder
+from CNCStepper.workbench import api
+from CNCStepper.workbench.calculation import kernel_warmup
+from CNCStepper.workbench.document import program_file
 from CNCStepper.workbench.features.base import problem_of
+from CNCStepper.workbench.services import jit_guard
 
 LIMIT_S = 240  # with all kernels to compile on a busy machine
 BEND = ((-25, -20), (25, -20), (25, 20), (5, 14), (-25, 20), (-25, -20))
@@ -29,10 +32,10 @@ def cold(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
     kernel_cache.stamp().unlink(missing_ok=True)
     for kernel in ours():
         kernel._reset_overloads()
-    monkeypatch.setattr(warming, "_run", None)
+    monkeypatch.setattr(kernel_warmup, "_run", None)
     python_finder.find_python.cache_clear()
     yield
-    if run := warming.running():
+    if run := kernel_warmup.running():
         run.cancel()
     python_finder.find_python.cache_clear()
     assert application is not None
@@ -64,20 +67,20 @@ def pocket(document: Any, job: Any, **values: Any) -> Any:
 
 def wait() -> None:
     end_s = time.monotonic() + LIMIT_S
-    while warming.running() and time.monotonic() < end_s:
+    while kernel_warmup.running() and time.monotonic() < end_s:
         QtCore.QCoreApplication.processEvents()
         time.sleep(0.005)
-    assert warming.running() is None
+    assert kernel_warmup.running() is None
 
 
 def test_a_pocket_is_cut_without_compiling_anything(document: Any, job: Any, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(patience, "PATIENCE_S", LIMIT_S)
-    assert warming.begin() is not None
+    monkeypatch.setattr(jit_guard, "PATIENCE_S", LIMIT_S)
+    assert kernel_warmup.begin() is not None
     made = pocket(document, job)
     assert problem_of(made) == "" and made.Passes > 0
     assert [kernel for kernel in ours() if kernel.signatures] == []
     plain = api.program_text(job)
-    warming.running().cancel()  # type: ignore[union-attr]
+    kernel_warmup.running().cancel()  # type: ignore[union-attr]
     made.Proxy.last_cut = None
     made.touch()
     document.recompute()
@@ -88,9 +91,9 @@ def test_a_pocket_is_cut_without_compiling_anything(document: Any, job: Any, mon
 def test_what_takes_long_waits_and_is_then_made_by_itself(
     document: Any, job: Any, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(patience, "PATIENCE_S", 0.0)
-    run = warming.begin()
-    assert run is not None and warming.begin() is run
+    monkeypatch.setattr(jit_guard, "PATIENCE_S", 0.0)
+    run = kernel_warmup.begin()
+    assert run is not None and kernel_warmup.begin() is run
     told: list[int] = []
     run.ended.connect(lambda: told.append(1))
     made = pocket(document, job)
@@ -98,18 +101,18 @@ def test_what_takes_long_waits_and_is_then_made_by_itself(
     wait()
     assert kernel_cache.stamp().exists() and told == [1]
     assert problem_of(made) == "" and api.program_text(job)
-    assert warming.begin() is None
+    assert kernel_warmup.begin() is None
 
 
 def test_nothing_is_started_where_all_is_compiled() -> None:
     kernel_cache.stamp().touch()
-    assert warming.begin() is None and warming.running() is None
+    assert kernel_warmup.begin() is None and kernel_warmup.running() is None
 
 
 def test_without_a_python_for_it_all_goes_on(document: Any, job: Any, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv(python_finder.VARIABLE, "/no/such/python")
-    monkeypatch.setattr(patience, "PATIENCE_S", 0.0)
-    assert warming.begin() is not None
+    monkeypatch.setattr(jit_guard, "PATIENCE_S", 0.0)
+    assert kernel_warmup.begin() is not None
     made = pocket(document, job)
     assert "once after an installation" in problem_of(made)
     wait()

@@ -10,7 +10,8 @@ import FreeCAD
 import pytest
 
 from CNCStepper.errors import JobError
-from CNCStepper.workbench import api, tell
+from CNCStepper.workbench import api
+from CNCStepper.workbench.services import messages
 
 
 def test_objects_are_made_without_views(document: Any) -> None:
@@ -26,8 +27,8 @@ def test_objects_are_made_without_views(document: Any) -> None:
 def test_what_is_told_is_printed(monkeypatch: pytest.MonkeyPatch) -> None:
     printed: list[str] = []
     monkeypatch.setattr(FreeCAD.Console, "PrintMessage", printed.append)
-    tell.error(JobError("bad", "the job is bad", value="3 mm", advice="mend it"))
-    tell.note("saved")
+    messages.error(JobError("bad", "the job is bad", value="3 mm", advice="mend it"))
+    messages.note("saved")
     assert printed == ["CNCStepper: the job is bad (3 mm); mend it\n", "CNCStepper: saved\n"]
 
 
@@ -35,7 +36,7 @@ def test_a_fault_is_printed_with_its_place(capfd: pytest.CaptureFixture[str]) ->
     def fail() -> None:
         raise ValueError("broken")
 
-    tell.guarded(fail)()
+    messages.guarded(fail)()
     out, err = capfd.readouterr()
     assert "ValueError: broken" in out + err
     assert "test_without_window.py" in out + err

@@ -11,9 +11,9 @@ from typing import Any
 import pytest
 from PySide import QtCore
 
-from CNCStepper.control.python_finder import find_python
+from CNCStepper.control.processes.python_finder import find_python
 from CNCStepper.errors import CNCStepperError
-from CNCStepper.workbench.worker import Worker, start_worker
+from CNCStepper.workbench.services.background_process import Worker, start_worker
 
 LIMIT_S = 30.0
 ECHO = "import sys\nfor line in sys.stdin.buffer: sys.stdout.buffer.write(line); sys.stdout.flush()"

@@ -11,7 +11,8 @@ from typing import Any
 import FreeCAD
 import Part
 
-from CNCStepper.workbench import api, program_file
+from CNCStepper.workbench import api
+from CNCStepper.workbench.document import program_file
 
 FOLDER = "CNCSTEPPER_DOCUMENTS"  # where `make matrix` lets one FreeCAD leave its document for the next
 OLDER = "CNCSTEPPER_OLDER"  # which documents must be there

@@ -9,7 +9,7 @@ from types import SimpleNamespace
 
 import pytest
 
-from CNCStepper.control.outcome import REFUSED, Outcome, SenderStatus
+from CNCStepper.control.session.status import REFUSED, Outcome, SenderStatus
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="pseudo-terminals")
 

@@ -13,7 +13,7 @@ from xml.etree import ElementTree
 from test_walls import FREECAD, QT, imported, modules, package_of
 
 import CNCStepper
-from CNCStepper import needs
+from CNCStepper import dependencies
 
 ROOT = Path(__file__).parents[2]
 NAMESPACE = "{https://wiki.freecad.org/Package_Metadata}"
@@ -81,14 +81,16 @@ def test_the_packages_are_those_of_the_one_list() -> None:
     project = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["project"]
     wanted = [re.split(r"[<>=~ ]", requirement)[0] for requirement in project["dependencies"]]
     fast = [re.split(r"[<>=~ ]", requirement)[0] for requirement in project["optional-dependencies"]["fast"]]
-    assert needs.pip_names(needs.REQUIRED) == wanted
-    assert needs.pip_names([needs.FAST]) == fast
-    assert all(need.purposes for need in needs.NEEDS)
+    assert dependencies.pip_names(dependencies.REQUIRED) == wanted
+    assert dependencies.pip_names([dependencies.FAST]) == fast
+    assert all(need.purposes for need in dependencies.NEEDS)
 
 
 def test_every_package_that_is_imported_stands_in_the_one_list() -> None:
     """`cadquery` is called in a process of its own, FreeCAD brings its own and Qt."""
-    allowed = {need.module for need in needs.NEEDS} | set(sys.stdlib_module_names) | {"CNCStepper", "pydantic_core"}
+    allowed = (
+        {need.module for need in dependencies.NEEDS} | set(sys.stdlib_module_names) | {"CNCStepper", "pydantic_core"}
+    )
     found = {
         (name.partition(".")[0], module)
         for module, path in modules().items()

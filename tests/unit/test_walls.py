@@ -16,17 +16,18 @@ PACKAGE = ROOT / "CNCStepper"
 
 FLOORS = [  # from the top; rooms on one line do not know each other
     {"workbench", "cli"},
+    {"workers"},
+    {"recovery"},
     {"job"},
     {"control", "virtual"},
     {"simulation"},
     {"motion"},
     {"gcode", "cycles", "drawing"},
-    {"scan"},
     {"toolpath"},
-    {"geometry", "machine", "state", "canned"},
+    {"geometry", "machine", "state", "canned_drilling"},
     {"output_files", "input_file", "quantities"},
-    {"errors", "units", "kernels", "whole_file", "checkpoint", "needs"},
-    {"kernel_cache", "printable"},
+    {"errors", "units", "kernels", "atomic_file", "cancellation", "dependencies"},
+    {"kernel_cache", "safe_text"},
 ]
 FLOOR_OF = {room: floor for floor, rooms in enumerate(FLOORS) for room in rooms}
 
@@ -127,17 +128,17 @@ def test_every_room_has_a_floor() -> None:
         ("CNCStepper.geometry.curve", "from CNCStepper import toolpath"),
         ("CNCStepper.geometry.curve", "from .. import toolpath"),
         ("CNCStepper.geometry.curve", "from ..machine.tool import Tool"),
-        ("CNCStepper.gcode.write", "def f():\n    from CNCStepper.cycles import form"),
-        ("CNCStepper.control.sender", "import CNCStepper.virtual.grbl"),
+        ("CNCStepper.gcode.writer.write", "def f():\n    from CNCStepper.cycles import form"),
+        ("CNCStepper.control.service.sender", "import CNCStepper.virtual.grbl"),
         ("CNCStepper.virtual.grbl.reader", "from CNCStepper.gcode.dialects import dialect"),
-        ("CNCStepper.motion.plan", "import importlib\nimportlib.import_module('CNCStepper.simulation.stock')"),
-        ("CNCStepper.motion.plan", "import importlib\nimportlib.import_module(f'CNCStepper.cli.{verb}')"),
+        ("CNCStepper.motion.planner.plan", "import importlib\nimportlib.import_module('CNCStepper.simulation.stock')"),
+        ("CNCStepper.motion.planner.plan", "import importlib\nimportlib.import_module(f'CNCStepper.cli.{verb}')"),
         ("CNCStepper.job.make", "import FreeCAD"),
-        ("CNCStepper.cli.run", "from PySide2 import QtCore"),
-        ("CNCStepper.simulation.check", "import serial.tools.list_ports"),
-        ("CNCStepper.virtual.grbl.ports", "import termios"),
-        ("CNCStepper.motion.plan", "def f():\n    import pty"),
-        ("CNCStepper.gcode.parse", "import numba"),
+        ("CNCStepper.cli.program.run", "from PySide2 import QtCore"),
+        ("CNCStepper.simulation.checks.check_program", "import serial.tools.list_ports"),
+        ("CNCStepper.virtual.server.ports", "import termios"),
+        ("CNCStepper.motion.planner.plan", "def f():\n    import pty"),
+        ("CNCStepper.gcode.syntax.line_grammar", "import numba"),
     ],
 )
 def test_the_wall_sees_a_planted_import(module: str, statement: str) -> None:
@@ -149,9 +150,9 @@ def test_the_wall_sees_a_planted_import(module: str, statement: str) -> None:
     [
         ("CNCStepper.cli.main", "from CNCStepper import __version__"),
         ("CNCStepper.geometry.curve", "from CNCStepper.geometry.arc import Arc"),
-        ("CNCStepper.virtual.grbl.ports", "def f():\n    import termios"),
+        ("CNCStepper.virtual.server.ports", "def f():\n    import termios"),
         ("CNCStepper.workbench.api", "import FreeCAD"),
-        ("CNCStepper.control.transport", "import serial"),
+        ("CNCStepper.control.transport.link", "import serial"),
     ],
 )
 def test_the_wall_lets_the_allowed_through(module: str, statement: str) -> None:

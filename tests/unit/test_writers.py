@@ -18,26 +18,28 @@ PRIVATE = "a folder of 0700 that mkdtemp made, for one worker and its client"
 OWN_STATE = "the user's own state folder of 0700, by O_EXCL"
 BUFFER = "into memory, then whole"
 REASONS = {
-    "whole_file": "the one writer",
-    "cli/console": "the line history of the user's own state folder, by readline",
+    "atomic_file": "the one writer",
+    "cli/machine/console": "the line history of the user's own state folder, by readline",
     "control/journal/journal_file": "O_EXCL; a journal grows line by line and is never replaced",
-    "control/own_process": "O_EXCL; a log that grows",
-    "control/pulse_ports": "a recording grows while pulses go out; only a recording is opened, links are checked",
-    "control/session_file": OWN_STATE,
-    "control/spool": OWN_STATE,
-    "job/program_picture": PRIVATE,
-    "job/program_text": PRIVATE,
-    "control/own_file": "the session's own file in a folder of 0700, open and locked for as long as its process lives",
-    "job/proof_files": PRIVATE,
-    "job/restart_files": PRIVATE,
-    "job/start_file": PRIVATE,
-    "job/timeline_worker": PRIVATE,
+    "control/session/detached_process": "O_EXCL; a log that grows",
+    "control/pulses/ports": "a recording grows while pulses go out; only a recording is opened, links are checked",
+    "control/session/files": OWN_STATE,
+    "control/program/spool": OWN_STATE,
+    "job/editing/path_segments": PRIVATE,
+    "workers/program_document": PRIVATE,
+    "control/processes/process_file": (
+        "the session's own file in a folder of 0700, open and locked for as long as its process lives"
+    ),
+    "job/proof_folder": PRIVATE,
+    "recovery/restart/proof_folder": PRIVATE,
+    "job/start_state_file": PRIVATE,
+    "workers/simulation_timeline": PRIVATE,
     "simulation/tip_track": PRIVATE,
-    "workbench/editor/reader": PRIVATE,
-    "workbench/program_file": PRIVATE,
-    "workbench/dock/virtual_machine": "a log in the user's own state folder of 0700, under a random name",
-    "simulation/picture_style": BUFFER,
-    "simulation/sheet": BUFFER,
+    "workbench/editor/reader_client": PRIVATE,
+    "workbench/document/program_file": PRIVATE,
+    "workbench/dock/virtual_controller": "a log in the user's own state folder of 0700, under a random name",
+    "simulation/views/picture_style": BUFFER,
+    "simulation/views/paper_sheet": BUFFER,
 }
 
 
@@ -75,7 +77,7 @@ def test_files_are_written_whole() -> None:
         if module not in REASONS
         for call in writing_calls(path.read_text("utf-8"))
     ]
-    assert not found, "use CNCStepper.whole_file: " + "\n".join(found)
+    assert not found, "use CNCStepper.atomic_file: " + "\n".join(found)
 
 
 def test_every_reason_is_still_needed() -> None:

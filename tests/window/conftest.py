@@ -17,7 +17,7 @@ if INSIDE:
     import pytest
     from hand import Hand
 
-    from CNCStepper.workbench import warming
+    from CNCStepper.workbench.calculation import kernel_warmup
 
     def pytest_configure(config: pytest.Config) -> None:
         config.addinivalue_line("markers", "window(*kinds): the kinds of window (kinds.py) that a test runs in")
@@ -35,7 +35,7 @@ if INSIDE:
         hand = Hand(*FreeCAD.__cncstepper_window__)
         if kinds.AUTOLOAD not in os.environ:
             hand.wait(hand.workbench_is_open, 60)
-            hand.wait(lambda: warming.running() is None, 300, "the kernels")
+            hand.wait(lambda: kernel_warmup.running() is None, 300, "the kernels")
         hand.settle()
         ours = [line.text for line in hand.report() if line.bad and "CNCStepper" in line.text]
         assert not ours, f"FreeCAD's start has put into the report view: {ours}"

@@ -18,7 +18,7 @@ END, FOLDER = os.environ["CNCSTEPPER_END"], Path(os.environ["CNCSTEPPER_FOLDER"]
 
 def write_job():
     """Return the file of a job of some minutes."""
-    from CNCStepper.control.send_job import SendJob
+    from CNCStepper.control.program.send_job import SendJob
 
     file = FOLDER / "send.json"
     lines = ["G21", "G90", "G94", *(f"G1X{index % 2 * 5}Y{index % 3}F300" for index in range(400))]

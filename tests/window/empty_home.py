@@ -28,9 +28,10 @@ def draw_job():
     """Return a small job, whose program may have to wait until FreeCAD has prepared itself."""
     import FreeCAD
 
-    from CNCStepper.workbench import api, missing
+    from CNCStepper.workbench import api
+    from CNCStepper.workbench.services import missing_packages
 
-    assert not missing.lacking_packages(), missing.lacking_packages()
+    assert not missing_packages.lacking_packages(), missing_packages.lacking_packages()
     document = FreeCAD.newDocument("Empty")
     job = api.new_job(document)
     api.add_tool(job)
@@ -47,8 +48,8 @@ class Connecting:
 
         from PySide import QtCore
 
-        from CNCStepper.workbench.dock.link import Link
-        from CNCStepper.workbench.dock.ports import VIRTUAL
+        from CNCStepper.workbench.dock.connection import Link
+        from CNCStepper.workbench.dock.model.port_choices import VIRTUAL
 
         self.job, self.now = job, time.monotonic
         self.link = Link()

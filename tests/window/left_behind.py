@@ -9,8 +9,8 @@ import sys
 import time
 from pathlib import Path
 
-from CNCStepper.control.desk_client import DeskClient
-from CNCStepper.control.send_job import SendJob
+from CNCStepper.control.program.send_job import SendJob
+from CNCStepper.control.service.connection_client import DeskClient
 
 
 def main(folder: Path) -> None:

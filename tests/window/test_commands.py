@@ -15,7 +15,8 @@ from FreeCAD import Vector
 from hand import Hand
 from PySide import QtGui
 
-from CNCStepper.workbench import api, missing, packages
+from CNCStepper.workbench import api, packages
+from CNCStepper.workbench.services import missing_packages
 
 LABELS = {
     "CNCStepper_NewJob": "New job",
@@ -223,7 +224,7 @@ def hidden(hand: Hand) -> Iterator[Any]:
 def reopen() -> None:
     """Open the workbench anew, as if FreeCAD had just been started."""
     packages._found.clear()
-    missing.tell_once.cache_clear()
+    missing_packages.tell_once.cache_clear()
     FreeCADGui.activateWorkbench("PartWorkbench")
     FreeCADGui.activateWorkbench("CNCStepperWorkbench")
 

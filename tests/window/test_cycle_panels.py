@@ -19,11 +19,12 @@ from hand import Hand
 from PySide import QtCore, QtGui
 
 from CNCStepper.errors import CNCStepperError
-from CNCStepper.workbench import api, editing
+from CNCStepper.workbench import api
 from CNCStepper.workbench.features.base import problem_of, proxy_type
 from CNCStepper.workbench.features.catalogue import OPERATIONS
-from CNCStepper.workbench.panels.links import tool_words
-from CNCStepper.workbench.proof import ProofRun
+from CNCStepper.workbench.panels import open_panel
+from CNCStepper.workbench.panels.tool_field import tool_words
+from CNCStepper.workbench.proving.proof_process import ProofRun
 
 PANEL = "CNCStepper_Panel_"
 RIGHT = QtCore.Qt.ArrowType.RightArrow  # of a group that is folded
@@ -291,7 +292,7 @@ def test_a_rectangle_and_a_circle_selected_together(hand: Hand) -> None:
     hand.wait(lambda: len(job.Operations[0].Drawings) == 2, 10, "the circle to be taken again")
     accept(hand)
     hand.main(lambda: (job.Document.removeObject("Circle"), job.Document.recompute()))
-    hand.main(editing.edit, hand.main(lambda: job.Operations[0]))
+    hand.main(open_panel.edit, hand.main(lambda: job.Operations[0]))
     hand.wait(lambda: hand.exists(f"{PANEL}ok"), 60, "the panel")
     assert hand.main(listed) == {"Rectangle": True, "Circle (deleted)": True}
     hand.shot("drawings-2-deleted")
@@ -302,7 +303,7 @@ def test_a_rectangle_and_a_circle_selected_together(hand: Hand) -> None:
 
 def area_mm2(job: Any) -> float:
     from CNCStepper.job.make import make_program
-    from CNCStepper.workbench.making import machine_of
+    from CNCStepper.workbench.document.core_job import machine_of
 
     removals = make_program(api.job_model(job), machine_of(job)).removals
     return float(sum(removal.region.area for removal in removals))
@@ -351,7 +352,7 @@ def test_every_panel_is_seen_whole_in_portuguese(hand: Hand, portuguese: None) -
     job = hand.main(every_panel)
     for operation in hand.main(lambda: list(job.Operations)):
         name = hand.main(proxy_type, operation).removeprefix("CNCStepper_")
-        hand.main(editing.edit, operation)
+        hand.main(open_panel.edit, operation)
         hand.wait(lambda: FreeCADGui.Control.activeDialog(), 10, f"the panel of {name}")
         hand.main(unfold)
         hand.settle()

@@ -15,13 +15,14 @@ import pytest
 from hand import Hand
 from PySide import QtCore, QtGui
 
-from CNCStepper.control import desk_launch, port_list
-from CNCStepper.control.python_finder import command, environment, find_python
-from CNCStepper.control.send_job import SendJob
+from CNCStepper.control.processes.python_finder import command, environment, find_python
+from CNCStepper.control.program.send_job import SendJob
+from CNCStepper.control.service import connection_launch
+from CNCStepper.control.transport import port_list
 from CNCStepper.errors import MissingPackage
 from CNCStepper.workbench import api
-from CNCStepper.workbench.dock.flow import STEPS
-from CNCStepper.workbench.dock.ports import VIRTUAL
+from CNCStepper.workbench.dock.model.port_choices import VIRTUAL
+from CNCStepper.workbench.dock.model.send_steps import STEPS
 
 D = "CNCStepper_Dock_"
 LONGEST_MS = 50.0
@@ -241,7 +242,7 @@ def test_without_pyserial_the_dock_opens_and_says_so(hand: Hand, dock: Any, monk
         raise MissingPackage("package-missing", "pyserial is missing", advice="install it")
 
     monkeypatch.setattr(port_list, "port_names", lacks)
-    monkeypatch.setattr(desk_launch, "find_python", lacks)
+    monkeypatch.setattr(connection_launch, "find_python", lacks)
     hand.main(dock.connection.look)
     assert "Pyserial is missing. Install it." in hand.text(f"{D}Messages")
     hand.fill(f"{D}Port", "COM99")

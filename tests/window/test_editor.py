@@ -17,7 +17,8 @@ import screen_places as places
 from hand import Hand
 from PySide import QtCore, QtGui
 
-from CNCStepper.workbench import api, editor, program_file
+from CNCStepper.workbench import api, editor
+from CNCStepper.workbench.document import program_file
 from CNCStepper.workbench.editor.panel import EditorPanel
 from CNCStepper.workbench.editor.window import docks
 

@@ -11,7 +11,7 @@ from hand import Hand
 from test_dock import D, dock, own_sessions, pocket  # noqa: F401
 from test_editor import NAME, no_editor_stays, opened  # noqa: F401
 
-from CNCStepper.workbench import program_file
+from CNCStepper.workbench.document import program_file
 from CNCStepper.workbench.features.base import proxy_type
 
 START_S = 240

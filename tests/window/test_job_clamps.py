@@ -14,7 +14,8 @@ from FreeCAD import Rotation, Vector
 from hand import Hand
 from PySide import QtGui
 
-from CNCStepper.workbench import api, editing
+from CNCStepper.workbench import api
+from CNCStepper.workbench.panels import open_panel as editing
 
 P = "CNCStepper_Panel"
 ADD, REMOVE = f"{P}_clamps_add", f"{P}_clamps_remove"

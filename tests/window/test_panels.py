@@ -20,10 +20,12 @@ from FreeCAD import Vector
 from hand import Hand
 from PySide import QtCore, QtGui
 
-from CNCStepper.workbench import api, editing, program_file
-from CNCStepper.workbench.commands.creation import create
+from CNCStepper.workbench import api
+from CNCStepper.workbench.commands.create_object import create
+from CNCStepper.workbench.document import program_file
 from CNCStepper.workbench.features.base import problem_of, proxy_type, value_of
 from CNCStepper.workbench.features.operation import Operation
+from CNCStepper.workbench.panels import open_panel
 
 DEPTH, STEPOVER, OK, CANCEL = (f"CNCStepper_Panel_{name}" for name in ("depth_mm", "stepover_mm", "ok", "cancel"))
 NEVER_A_NUMBER = ["", "abc", "nan", "inf", "mm", "-", "("]  # nor is any of their beginnings
@@ -58,7 +60,7 @@ class Bench:
         FreeCADGui.SendMsgToActiveView("ViewFit")
 
     def open(self, obj: Any) -> None:
-        self.hand.main(editing.edit, obj)
+        self.hand.main(open_panel.edit, obj)
         self.opened()
 
     def opened(self) -> None:

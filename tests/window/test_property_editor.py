@@ -12,8 +12,9 @@ from FreeCAD import Vector
 from hand import Hand
 from test_typing import hidden_view
 
-from CNCStepper.workbench import api, patience
+from CNCStepper.workbench import api
 from CNCStepper.workbench.features.base import problem_of
+from CNCStepper.workbench.services import jit_guard
 
 REFUSED_MS = 100.0  # of processor time in which FreeCAD recomputes a document without any cut
 SPARE_MS = 300.0  # of a recompute besides the one cut that is ended
@@ -73,12 +74,12 @@ def test_an_absurd_value_is_refused_before_anything_is_computed(
 def test_a_cut_that_takes_long_is_ended_and_made_beside_the_window(
     hand: Hand, job: Any, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(patience, "MOST_S", 0.02)
-    monkeypatch.setattr(patience, "loaded", True)
+    monkeypatch.setattr(jit_guard, "MOST_S", 0.02)
+    monkeypatch.setattr(jit_guard, "loaded", True)
     pocket = job.Operations[0]
     with hidden_view(hand), hand.watchdog() as watch:
         refusal = hand.main(set_and_recompute, pocket, "Stepover", "0.05 mm")
     print(f"a long cut: {watch}".partition(" in\n")[0], flush=True)
-    assert refusal is not None and refusal.code == patience.LONG
-    assert watch.max_cpu_ms < 1000 * patience.MOST_S + SPARE_MS, watch
+    assert refusal is not None and refusal.code == jit_guard.LONG
+    assert watch.max_cpu_ms < 1000 * jit_guard.MOST_S + SPARE_MS, watch
     hand.wait(lambda: not pocket.Proxy.refusal and not job.Message, 120, "the cut made beside the window")

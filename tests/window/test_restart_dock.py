@@ -13,9 +13,9 @@ import pytest
 from hand import Hand
 from test_dock import LONGEST_MS, D, dock, own_sessions, start_button, zeroed  # noqa: F401
 
-from CNCStepper.control.session_file import read_private, running_desks
+from CNCStepper.control.session.files import read_private, running_desks
 from CNCStepper.workbench import api
-from CNCStepper.workbench.dock import virtual_machine
+from CNCStepper.workbench.dock import virtual_controller
 
 R = "CNCStepper_Restart_"
 START_S = 240  # a process whose kernels are not compiled yet
@@ -135,8 +135,8 @@ def cut_the_link(machines: list[Any]) -> None:
 def machines(monkeypatch: pytest.MonkeyPatch) -> list[Any]:
     """The processes of the virtual controllers that the dock starts."""
     started: list[Any] = []
-    start = virtual_machine._started
-    monkeypatch.setattr(virtual_machine, "_started", lambda *how: started.append(start(*how)) or started[-1])
+    start = virtual_controller._started
+    monkeypatch.setattr(virtual_controller, "_started", lambda *how: started.append(start(*how)) or started[-1])
     return started
 
 

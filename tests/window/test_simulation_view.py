@@ -16,9 +16,10 @@ import numpy as np
 import pytest
 from hand import Hand
 
-from CNCStepper.workbench import api, program_file
-from CNCStepper.workbench.findings import sentence
-from CNCStepper.workbench.proof import ProofRun
+from CNCStepper.workbench import api
+from CNCStepper.workbench.document import program_file
+from CNCStepper.workbench.proving.proof_process import ProofRun
+from CNCStepper.workbench.services.findings_list import sentence
 from CNCStepper.workbench.simulation import open_simulation
 from CNCStepper.workbench.simulation.scene import AT_MOMENT, FINISHED
 from CNCStepper.workbench.simulation.task import SimulationTask
@@ -122,7 +123,9 @@ def drawn_tiles(task: SimulationTask) -> dict[int, np.ndarray]:
 
 def volume_mm3(tiles: dict[int, np.ndarray]) -> float:
     """The volume within faces, which are drawn a trifle larger than they are."""
-    from CNCStepper.simulation.drawn_faces import LAP_MM  # not above: a window without packages reads this file too
+    from CNCStepper.simulation.views.coloured_faces import (
+        LAP_MM,  # not above: a window without packages reads this file too
+    )
 
     corners = np.concatenate(list(tiles.values())).astype(float)
     corners -= LAP_MM * np.sign(corners - corners.mean(axis=1, keepdims=True))

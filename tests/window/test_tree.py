@@ -17,8 +17,8 @@ from PySide import QtCore, QtGui
 
 from CNCStepper.workbench import api
 from CNCStepper.workbench.features.base import problem_of, proxy_type
-from CNCStepper.workbench.icons import icon
-from CNCStepper.workbench.viewproviders import tips
+from CNCStepper.workbench.services.icons import icon
+from CNCStepper.workbench.viewproviders import tree_tooltips
 
 RIGHT = 3
 
@@ -88,12 +88,12 @@ def test_a_problem_has_a_badge_and_a_tooltip(hand: Hand, job: Any) -> None:
     assert (hand.main(badge, pocket), hand.main(badge, job), hand.main(badge, job.Operations[0])) == (
         "Problem", "Problem", "",
     )  # fmt: skip
-    assert hand.main(lambda: tips.problem_at(row(pocket.Label))) == hand.main(problem_of, pocket) != ""
+    assert hand.main(lambda: tree_tooltips.problem_at(row(pocket.Label))) == hand.main(problem_of, pocket) != ""
     assert "wider than the pocket" in hand.tooltip_in_tree(pocket.Label)
     hand.shot("tree-problem")
     hand.main(lambda: (api.edit(pocket, radius_x_mm=40), job.Document.recompute()))
     assert hand.main(badge, pocket) == ""
-    assert hand.main(lambda: tips.problem_at(row(pocket.Label))) == ""
+    assert hand.main(lambda: tree_tooltips.problem_at(row(pocket.Label))) == ""
 
 
 def test_a_badge_changes_the_picture(hand: Hand) -> None:

@@ -32,11 +32,14 @@ from hand import Hand
 from PySide import QtCore, QtGui
 from test_cycle_panels import PANEL, every_panel, unfold
 
-from CNCStepper.workbench import api, cut_answers, editing, fitting, pictures
-from CNCStepper.workbench.cutting import process
+from CNCStepper.job import spline_fitting
+from CNCStepper.workbench import api
+from CNCStepper.workbench.calculation import deferred_drawing, result_cache
+from CNCStepper.workbench.calculation.cut_process import process
 from CNCStepper.workbench.features.base import problem_of, proxy_type, values
 from CNCStepper.workbench.features.catalogue import OPERATIONS
 from CNCStepper.workbench.features.preview import Preview
+from CNCStepper.workbench.panels import open_panel
 
 TEXTS = ("10 m", "10 mm + 2 in", "1e3 mm", "0,5 mm", "-3 mm", "1/0", "99999999 mm", "abc", "10 mm", "")
 WHOLE = [text for text in TEXTS if not any(other.startswith(text) for other in TEXTS if other != text)]
@@ -76,7 +79,7 @@ class Typist:
         self.watch: Any = None  # the watchdog, while it watches
         self.shown: queue.Queue[str] = queue.Queue()  # what the line that is typed into has shown, key by key
         self.typed: list[str] = []  # the same, since its text was typed anew
-        hand.main(editing.edit, obj)
+        hand.main(open_panel.edit, obj)
         hand.wait(lambda: self.panel() is not None, 10, "the panel")
         hand.main(unfold)
         hand.settle()
@@ -192,7 +195,7 @@ def test_the_picture_is_drawn_when_the_keys_pause(hand: Hand) -> None:
             typist.replace(depth, "5.37")
             hand.wait(lambda: typist.done() and moments.pauses_s, 60, "the picture")
         hand.wait(lambda: "Z-5.37" in preview.Path.toGCode(), 10, "the picture of that depth")
-        assert min(moments.pauses_s) > 0.9 * pictures.PAUSE_MS / 1000
+        assert min(moments.pauses_s) > 0.9 * deferred_drawing.PAUSE_MS / 1000
         hand.key("Esc")
     hand.wait(lambda: not FreeCADGui.Control.activeDialog(), 20, "the panel to close")
     assert "Z-5.37" not in hand.main(preview.Path.toGCode)
@@ -200,7 +203,7 @@ def test_the_picture_is_drawn_when_the_keys_pause(hand: Hand) -> None:
 
 def test_garbage_collections_pass_over_what_freecad_has_loaded(hand: Hand) -> None:
     plate = hand.main(draw, limit_s=120)
-    hand.main(editing.edit, plate["job"])
+    hand.main(open_panel.edit, plate["job"])
     hand.settle()
 
     def collect_ms() -> float:
@@ -269,12 +272,12 @@ def test_a_new_tolerance_is_fitted_beside_the_window(hand: Hand) -> None:
         tolerance = lines[f"{PANEL}tolerance_mm"]
         hand.main(partial(focus, tolerance))
         for value in ("0.011", "0.012", "0.013"):
-            before = hand.main(lambda: len(fitting._fits))
+            before = hand.main(lambda: len(spline_fitting._fits))
             with hand.watchdog() as watch:
                 typist.replace(tolerance, f"{value} mm")
                 hand.wait(lambda value=value: float(engraving.Tolerance) == float(value), 120, "the fit")
             print(f"{SPLINES} splines with {value} mm: {watch}".partition(" in\n")[0], flush=True)
-            assert hand.main(lambda: len(fitting._fits)) >= before + SPLINES
+            assert hand.main(lambda: len(spline_fitting._fits)) >= before + SPLINES
             if is_quick(watch):
                 break
         else:
@@ -298,8 +301,8 @@ def draw_rings() -> Any:
 
 
 def forget_fits() -> None:
-    fitting._fits.clear()
-    cut_answers.forget()
+    spline_fitting._fits.clear()
+    result_cache.forget()
 
 
 def ring(number: int) -> Any:
@@ -315,9 +318,9 @@ def test_the_lines_of_a_new_operation_are_fitted_beside_the_window(hand: Hand, m
     hand.main(forget_fits)
     hand.wait(lambda: FreeCADGui.Command.get("CNCStepper_Pocket").getAction()[0].isEnabled(), 10, "the command")
     fits: list[Any] = []
-    plain = fitting.Spline.fit
+    plain = spline_fitting.Spline.fit
     monkeypatch.setattr(
-        fitting.Spline, "fit", lambda line, tolerance_mm: fits.append(line) or plain(line, tolerance_mm)
+        spline_fitting.Spline, "fit", lambda line, tolerance_mm: fits.append(line) or plain(line, tolerance_mm)
     )
     hand.command("CNCStepper_Pocket")
     hand.wait(lambda: hand.exists(f"{PANEL}ok"), 60, "the panel")

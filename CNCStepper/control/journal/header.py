@@ -10,12 +10,12 @@ from pathlib import Path
 from typing import Any
 
 from CNCStepper import __version__
-from CNCStepper.control.connect import Found, offsets_of
-from CNCStepper.control.grbl import Grbl
-from CNCStepper.control.journal.story import FORMAT, VERSION
-from CNCStepper.control.moment import HOMING
-from CNCStepper.control.port_identity import identify
-from CNCStepper.control.send_job import SendJob
+from CNCStepper.control.journal.replay import FORMAT, VERSION
+from CNCStepper.control.program.send_job import SendJob
+from CNCStepper.control.protocol.grbl.connect import Found, offsets_of
+from CNCStepper.control.protocol.grbl.driver import Grbl
+from CNCStepper.control.stream.status_snapshot import HOMING
+from CNCStepper.control.transport.port_identity import identify
 
 
 def header_of(job: SendJob, driver: Grbl, found: Found) -> dict[str, Any]:

@@ -9,9 +9,9 @@ from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
-from CNCStepper.control.journal.lock import take_lock_soon
 from CNCStepper.control.journal.records import to_line
-from CNCStepper.control.session_file import sync_folder
+from CNCStepper.control.processes.file_lock import take_lock_soon
+from CNCStepper.control.session.files import sync_folder
 
 
 class JournalFile:

@@ -9,11 +9,11 @@ from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
-from CNCStepper.control.journal.lock import is_locked
-from CNCStepper.control.journal.story import RUNNING, Story, read_story
-from CNCStepper.control.own_file import is_closed
-from CNCStepper.control.port_identity import THIS_COMPUTER, PortIdentity, identify, read_identity
-from CNCStepper.control.session_file import session_folder
+from CNCStepper.control.journal.replay import RUNNING, Story, read_story
+from CNCStepper.control.processes.file_lock import is_locked
+from CNCStepper.control.processes.process_file import is_closed
+from CNCStepper.control.session.files import session_folder
+from CNCStepper.control.transport.port_identity import THIS_COMPUTER, PortIdentity, identify, read_identity
 from CNCStepper.errors import CNCStepperError
 
 JOURNAL = ".journal"

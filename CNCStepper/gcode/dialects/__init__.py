@@ -10,8 +10,8 @@ from functools import lru_cache
 from types import MappingProxyType
 
 from CNCStepper.errors import ProgramError
+from CNCStepper.gcode.dialects.definition import ArcRule, Dialect, Writing
 from CNCStepper.gcode.dialects.fluidnc import FLUIDNC
-from CNCStepper.gcode.dialects.form import ArcRule, Dialect, Writing
 from CNCStepper.gcode.dialects.grbl import GRBL
 from CNCStepper.gcode.dialects.grblhal import GRBLHAL
 from CNCStepper.gcode.dialects.iso import ISO

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """grbl 1.1: the language as its documentation and its parser have it."""
 
-from CNCStepper.canned import CYCLE_NAMES
-from CNCStepper.gcode.dialects.form import ArcRule, Dialect, Writing, changed, rs274_codes, same_advice
+from CNCStepper.canned_drilling import CYCLE_NAMES
+from CNCStepper.gcode.dialects.definition import ArcRule, Dialect, Writing, changed, rs274_codes, same_advice
 from CNCStepper.toolpath import RAPID
 
 _RULE = ArcRule(slack=0.005, gap=0.5, relative=0.001, smallest_angle_rad=1e-6)  # error:33; mm whatever the unit

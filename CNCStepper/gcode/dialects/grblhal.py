@@ -10,9 +10,9 @@ O-words ("NGC" options of the build) are read; what is sent is written out.
 
 from dataclasses import replace
 
-from CNCStepper.canned import CYCLE_NAMES
-from CNCStepper.gcode.codes import RS274
-from CNCStepper.gcode.dialects.form import same_advice
+from CNCStepper.canned_drilling import CYCLE_NAMES
+from CNCStepper.gcode.dialects.codes import RS274
+from CNCStepper.gcode.dialects.definition import same_advice
 from CNCStepper.gcode.dialects.grbl import GRBL
 
 _MORE = (*CYCLE_NAMES, "G98", "G99", "G59.1", "G59.2", "G59.3")

@@ -13,8 +13,8 @@ is refused. Sample and order of the header: part C of the source systems ("heade
 the blocks; M02 at the end").
 """
 
-from CNCStepper.gcode.codes import RS274
-from CNCStepper.gcode.dialects.form import ArcRule, Dialect, Writing, changed, rs274_codes, same_advice
+from CNCStepper.gcode.dialects.codes import RS274
+from CNCStepper.gcode.dialects.definition import ArcRule, Dialect, Writing, changed, rs274_codes, same_advice
 
 _SLACK_MM, _SLACK_INCH = 0.005, 0.0002
 

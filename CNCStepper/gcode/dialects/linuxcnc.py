@@ -3,9 +3,9 @@
 
 from math import sqrt
 
-from CNCStepper.canned import CYCLE_NAMES
-from CNCStepper.gcode.codes import CYCLES, MORE_REPEATS, RS274
-from CNCStepper.gcode.dialects.form import ArcRule, Dialect, Writing, same_advice
+from CNCStepper.canned_drilling import CYCLE_NAMES
+from CNCStepper.gcode.dialects.codes import CYCLES, MORE_REPEATS, RS274
+from CNCStepper.gcode.dialects.definition import ArcRule, Dialect, Writing, same_advice
 from CNCStepper.toolpath import ARC_CCW, ARC_CW, LINE, RAPID
 
 _SLACK_MM, _SLACK_INCH = 0.02 * sqrt(2), 0.002 * sqrt(2)  # as measured on rs274 2.9; they differ by unit

@@ -11,7 +11,7 @@ probes, G10 retracts, G61 returns to a stored place, M30 deletes a file, T selec
 or written, and a program ends without an end word.
 """
 
-from CNCStepper.gcode.dialects.form import ArcRule, Dialect, Writing, changed, rs274_codes, same_advice
+from CNCStepper.gcode.dialects.definition import ArcRule, Dialect, Writing, changed, rs274_codes, same_advice
 
 _RULE = ArcRule(slack=0.005, gap=0.5, relative=0.001, smallest_angle_rad=1e-6)  # ours: Marlin itself checks nothing
 _RULE_INCH = ArcRule(slack=0.005 / 25.4, gap=0.5 / 25.4, relative=0.001, smallest_angle_rad=1e-6)

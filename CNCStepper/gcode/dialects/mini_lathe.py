@@ -11,8 +11,8 @@ both: `mini-lathe:g20=diameter` and `g70=inch` are its readings. Inches are 25.4
 program, so that the tool starts at the work zero.
 """
 
-from CNCStepper.gcode.codes import RS274
-from CNCStepper.gcode.dialects.form import ArcRule, Dialect, Writing, changed, rs274_codes, same_advice
+from CNCStepper.gcode.dialects.codes import RS274
+from CNCStepper.gcode.dialects.definition import ArcRule, Dialect, Writing, changed, rs274_codes, same_advice
 from CNCStepper.toolpath import LINE, RAPID
 
 _WRITING = Writing(

@@ -8,8 +8,8 @@ comes. The tool starts at the work zero. Its arcs are quarter by quarter in the 
 written as two arcs and a helix as lines; it has no words for spindle, tools or pauses, and its programs just end.
 """
 
-from CNCStepper.gcode.codes import Code
-from CNCStepper.gcode.dialects.form import ArcRule, Dialect, Writing, changed, rs274_codes, same_advice
+from CNCStepper.gcode.dialects.codes import Code
+from CNCStepper.gcode.dialects.definition import ArcRule, Dialect, Writing, changed, rs274_codes, same_advice
 from CNCStepper.toolpath import LINE, RAPID
 
 _RULE = ArcRule(slack=0.005, gap=0.5, relative=0.001)

@@ -7,9 +7,9 @@ import math
 
 import numpy as np
 
-from CNCStepper.gcode.codes import AXES
+from CNCStepper.gcode.dialects.codes import AXES
 from CNCStepper.gcode.edit.line_words import LineWords
-from CNCStepper.gcode.edit.values import Value
+from CNCStepper.gcode.edit.word_values import Value
 from CNCStepper.toolpath import PLANE_AXES, PLANE_NAMES
 
 ARCS = {"G2": "G3", "G3": "G2"}

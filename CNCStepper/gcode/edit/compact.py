@@ -22,14 +22,14 @@ from math import isnan
 import numpy as np
 
 from CNCStepper.errors import ProgramError
-from CNCStepper.gcode.codes import MOTION_NAMES, NO_MOTION
 from CNCStepper.gcode.dialects import Dialect, dialect_named
-from CNCStepper.gcode.edit.edited import Edited, Lines
-from CNCStepper.gcode.edit.run_writer import Run, written
-from CNCStepper.gcode.edit.source import is_compensated, require_straight, work_place
-from CNCStepper.gcode.edit.tokens import changed, first_place, is_plain, tokens_of
-from CNCStepper.gcode.interpret import Interpreter
-from CNCStepper.gcode.words import NUMBER
+from CNCStepper.gcode.dialects.codes import MOTION_NAMES, NO_MOTION
+from CNCStepper.gcode.edit.edit_result import Edited, Lines
+from CNCStepper.gcode.edit.executed_lines import is_compensated, require_straight, work_place
+from CNCStepper.gcode.edit.line_and_arc_writer import Run, written
+from CNCStepper.gcode.edit.line_tokens import changed, first_place, is_plain, tokens_of
+from CNCStepper.gcode.interpreter.interpret import Interpreter
+from CNCStepper.gcode.syntax.words import NUMBER
 from CNCStepper.state import Start
 from CNCStepper.toolpath import LINE
 

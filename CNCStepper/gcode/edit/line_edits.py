@@ -5,13 +5,13 @@ from __future__ import annotations
 
 import numpy as np
 
-from CNCStepper.gcode.codes import AXES, UNIT_CODES
+from CNCStepper.gcode.dialects.codes import AXES, UNIT_CODES
 from CNCStepper.gcode.edit.arc_words import ArcWords
-from CNCStepper.gcode.edit.kinds import CANNED, OTHER_AXES, kinds
+from CNCStepper.gcode.edit.line_tokens import Edit, Token
 from CNCStepper.gcode.edit.line_words import UNIT_MM
-from CNCStepper.gcode.edit.numbers import decimals_of, dialect_decimals, feed_decimals
-from CNCStepper.gcode.edit.tokens import Edit, Token
-from CNCStepper.gcode.edit.values import Value
+from CNCStepper.gcode.edit.number_format import decimals_of, dialect_decimals, feed_decimals
+from CNCStepper.gcode.edit.word_kinds import CANNED, OTHER_AXES, kinds
+from CNCStepper.gcode.edit.word_values import Value
 from CNCStepper.toolpath import PLANE_AXES, PLANE_NAMES
 
 INVERSE_DECIMALS = 6  # of F under G93: one a minute is a whole move

@@ -7,14 +7,14 @@ import math
 from typing import TYPE_CHECKING
 
 from CNCStepper.errors import ProgramError
-from CNCStepper.gcode.edit.kinds import owner
-from CNCStepper.gcode.edit.source import Meaning
-from CNCStepper.gcode.edit.tokens import Edit, Token
-from CNCStepper.gcode.edit.values import Value
+from CNCStepper.gcode.edit.executed_lines import Meaning
+from CNCStepper.gcode.edit.line_tokens import Edit, Token
+from CNCStepper.gcode.edit.word_kinds import owner
+from CNCStepper.gcode.edit.word_values import Value
 from CNCStepper.units import MM_PER_INCH
 
 if TYPE_CHECKING:
-    from CNCStepper.gcode.edit.transform import Mapper
+    from CNCStepper.gcode.edit.transform_lines import Mapper
 
 UNIT_MM = {"mm": 1.0, "inch": MM_PER_INCH}
 

@@ -5,11 +5,11 @@ from __future__ import annotations
 
 from CNCStepper.errors import Place, ProgramError
 from CNCStepper.gcode.dialects import Dialect, dialect_named
-from CNCStepper.gcode.edit.edited import Edited, Lines
-from CNCStepper.gcode.edit.tokens import Token, changed, tokens_of
-from CNCStepper.gcode.edit.verify import require_same_path
-from CNCStepper.gcode.interpret import interpret
-from CNCStepper.gcode.words import split_line
+from CNCStepper.gcode.edit.edit_result import Edited, Lines
+from CNCStepper.gcode.edit.line_tokens import Token, changed, tokens_of
+from CNCStepper.gcode.edit.verification import require_same_path
+from CNCStepper.gcode.interpreter.interpret import interpret
+from CNCStepper.gcode.syntax.words import split_line
 from CNCStepper.state import Start
 
 

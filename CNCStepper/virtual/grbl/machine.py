@@ -17,10 +17,10 @@ from math import inf
 
 from CNCStepper.errors import MachineRefusal
 from CNCStepper.machine.profile import Machine
-from CNCStepper.virtual.grbl import execute, report, system
+from CNCStepper.virtual.grbl import gcode_execute, report, system
 from CNCStepper.virtual.grbl.axes import Axes
-from CNCStepper.virtual.grbl.block import Parser
-from CNCStepper.virtual.grbl.codes import (
+from CNCStepper.virtual.grbl.eeprom import Memory
+from CNCStepper.virtual.grbl.error_codes import (
     ALARM_HARD_LIMIT,
     ALARM_HOMING_NOT_FOUND,
     ALARM_HOMING_RESET,
@@ -29,16 +29,16 @@ from CNCStepper.virtual.grbl.codes import (
     refused,
 )
 from CNCStepper.virtual.grbl.firmware import GRBL, Firmware
+from CNCStepper.virtual.grbl.gcode_block import Parser
 from CNCStepper.virtual.grbl.input_pins import DOOR, InputPins
-from CNCStepper.virtual.grbl.line_reader import TOO_LONG, LineReader, RxRing
-from CNCStepper.virtual.grbl.memory import Memory
 from CNCStepper.virtual.grbl.overrides import Overrides
 from CNCStepper.virtual.grbl.probe import Probe
 from CNCStepper.virtual.grbl.realtime import ACTING, COMMANDS, FIRST_EXTENDED
+from CNCStepper.virtual.grbl.serial_buffer import TOO_LONG, LineReader, RxRing
 from CNCStepper.virtual.grbl.settings import HARD_LIMITS, HOMING, SOFT_LIMITS, Settings
-from CNCStepper.virtual.grbl.spindle import Spindle
+from CNCStepper.virtual.grbl.spindle_control import Spindle
 from CNCStepper.virtual.grbl.states import AT_REST, MOVING, State
-from CNCStepper.virtual.grbl.suspension import Suspension
+from CNCStepper.virtual.grbl.suspend import Suspension
 from CNCStepper.virtual.grbl.tool_change import ToolChange
 
 Waiting = Generator[None, None, None]
@@ -344,7 +344,7 @@ class Grbl:
         elif line and self.state in (State.ALARM, State.JOG):
             raise refused(9)
         elif line:
-            yield from execute.run(self, line)
+            yield from gcode_execute.run(self, line)
 
     def _check_soft_limits(self, target_mm: list[float]) -> Waiting:
         """Stop with an alarm where a target lies outside; never comes back then."""

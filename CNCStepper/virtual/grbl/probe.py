@@ -7,8 +7,8 @@ from math import floor
 from typing import TYPE_CHECKING
 
 from CNCStepper.virtual.grbl import report
-from CNCStepper.virtual.grbl.block import PROBE_AWAY, PROBE_AWAY_QUIET, PROBE_TOWARD_QUIET, Block, Z
-from CNCStepper.virtual.grbl.codes import ALARM_PROBE_NO_CONTACT, ALARM_PROBE_START
+from CNCStepper.virtual.grbl.error_codes import ALARM_PROBE_NO_CONTACT, ALARM_PROBE_START
+from CNCStepper.virtual.grbl.gcode_block import PROBE_AWAY, PROBE_AWAY_QUIET, PROBE_TOWARD_QUIET, Block, Z
 
 if TYPE_CHECKING:
     from CNCStepper.virtual.grbl.axes import Axes

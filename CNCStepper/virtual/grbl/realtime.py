@@ -7,7 +7,7 @@ import re
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-from CNCStepper.virtual.grbl.codes import ALARM_HOMING_DOOR
+from CNCStepper.virtual.grbl.error_codes import ALARM_HOMING_DOOR
 from CNCStepper.virtual.grbl.overrides import (
     FEED_CHANGES,
     FEED_NORMAL,

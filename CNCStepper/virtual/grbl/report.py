@@ -7,12 +7,12 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
 from CNCStepper.units import inch_from_mm
-from CNCStepper.virtual.grbl.block import LAST_SYSTEM, PROBE_TOWARD, Modal, Parser, Z
+from CNCStepper.virtual.grbl.eeprom import Memory
 from CNCStepper.virtual.grbl.firmware import GRBL, Firmware
-from CNCStepper.virtual.grbl.memory import Memory
+from CNCStepper.virtual.grbl.gcode_block import LAST_SYSTEM, PROBE_TOWARD, Modal, Parser, Z
+from CNCStepper.virtual.grbl.gcode_words import f32
 from CNCStepper.virtual.grbl.settings import INCHES, REPORTS_BUFFER, REPORTS_MPOS, Settings
 from CNCStepper.virtual.grbl.states import BUSY
-from CNCStepper.virtual.grbl.words import f32
 
 if TYPE_CHECKING:
     from CNCStepper.virtual.grbl.machine import Grbl

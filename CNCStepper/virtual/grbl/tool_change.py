@@ -8,7 +8,7 @@ A cycle start ends it without 0xA3, too. Spindle and coolant stay as the program
 
 from __future__ import annotations
 
-from CNCStepper.virtual.grbl.line_reader import RxRing
+from CNCStepper.virtual.grbl.serial_buffer import RxRing
 
 
 class ToolChange:

@@ -6,7 +6,7 @@ from __future__ import annotations
 import itertools
 from collections.abc import Sequence
 
-from CNCStepper.workbench.commands.base import Command
+from CNCStepper.workbench.services.command import Command
 
 SEPARATOR = "Separator"  # FreeCAD's word for it
 
@@ -27,8 +27,8 @@ def register() -> tuple[list[str], list[str]]:
     from CNCStepper.workbench.commands.holes import Bore, Drill, Thread
     from CNCStepper.workbench.commands.import_tools import ImportTools
     from CNCStepper.workbench.commands.new_job import NewJob
-    from CNCStepper.workbench.commands.ordering import COMMANDS as ORDERING
     from CNCStepper.workbench.commands.pockets import CircularPocket, Face, Pocket, RectangularPocket
+    from CNCStepper.workbench.commands.reorder import COMMANDS as ORDERING
     from CNCStepper.workbench.commands.send import Send
     from CNCStepper.workbench.commands.simulate import Simulate
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 
 from typing import Any
 
-from CNCStepper.workbench.commands import defaults
-from CNCStepper.workbench.commands.creation import Operation
-from CNCStepper.workbench.words import QT_TRANSLATE_NOOP, later
+from CNCStepper.workbench.commands.create_object import Operation
+from CNCStepper.workbench.document import default_values
+from CNCStepper.workbench.services.translation import QT_TRANSLATE_NOOP, later
 
 
 class Contour(Operation):
@@ -22,4 +22,4 @@ class Contour(Operation):
 
     def values(self, job: Any, tool: Any, is_drawn: bool) -> dict[str, Any]:
         """Return values that cut through the stock."""
-        return defaults.contour(tuple(job.StockSize))
+        return default_values.contour(tuple(job.StockSize))

@@ -3,10 +3,11 @@
 
 from __future__ import annotations
 
-from CNCStepper.workbench import missing
-from CNCStepper.workbench.commands import choice, proving
-from CNCStepper.workbench.commands.base import Command
-from CNCStepper.workbench.words import QT_TRANSLATE_NOOP
+from CNCStepper.workbench.document import targets
+from CNCStepper.workbench.proving import prove_program
+from CNCStepper.workbench.services import missing_packages
+from CNCStepper.workbench.services.command import Command
+from CNCStepper.workbench.services.translation import QT_TRANSLATE_NOOP
 
 
 class EditProgram(Command):
@@ -18,17 +19,17 @@ class EditProgram(Command):
 
     def why_not(self) -> str:
         """Return why there is no program to edit."""
-        if choice.program() is not None:
-            return missing.why_not()
-        return proving.why_not()
+        if targets.program() is not None:
+            return missing_packages.why_not()
+        return prove_program.why_not()
 
     def run(self) -> None:
         """Open the program that is meant."""
         from CNCStepper.workbench import editor
 
-        meant = proving.meant()
-        if choice.program() is None:
-            proving.make(meant)
+        meant = prove_program.meant()
+        if targets.program() is None:
+            prove_program.make(meant)
         editor.open_program(meant)
 
 
@@ -41,12 +42,12 @@ class OpenProgram(Command):
 
     def why_not(self) -> str:
         """Return why no program can be read."""
-        return missing.why_not()
+        return missing_packages.why_not()
 
     def run(self) -> None:
         """Ask for the file and open it."""
         from CNCStepper.workbench import editor
-        from CNCStepper.workbench.editor.files import ask_which
+        from CNCStepper.workbench.editor.file_dialogs import ask_which
 
         path = ask_which()
         if path is not None:

@@ -5,9 +5,9 @@ from __future__ import annotations
 
 from typing import Any
 
-from CNCStepper.workbench.commands import defaults
-from CNCStepper.workbench.commands.creation import Operation
-from CNCStepper.workbench.words import QT_TRANSLATE_NOOP, later
+from CNCStepper.workbench.commands.create_object import Operation
+from CNCStepper.workbench.document import default_values
+from CNCStepper.workbench.services.translation import QT_TRANSLATE_NOOP, later
 
 
 class EllipticalPocket(Operation):
@@ -21,4 +21,4 @@ class EllipticalPocket(Operation):
 
     def values(self, job: Any, tool: Any, is_drawn: bool) -> dict[str, Any]:
         """Return values that fit the stock and the tool."""
-        return defaults.pocket(tuple(job.StockSize), job.StockOrigin, float(tool.Diameter), is_drawn)
+        return default_values.pocket(tuple(job.StockSize), job.StockOrigin, float(tool.Diameter), is_drawn)

@@ -3,7 +3,7 @@
 
 click ──► what of the drawings is not fitted? ── nothing ──► make it
                   ▲            │
-                  └── answer ◄─┴─► the cut process (`cutting.py`)
+                  └── answer ◄─┴─► the cut process (`cut_process.py`)
 """
 
 from __future__ import annotations
@@ -11,13 +11,13 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import Any
 
-from CNCStepper.workbench import cut_answers
-from CNCStepper.workbench.commands import choice
+from CNCStepper.job.deferred_fitting import Unfitted, only_looking
+from CNCStepper.workbench.calculation import result_cache
+from CNCStepper.workbench.document import targets
+from CNCStepper.workbench.document.selection import Pair, selected_drawings
 from CNCStepper.workbench.features.operation import Operation
-from CNCStepper.workbench.looking import Unfitted, only_looking
-from CNCStepper.workbench.selection import Pair, selected_drawings
-from CNCStepper.workbench.tell import guarded, note
-from CNCStepper.workbench.words import tr
+from CNCStepper.workbench.services.messages import guarded, note
+from CNCStepper.workbench.services.translation import tr
 
 WHO = object()  # one asks at a time: a newer click takes the place of the one before
 
@@ -28,7 +28,7 @@ def when_fitted(kind: type[Operation], job: Any, pairs: Sequence[Pair], go_on: C
     It is not called any more when the job or a drawing is gone by then, or another panel is open. Where the process
     could not fit something, `go_on` is called all the same.
     """
-    from CNCStepper.workbench.cutting import Asked, process
+    from CNCStepper.workbench.calculation.cut_process import Asked, process
 
     parts = {} if process().unavailable else _unknown(kind, pairs)
     if not parts:
@@ -37,7 +37,7 @@ def when_fitted(kind: type[Operation], job: Any, pairs: Sequence[Pair], go_on: C
     there = _present(job, pairs)
 
     def answered() -> None:
-        if there() and not choice.why_no_panel():
+        if there() and not targets.why_no_panel():
             when_fitted(kind, job, pairs, go_on)
 
     process().ask(WHO, Asked(parts, lambda words: note(tr(words)), guarded(answered)))
@@ -48,8 +48,8 @@ def _unknown(kind: type[Operation], pairs: Sequence[Pair]) -> dict[str, dict[str
     with only_looking():
         refusals = selected_drawings(kind, pairs).refusals
     questions = [error.question for error in refusals if isinstance(error, Unfitted)]
-    asked = {cut_answers.key_of(question): question for question in questions}
-    return {key: question for key, question in asked.items() if cut_answers.may_ask(key)}
+    asked = {result_cache.key_of(question): question for question in questions}
+    return {key: question for key, question in asked.items() if result_cache.may_ask(key)}
 
 
 def _present(job: Any, pairs: Sequence[Pair]) -> Callable[[], bool]:

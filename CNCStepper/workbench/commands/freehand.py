@@ -3,10 +3,10 @@
 
 from __future__ import annotations
 
-from CNCStepper.workbench import missing
-from CNCStepper.workbench.commands import choice
-from CNCStepper.workbench.commands.base import Command
-from CNCStepper.workbench.words import QT_TRANSLATE_NOOP
+from CNCStepper.workbench.document import targets
+from CNCStepper.workbench.services import missing_packages
+from CNCStepper.workbench.services.command import Command
+from CNCStepper.workbench.services.translation import QT_TRANSLATE_NOOP
 
 
 class Freehand(Command):
@@ -18,7 +18,7 @@ class Freehand(Command):
 
     def why_not(self) -> str:
         """Return why there is nothing to draw on."""
-        return missing.why_not() or choice.why_no_panel() or choice.why_no_view()
+        return missing_packages.why_not() or targets.why_no_panel() or targets.why_no_view()
 
     def run(self) -> None:
         """Let the mouse draw."""

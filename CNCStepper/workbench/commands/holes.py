@@ -5,9 +5,9 @@ from __future__ import annotations
 
 from typing import Any
 
-from CNCStepper.workbench.commands import defaults
-from CNCStepper.workbench.commands.creation import Operation
-from CNCStepper.workbench.words import QT_TRANSLATE_NOOP, later
+from CNCStepper.workbench.commands.create_object import Operation
+from CNCStepper.workbench.document import default_values
+from CNCStepper.workbench.services.translation import QT_TRANSLATE_NOOP, later
 
 
 class Holes(Operation):
@@ -15,7 +15,7 @@ class Holes(Operation):
 
     def values(self, job: Any, tool: Any, is_drawn: bool) -> dict[str, Any]:
         """Return values that fit the stock: in a pattern in its middle, or where the drawing says."""
-        return defaults.holes(tuple(job.StockSize), job.StockOrigin, is_drawn)
+        return default_values.holes(tuple(job.StockSize), job.StockOrigin, is_drawn)
 
 
 class Drill(Holes):
@@ -40,7 +40,7 @@ class Bore(Holes):
     def values(self, job: Any, tool: Any, is_drawn: bool) -> dict[str, Any]:
         """Return values that fit the stock and the tool; circles that are drawn have their own diameters."""
         values = super().values(job, tool, is_drawn)
-        return {**values, "diameter_mm": 0.0 if is_drawn else defaults.bored(float(tool.Diameter))}
+        return {**values, "diameter_mm": 0.0 if is_drawn else default_values.bored(float(tool.Diameter))}
 
 
 class Thread(Holes):
@@ -55,4 +55,4 @@ class Thread(Holes):
     def values(self, job: Any, tool: Any, is_drawn: bool) -> dict[str, Any]:
         """Return values that fit the stock; circles that are drawn have their own diameters."""
         values = super().values(job, tool, is_drawn)
-        return {**values, "major_diameter_mm": 0.0 if is_drawn else defaults.bored(float(tool.Diameter))}
+        return {**values, "major_diameter_mm": 0.0 if is_drawn else default_values.bored(float(tool.Diameter))}

@@ -3,10 +3,10 @@
 
 from __future__ import annotations
 
-from CNCStepper.workbench import missing
-from CNCStepper.workbench.commands import choice
-from CNCStepper.workbench.commands.base import Command
-from CNCStepper.workbench.words import QT_TRANSLATE_NOOP
+from CNCStepper.workbench.document import targets
+from CNCStepper.workbench.services import missing_packages
+from CNCStepper.workbench.services.command import Command
+from CNCStepper.workbench.services.translation import QT_TRANSLATE_NOOP
 
 
 class ImportTools(Command):
@@ -18,10 +18,10 @@ class ImportTools(Command):
 
     def why_not(self) -> str:
         """Return why there is no job to add tools to."""
-        return missing.why_not() or choice.why_no_panel() or choice.why_no_job()
+        return missing_packages.why_not() or targets.why_no_panel() or targets.why_no_job()
 
     def run(self) -> None:
         """Ask for the file."""
-        from CNCStepper.workbench import tool_import
+        from CNCStepper.workbench.document import tool_import
 
-        tool_import.ask(choice.job(), done=lambda: None)
+        tool_import.ask(targets.job(), done=lambda: None)

@@ -5,11 +5,11 @@ from __future__ import annotations
 
 from typing import Any
 
-from CNCStepper.workbench import missing
-from CNCStepper.workbench.commands import choice, defaults
-from CNCStepper.workbench.commands.base import Command
-from CNCStepper.workbench.commands.creation import create, labelled, show_all
-from CNCStepper.workbench.words import QT_TRANSLATE_NOOP, tr
+from CNCStepper.workbench.commands.create_object import create, labelled, show_all
+from CNCStepper.workbench.document import default_values, targets
+from CNCStepper.workbench.services import missing_packages
+from CNCStepper.workbench.services.command import Command
+from CNCStepper.workbench.services.translation import QT_TRANSLATE_NOOP, tr
 
 
 class NewJob(Command):
@@ -21,13 +21,13 @@ class NewJob(Command):
 
     def why_not(self) -> str:
         """Return why no job can be made."""
-        return missing.why_not() or choice.why_no_panel()
+        return missing_packages.why_not() or targets.why_no_panel()
 
     def run(self) -> None:
         """Make the job, open its panel, and bring its stock into view."""
         import FreeCAD
 
-        document = choice.document() or FreeCAD.newDocument()
+        document = targets.document() or FreeCAD.newDocument()
         create(document, tr("New job"), lambda: _job(document))
         show_all()
 
@@ -45,9 +45,9 @@ def _job(document: Any) -> Any:
 
 def _stock() -> dict[str, Any]:
     """Return the values that the selection gives; none where nothing is selected."""
-    from CNCStepper.workbench.shapes import box_of, box_of_boxes
+    from CNCStepper.workbench.drawings.shapes import box_of, box_of_boxes
 
-    if (solid := choice.solid()) is not None:
-        return defaults.stock_of_solid(box_of(solid))
-    boxes = [box for drawing, _ in choice.drawings() if (box := box_of(drawing)).isValid()]
-    return defaults.stock_of_drawing(box_of_boxes(boxes)) if boxes else {}
+    if (solid := targets.solid()) is not None:
+        return default_values.stock_of_solid(box_of(solid))
+    boxes = [box for drawing, _ in targets.drawings() if (box := box_of(drawing)).isValid()]
+    return default_values.stock_of_drawing(box_of_boxes(boxes)) if boxes else {}

@@ -5,9 +5,9 @@ from __future__ import annotations
 
 from typing import Any
 
-from CNCStepper.workbench.commands import defaults
-from CNCStepper.workbench.commands.creation import Operation
-from CNCStepper.workbench.words import QT_TRANSLATE_NOOP, later
+from CNCStepper.workbench.commands.create_object import Operation
+from CNCStepper.workbench.document import default_values
+from CNCStepper.workbench.services.translation import QT_TRANSLATE_NOOP, later
 
 
 class Pocket(Operation):
@@ -22,7 +22,7 @@ class Pocket(Operation):
 
     def values(self, job: Any, tool: Any, is_drawn: bool) -> dict[str, Any]:
         """Return values that fit the stock and the tool."""
-        return defaults.area(tuple(job.StockSize), float(tool.Diameter))
+        return default_values.area(tuple(job.StockSize), float(tool.Diameter))
 
 
 class RectangularPocket(Operation):
@@ -38,7 +38,7 @@ class RectangularPocket(Operation):
 
     def values(self, job: Any, tool: Any, is_drawn: bool) -> dict[str, Any]:
         """Return values that fit the stock and the tool."""
-        return defaults.rectangle(tuple(job.StockSize), job.StockOrigin, float(tool.Diameter), is_drawn)
+        return default_values.rectangle(tuple(job.StockSize), job.StockOrigin, float(tool.Diameter), is_drawn)
 
 
 class CircularPocket(Operation):
@@ -52,7 +52,7 @@ class CircularPocket(Operation):
 
     def values(self, job: Any, tool: Any, is_drawn: bool) -> dict[str, Any]:
         """Return values that fit the stock and the tool."""
-        return defaults.circle(tuple(job.StockSize), job.StockOrigin, float(tool.Diameter), is_drawn)
+        return default_values.circle(tuple(job.StockSize), job.StockOrigin, float(tool.Diameter), is_drawn)
 
 
 class Face(Operation):
@@ -66,4 +66,4 @@ class Face(Operation):
 
     def values(self, job: Any, tool: Any, is_drawn: bool) -> dict[str, Any]:
         """Return values that fit the stock and the tool."""
-        return defaults.face(tuple(job.StockSize), float(tool.Diameter))
+        return default_values.face(tuple(job.StockSize), float(tool.Diameter))

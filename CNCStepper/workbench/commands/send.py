@@ -5,9 +5,10 @@ from __future__ import annotations
 
 from typing import Any
 
-from CNCStepper.workbench.commands import in_front, proving
-from CNCStepper.workbench.commands.base import Command
-from CNCStepper.workbench.words import QT_TRANSLATE_NOOP
+from CNCStepper.workbench.editor import active_program
+from CNCStepper.workbench.proving import prove_program
+from CNCStepper.workbench.services.command import Command
+from CNCStepper.workbench.services.translation import QT_TRANSLATE_NOOP
 
 
 class Send(Command):
@@ -19,15 +20,15 @@ class Send(Command):
 
     def why_not(self) -> str:
         """Return why there is nothing to send."""
-        return in_front.why_not()
+        return active_program.why_not()
 
     def about(self) -> str:
         """Return which program it acts on."""
-        return in_front.name()
+        return active_program.name()
 
     def run(self) -> None:
         """Send the program that is in front."""
-        program = in_front.take()
+        program = active_program.take()
         if program is not None:
             self.take(program)
 
@@ -35,5 +36,5 @@ class Send(Command):
         """Send a job or an edited program."""
         from CNCStepper.workbench import dock
 
-        proving.make(program)
+        prove_program.make(program)
         dock.send(program)

@@ -5,9 +5,10 @@ from __future__ import annotations
 
 from typing import Any
 
-from CNCStepper.workbench.commands import in_front, proving
-from CNCStepper.workbench.commands.base import Command
-from CNCStepper.workbench.words import QT_TRANSLATE_NOOP
+from CNCStepper.workbench.editor import active_program
+from CNCStepper.workbench.proving import prove_program
+from CNCStepper.workbench.services.command import Command
+from CNCStepper.workbench.services.translation import QT_TRANSLATE_NOOP
 
 
 class Simulate(Command):
@@ -19,15 +20,15 @@ class Simulate(Command):
 
     def why_not(self) -> str:
         """Return why there is nothing to simulate."""
-        return in_front.why_not()
+        return active_program.why_not()
 
     def about(self) -> str:
         """Return which program it acts on."""
-        return in_front.name()
+        return active_program.name()
 
     def run(self) -> None:
         """Open the simulation of the program that is in front."""
-        program = in_front.take()
+        program = active_program.take()
         if program is not None:
             self.take(program)
 
@@ -37,5 +38,5 @@ class Simulate(Command):
         from CNCStepper.workbench.simulation import open_simulation
 
         freehand.leave()
-        proving.make(program)
+        prove_program.make(program)
         open_simulation(program)

@@ -7,7 +7,7 @@ import sys
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from CNCStepper.job.restart_files import RestartPlace
+    from CNCStepper.recovery.restart.proof_folder import RestartPlace
 
 
 def show() -> Any:
@@ -35,7 +35,7 @@ def greet() -> None:
     """Open the dock where a machine was left connected by a window before this one; else do nothing."""
     import importlib.util
 
-    from CNCStepper.control.session_file import running_desks
+    from CNCStepper.control.session.files import running_desks
 
     # Where platformdirs is missing nothing was ever connected; what is missing is said elsewhere.
     if importlib.util.find_spec("platformdirs") and running_desks():

@@ -10,28 +10,29 @@ import FreeCADGui
 from PySide import QtCore, QtGui
 
 from CNCStepper.errors import CNCStepperError
-from CNCStepper.workbench import tell
-from CNCStepper.workbench.dock import parts, settings
-from CNCStepper.workbench.dock.back_view import BackView
-from CNCStepper.workbench.dock.backing import COMMANDS, Backing
-from CNCStepper.workbench.dock.connection_view import ConnectionView
-from CNCStepper.workbench.dock.console_view import ConsoleView
+from CNCStepper.workbench.dock.connection import Link, told
 from CNCStepper.workbench.dock.file_sending import FileSending
-from CNCStepper.workbench.dock.flow import why_not_onward
-from CNCStepper.workbench.dock.flow_view import FlowView
-from CNCStepper.workbench.dock.job_view import HaltView, JobView
-from CNCStepper.workbench.dock.jog_view import JogView
-from CNCStepper.workbench.dock.keyboard import KeyboardArea
-from CNCStepper.workbench.dock.link import Link, told
-from CNCStepper.workbench.dock.log_view import LogView
-from CNCStepper.workbench.dock.override_view import OverrideView
-from CNCStepper.workbench.dock.recovery import Recovery
-from CNCStepper.workbench.dock.sending import Sending
-from CNCStepper.workbench.dock.state import RULES, face, why_not
-from CNCStepper.workbench.dock.state_view import PositionView, StateView
-from CNCStepper.workbench.findings import FindingsList
-from CNCStepper.workbench.sentences import translated
-from CNCStepper.workbench.words import tr
+from CNCStepper.workbench.dock.job_sending import Sending
+from CNCStepper.workbench.dock.model import settings
+from CNCStepper.workbench.dock.model.controller_state import RULES, face, why_not
+from CNCStepper.workbench.dock.model.send_steps import why_not_onward
+from CNCStepper.workbench.dock.restart_offer import Recovery
+from CNCStepper.workbench.dock.retract_client import COMMANDS, Backing
+from CNCStepper.workbench.dock.views import widgets
+from CNCStepper.workbench.dock.views.connection_view import ConnectionView
+from CNCStepper.workbench.dock.views.console_view import ConsoleView
+from CNCStepper.workbench.dock.views.job_view import HaltView, JobView
+from CNCStepper.workbench.dock.views.jog_view import JogView
+from CNCStepper.workbench.dock.views.keyboard import KeyboardArea
+from CNCStepper.workbench.dock.views.log_view import LogView
+from CNCStepper.workbench.dock.views.override_view import OverrideView
+from CNCStepper.workbench.dock.views.retract_view import BackView
+from CNCStepper.workbench.dock.views.send_steps_view import FlowView
+from CNCStepper.workbench.dock.views.state_view import PositionView, StateView
+from CNCStepper.workbench.services import messages
+from CNCStepper.workbench.services.findings_list import FindingsList
+from CNCStepper.workbench.services.message_translation import translated
+from CNCStepper.workbench.services.translation import tr
 
 POLL_MS = 50
 WIDTH, ROOM = 320, 20
@@ -43,11 +44,11 @@ class Panel(KeyboardArea):
 
     def __init__(self, link: Link) -> None:
         super().__init__()
-        parts.named(self, "Panel")
+        widgets.named(self, "Panel")
         self.language = FreeCADGui.getLocale()
         self.link, self.log = link, LogView()
         lengths, point = settings.lengths(), settings.decimal_point()
-        self.findings = parts.named(FindingsList(), "Findings")
+        self.findings = widgets.named(FindingsList(), "Findings")
         self.sending = Sending(self, self.link, self.findings.show, self.connect_chosen, self.refresh)
         self.connection = ConnectionView(self.connect_chosen, self._leave, self._ports)
         self.state = StateView()
@@ -59,14 +60,14 @@ class Panel(KeyboardArea):
         self.halt, self.job = HaltView(self.backing.command), JobView()
         self.jog = JogView(lengths, point, self.link.command)
         self.overrides = OverrideView(lambda kind, step: self.link.command("override", kind, step))
-        self.home = parts.button("Home", tr("Home"), lambda: self.link.command("home"), icon="Home")
-        self.unlock = parts.button("Unlock", tr("Unlock"), lambda: self.link.command("unlock"), icon="Unlock")
+        self.home = widgets.button("Home", tr("Home"), lambda: self.link.command("home"), icon="Home")
+        self.unlock = widgets.button("Unlock", tr("Unlock"), lambda: self.link.command("unlock"), icon="Unlock")
         self.console = ConsoleView(lambda line: self.link.command("type", line))
         self._mark: tuple[Any, str] = (None, "")
         self._arrange()
         self._timer = QtCore.QTimer(self)
         self._timer.setInterval(POLL_MS)
-        self._timer.timeout.connect(tell.guarded(self._tick))
+        self._timer.timeout.connect(messages.guarded(self._tick))
         self._timer.start()
         self.refresh()
 
@@ -95,7 +96,7 @@ class Panel(KeyboardArea):
         try:
             self.link.open(port, baud, self.connection.times_faster)
         except CNCStepperError as error:
-            tell.error(error)
+            messages.error(error)
         self.refresh()
 
     def refresh(self) -> None:
@@ -107,7 +108,7 @@ class Panel(KeyboardArea):
         for view in (*views, self.halt, self.jog, self.overrides, self.console):
             view.lock(moment)
         for name, button in (("home", self.home), ("unlock", self.unlock)):
-            parts.lock(button, why_not(name, moment), RULES[name].does)
+            widgets.lock(button, why_not(name, moment), RULES[name].does)
         self.back.show_back(self.backing.flow, moment)
         self.flow.show_flow(flow, why_not_onward(flow, moment))
         self._show_status(self.link.status, moment.job_runs)
@@ -150,7 +151,7 @@ class Panel(KeyboardArea):
 
     def _ports(self) -> list[tuple[str, str]]:
         """Return the serial ports with their names; none, and a message, when pyserial is missing."""
-        from CNCStepper.control.port_list import port_list
+        from CNCStepper.control.transport.port_list import port_list
 
         try:
             return [(choice.name, choice.text) for choice in port_list()]
@@ -161,18 +162,18 @@ class Panel(KeyboardArea):
     def _arrange(self) -> None:
         """Put what must always be in sight above what may scroll."""
         content = QtGui.QWidget()
-        layout = parts.column(content)
+        layout = widgets.column(content)
         layout.setContentsMargins(*MARGINS)
         sections: tuple[list[Any], ...] = (
             [self.flow, self.job, self.back, self.file_sending.button, self.recovery.view, self.position],
-            [parts.caption(tr("Jog")), self.jog, parts.row(self.home, self.unlock)],
-            [parts.caption(tr("Overrides")), self.overrides],
-            [parts.caption(tr("Messages")), self.log],
-            [parts.caption(tr("Console")), self.console],
+            [widgets.caption(tr("Jog")), self.jog, widgets.row(self.home, self.unlock)],
+            [widgets.caption(tr("Overrides")), self.overrides],
+            [widgets.caption(tr("Messages")), self.log],
+            [widgets.caption(tr("Console")), self.console],
         )
         for number, section in enumerate(sections):
             if number:
-                layout.addWidget(parts.line())
+                layout.addWidget(widgets.line())
             for entry in section:
                 layout.addWidget(entry) if isinstance(entry, QtGui.QWidget) else layout.addLayout(entry)
         layout.addStretch(1)
@@ -181,11 +182,11 @@ class Panel(KeyboardArea):
         self.area.setWidgetResizable(True)
         self.area.setFrameShape(QtGui.QFrame.Shape.NoFrame)
         self.area.setHorizontalScrollBarPolicy(QtCore.Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        head = parts.column()
+        head = widgets.column()
         head.setContentsMargins(*MARGINS)
         for view in (self.connection, self.state, self.halt):
             head.addWidget(view)
-        whole = parts.column(self)
+        whole = widgets.column(self)
         whole.addLayout(head)
         whole.addWidget(self.area, 1)
 

@@ -8,13 +8,14 @@ from typing import Any
 import FreeCADGui
 from PySide import QtCore, QtGui
 
-from CNCStepper.control.desk_client import running_desks
+from CNCStepper.control.service.connection_client import running_desks
 from CNCStepper.state import Start
-from CNCStepper.workbench import packages, tell
-from CNCStepper.workbench.dock.closing import ClosingGuard
-from CNCStepper.workbench.dock.link import Link
+from CNCStepper.workbench import packages
+from CNCStepper.workbench.dock.close_guard import ClosingGuard
+from CNCStepper.workbench.dock.connection import Link
 from CNCStepper.workbench.dock.panel import Panel
-from CNCStepper.workbench.words import tr
+from CNCStepper.workbench.services import messages
+from CNCStepper.workbench.services.translation import tr
 
 NAME = "CNCStepper_Dock"
 
@@ -70,7 +71,7 @@ def attach_running(shown: Panel) -> None:
         return
     for session_file in reversed(running_desks()):
         shown.attach(session_file)
-        tell.note(tr("The controller's panel is attached again to a machine that was left connected."))
+        messages.note(tr("The controller's panel is attached again to a machine that was left connected."))
         return
 
 

@@ -9,7 +9,7 @@ from typing import Any
 
 def open_program(obj: Any) -> Any:
     """Open the editor of a job's program or of an edited program; returns its dock."""
-    from CNCStepper.workbench.editor.source import ObjectSource
+    from CNCStepper.workbench.editor.program_source import ObjectSource
     from CNCStepper.workbench.editor.window import open_source
 
     return open_source(ObjectSource(obj))
@@ -17,7 +17,7 @@ def open_program(obj: Any) -> Any:
 
 def open_file(path: Path) -> Any:
     """Open the editor of a G-code file; returns its dock. Raises JobError for one that cannot be read."""
-    from CNCStepper.workbench.editor.source import FileSource
+    from CNCStepper.workbench.editor.program_source import FileSource
     from CNCStepper.workbench.editor.window import open_source
 
     return open_source(FileSource(path))

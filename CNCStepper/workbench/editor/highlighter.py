@@ -7,8 +7,8 @@ from typing import Any
 
 from PySide import QtGui
 
-from CNCStepper.workbench.editor.colours import BOLD
-from CNCStepper.workbench.editor.spans import spans_of
+from CNCStepper.workbench.editor.model.syntax_colours import BOLD
+from CNCStepper.workbench.editor.model.word_spans import spans_of
 
 
 class Highlighter(QtGui.QSyntaxHighlighter):

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 from PySide import QtCore, QtGui
 
 if TYPE_CHECKING:
-    from CNCStepper.workbench.editor.text import ProgramEdit
+    from CNCStepper.workbench.editor.text_edit import ProgramEdit
 
 LEAST_DIGITS = 3
 GAP = 0.6  # of a digit's width: free on both sides of the numbers

@@ -11,24 +11,24 @@ from typing import TYPE_CHECKING, Any
 
 from PySide import QtCore, QtGui
 
-from CNCStepper.workbench import tell
-from CNCStepper.workbench.editor import files
-from CNCStepper.workbench.editor.bar import EditorBar
-from CNCStepper.workbench.editor.find import FindBar
-from CNCStepper.workbench.editor.reader import ProgramReader
-from CNCStepper.workbench.editor.refusals import RefusalList
-from CNCStepper.workbench.editor.spans import word_at
-from CNCStepper.workbench.editor.stage import EditorStage
+from CNCStepper.workbench.editor import file_dialogs
+from CNCStepper.workbench.editor.edit_menu import CONVERT, Verbs
+from CNCStepper.workbench.editor.error_list import RefusalList
+from CNCStepper.workbench.editor.find_replace import FindBar
+from CNCStepper.workbench.editor.model.word_spans import word_at
+from CNCStepper.workbench.editor.reader_client import ProgramReader
 from CNCStepper.workbench.editor.status_line import StatusLine
-from CNCStepper.workbench.editor.text import ProgramEdit
-from CNCStepper.workbench.editor.verbs import CONVERT, Verbs
-from CNCStepper.workbench.sentences import translated
-from CNCStepper.workbench.watch import ProgramWatch
-from CNCStepper.workbench.words import tr
+from CNCStepper.workbench.editor.text_edit import ProgramEdit
+from CNCStepper.workbench.editor.toolbar import EditorBar
+from CNCStepper.workbench.editor.view_session import EditorStage
+from CNCStepper.workbench.services import messages
+from CNCStepper.workbench.services.message_translation import translated
+from CNCStepper.workbench.services.program_observer import ProgramWatch
+from CNCStepper.workbench.services.translation import tr
 
 if TYPE_CHECKING:
     from CNCStepper.errors import CNCStepperError
-    from CNCStepper.workbench.editor.marks import Mark
+    from CNCStepper.workbench.editor.model.error_marks import Mark
 
 SEND_AFTER_MS = 40  # of rest: letters that follow each other faster are sent together
 NAME = "CNCStepper_Editor_"
@@ -53,7 +53,7 @@ class EditorPanel(QtGui.QWidget):
         self._sender = QtCore.QTimer(self)
         self._sender.setSingleShot(True)
         self._sender.setInterval(SEND_AFTER_MS)
-        changed, closing = tell.guarded(self._source_changed), tell.guarded(self._document_closing)
+        changed, closing = messages.guarded(self._source_changed), messages.guarded(self._document_closing)
         self._watch = ProgramWatch(None, changed, lambda: None, closing)
         self._arrange()
         self._connect()
@@ -95,17 +95,17 @@ class EditorPanel(QtGui.QWidget):
 
     def save_as(self) -> bool:
         """Ask for a file and save there; whether that was done."""
-        path = files.ask_where_to(self.source)
+        path = file_dialogs.ask_where_to(self.source)
         if path is None:
             return False
-        self._saved(files.in_file(self.source, path).save(self.text()))
+        self._saved(file_dialogs.in_file(self.source, path).save(self.text()))
         return True
 
     def may_close(self) -> bool:
         """Ask what becomes of a text that is not saved; whether the editor may go."""
         if not self.modified:
             return True
-        answer = files.ask_to_save(self.source.name)
+        answer = file_dialogs.ask_to_save(self.source.name)
         return self.save() if answer == "save" else answer == "discard"
 
     def end(self) -> None:
@@ -133,7 +133,7 @@ class EditorPanel(QtGui.QWidget):
         self.edit.document().setModified(False)
         self.bar.choose_machine(source)
         self._say("")
-        tell.note(tr("Saved {0}").format(source.name))
+        messages.note(tr("Saved {0}").format(source.name))
         self.title_changed.emit()
 
     def send_typed(self) -> None:
@@ -190,7 +190,7 @@ class EditorPanel(QtGui.QWidget):
             self.edit.setFocus()
 
     def _failed(self, error: CNCStepperError) -> None:
-        self._say("\n".join(part for part in (tell.sentence(error), translated(error.advice)) if part))
+        self._say("\n".join(part for part in (messages.sentence(error), translated(error.advice)) if part))
 
     def _cursor_moved(self) -> None:
         self._show_cursor()
@@ -213,7 +213,7 @@ class EditorPanel(QtGui.QWidget):
 
     def _source_changed(self) -> None:
         """Follow a program that was made anew or undone, unless that would lose what was typed."""
-        QtCore.QTimer.singleShot(0, tell.guarded(self._follow_source))
+        QtCore.QTimer.singleShot(0, messages.guarded(self._follow_source))
 
     def _follow_source(self) -> None:
         if not self.source.alive or self.edit.filling:
@@ -238,7 +238,7 @@ class EditorPanel(QtGui.QWidget):
         self._message.setVisible(bool(text))
 
     def _connect(self) -> None:
-        guarded, edit, reader = tell.guarded, self.edit, self.reader
+        guarded, edit, reader = messages.guarded, self.edit, self.reader
         self._sender.timeout.connect(guarded(self.send_typed))
         edit.changed.connect(self._sender.start)
         edit.filled.connect(guarded(self._filled))

@@ -7,11 +7,11 @@ from typing import Any
 
 from PySide import QtCore, QtGui
 
-from CNCStepper.workbench.editor import status
-from CNCStepper.workbench.editor.marks import Mark
-from CNCStepper.workbench.editor.meanings import meaning_of
-from CNCStepper.workbench.sentences import translated
-from CNCStepper.workbench.words import tr
+from CNCStepper.workbench.editor.model import line_status
+from CNCStepper.workbench.editor.model.error_marks import Mark
+from CNCStepper.workbench.editor.model.word_meanings import meaning_of
+from CNCStepper.workbench.services.message_translation import translated
+from CNCStepper.workbench.services.translation import tr
 
 NAME = "CNCStepper_Editor_"
 LEAST_WIDTH = 260
@@ -54,9 +54,9 @@ class StatusLine(QtGui.QWidget):
             self._modes.clear()
             self._time.clear()
             return
-        self._place.setText(status.place_text(answer))
-        self._modes.setText(status.modes_text(answer))
-        self._time.setText(status.time_text(answer, duration_s))
+        self._place.setText(line_status.place_text(answer))
+        self._modes.setText(line_status.modes_text(answer))
+        self._time.setText(line_status.time_text(answer, duration_s))
 
 
 def _label(name: str) -> Any:

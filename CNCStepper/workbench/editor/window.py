@@ -8,11 +8,11 @@ from typing import Any
 import FreeCADGui
 from PySide import QtCore, QtGui
 
-from CNCStepper.workbench import tell
-from CNCStepper.workbench.commands.base import look_again
-from CNCStepper.workbench.editor.front import Front
+from CNCStepper.workbench.editor.active_editor import Front
 from CNCStepper.workbench.editor.panel import EditorPanel
-from CNCStepper.workbench.words import tr
+from CNCStepper.workbench.services import messages
+from CNCStepper.workbench.services.command import look_again
+from CNCStepper.workbench.services.translation import tr
 
 NAME = "CNCStepper_Editor_dock"
 WIDTH = 430
@@ -30,12 +30,12 @@ class EditorDock(QtGui.QDockWidget):
         self.setObjectName(NAME)
         self.panel = panel
         self.setWidget(self.panel)
-        self.panel.title_changed.connect(tell.guarded(self._name))
+        self.panel.title_changed.connect(messages.guarded(self._name))
         self._name()
 
     def closeEvent(self, event: Any) -> None:
         """Go, unless somebody thinks better of losing what is not saved."""
-        if not tell.guarded(self.panel.may_close)():
+        if not messages.guarded(self.panel.may_close)():
             event.ignore()
             return
         self.panel.end()
@@ -66,7 +66,7 @@ class ClosingGuard(QtCore.QObject):
         if not isinstance(event, QtCore.QEvent) or event.type() != QtCore.QEvent.Type.Close:
             return False  # PySide2 may take an event for a deleted object that lay at its address
         for dock in docks():
-            if not tell.guarded(dock.panel.may_close)():
+            if not messages.guarded(dock.panel.may_close)():
                 event.ignore()
                 return True
         return False

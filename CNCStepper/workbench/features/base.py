@@ -15,8 +15,8 @@ from typing import Any
 
 from CNCStepper.errors import CNCStepperError, JobError
 from CNCStepper.units import mm_min_from_mm_s, mm_s_from_mm_min
-from CNCStepper.workbench.patience import patience
-from CNCStepper.workbench.words import later
+from CNCStepper.workbench.services.jit_guard import patience
+from CNCStepper.workbench.services.translation import later
 
 JOB = "CNCStepper_Job"
 FAILED = "object-failed"  # the code of an error that another object has caused
@@ -189,10 +189,11 @@ def _add_property(obj: Any, entry: Property) -> None:
 def show_in_window(obj: Any) -> None:
     """Give `obj` the view of its kind where there is a window; one made without gets it when it is opened in one."""
     if getattr(obj, "ViewObject", None) is not None:
-        from CNCStepper.workbench import cut_later, viewproviders
+        from CNCStepper.workbench import viewproviders
+        from CNCStepper.workbench.calculation import deferred_cuts
 
         viewproviders.attach(obj)
-        cut_later.begin()
+        deferred_cuts.begin()
 
 
 def original_of(obj: Any) -> Any:

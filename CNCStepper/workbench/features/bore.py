@@ -7,7 +7,7 @@ from CNCStepper.workbench.features.base import DISTANCE, Property
 from CNCStepper.workbench.features.common import CUT, DEPTH, DIRECTION, FINISH, FINISH_FEED, PASSES
 from CNCStepper.workbench.features.operation import OPERATION
 from CNCStepper.workbench.features.places import HOLES, ORDER, PATTERN, THROUGH, Places
-from CNCStepper.workbench.words import later
+from CNCStepper.workbench.services.translation import later
 
 
 class Bore(Places):

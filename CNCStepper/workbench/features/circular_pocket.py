@@ -10,10 +10,10 @@ from CNCStepper.errors import GeometryError
 from CNCStepper.workbench.features.base import DISTANCE, POSITION, Property, edit
 from CNCStepper.workbench.features.common import ANY_POCKET, PATTERN
 from CNCStepper.workbench.features.operation import OPERATION, Operation, drawn, the_drawing
-from CNCStepper.workbench.words import later
+from CNCStepper.workbench.services.translation import later
 
 if TYPE_CHECKING:
-    from CNCStepper.workbench.ellipses import EllipseFound
+    from CNCStepper.workbench.drawings.ellipses import EllipseFound
 
 CIRCLE = later("Circle")
 SPIRALLING = tuple(replace(entry, default="spiral") if entry is PATTERN else entry for entry in ANY_POCKET)
@@ -49,7 +49,7 @@ class CircularPocket(Operation):
 
 
 def _circle_of(drawing: Any, picked: tuple[str, ...]) -> EllipseFound:
-    from CNCStepper.workbench.ellipses import ellipse_of
+    from CNCStepper.workbench.drawings.ellipses import ellipse_of
 
     found = ellipse_of(drawing, picked)
     if abs(found.radius_x_mm - found.radius_y_mm) > 1e-6:

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from CNCStepper.workbench.features.base import ANGLE, DISTANCE, ENUMERATION, INTEGER, SPEED, Property
-from CNCStepper.workbench.words import later
+from CNCStepper.workbench.services.translation import later
 
 CUT, FINISH, PATH = later("Cut"), later("Finish"), later("Path")
 RESULT = later("In whole passes")

@@ -19,7 +19,7 @@ from CNCStepper.workbench.features.common import (
     TOLERANCE,
 )
 from CNCStepper.workbench.features.operation import OPERATION, Operation, drawn, drawn_lines
-from CNCStepper.workbench.words import later
+from CNCStepper.workbench.services.translation import later
 
 TABS, LEADS = later("Tabs"), later("Leads")
 SIDES = ("outside", "inside", "on", "left", "right")

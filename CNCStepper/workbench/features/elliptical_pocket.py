@@ -17,7 +17,7 @@ from CNCStepper.workbench.features.common import (
     TOLERANCE,
 )
 from CNCStepper.workbench.features.operation import OPERATION, Operation, drawn, the_drawing
-from CNCStepper.workbench.words import later
+from CNCStepper.workbench.services.translation import later
 
 ELLIPSE = later("Ellipse")
 
@@ -58,7 +58,7 @@ class EllipticalPocket(Operation):
     @classmethod
     def look(cls, drawing: Any, picked: tuple[str, ...]) -> None:
         """Raise GeometryError unless the drawing holds one ellipse."""
-        from CNCStepper.workbench.ellipses import ellipse_of
+        from CNCStepper.workbench.drawings.ellipses import ellipse_of
 
         ellipse_of(drawing, picked)
 
@@ -66,7 +66,7 @@ class EllipticalPocket(Operation):
         """Take centre, radii and rotation from the drawing where there is one."""
         if not (pair := the_drawing(obj)):
             return
-        from CNCStepper.workbench.ellipses import ellipse_of
+        from CNCStepper.workbench.drawings.ellipses import ellipse_of
 
         ellipse = ellipse_of(*pair)
         x, y = ellipse.centre_mm

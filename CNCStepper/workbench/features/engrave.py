@@ -8,7 +8,7 @@ from typing import Any
 from CNCStepper.workbench.features.base import DISTANCE, ENUMERATION, Property, values
 from CNCStepper.workbench.features.common import CUT, LEVELS, RESULT
 from CNCStepper.workbench.features.operation import OPERATION, Operation, drawn, drawn_lines
-from CNCStepper.workbench.words import later
+from CNCStepper.workbench.services.translation import later
 
 LINES = later("Lines")
 

@@ -22,7 +22,7 @@ from CNCStepper.workbench.features.common import (
     TOLERANCE,
 )
 from CNCStepper.workbench.features.operation import OPERATION, Operation, drawings_of, drawn, drawn_lines
-from CNCStepper.workbench.words import later
+from CNCStepper.workbench.services.translation import later
 
 ANGLED = PATTERN_VALUES[0]
 

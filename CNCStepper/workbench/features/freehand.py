@@ -7,7 +7,7 @@ from typing import Any
 
 from CNCStepper.workbench import packages
 from CNCStepper.workbench.features.base import BOOL, DISTANCE, INTEGER, POINTS, Feature, Property
-from CNCStepper.workbench.words import later
+from CNCStepper.workbench.services.translation import later
 
 LINE = later("Line")
 
@@ -32,7 +32,7 @@ class Freehand(Feature):
         import FreeCAD
         import Part
 
-        from CNCStepper.workbench.lines import simplified_line
+        from CNCStepper.workbench.drawings.freehand_points import simplified_line
 
         height_mm, xy = simplified_line([tuple(point) for point in obj.Points], float(obj.Tolerance), bool(obj.Closed))
         placement = obj.Placement

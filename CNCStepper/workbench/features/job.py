@@ -7,7 +7,11 @@ from typing import Any
 
 from CNCStepper.errors import JobError
 from CNCStepper.state import WORK_SYSTEMS
-from CNCStepper.workbench import clamps, packages, program_file
+from CNCStepper.workbench import packages
+from CNCStepper.workbench.document import clamps, program_file
+from CNCStepper.workbench.document.input_limits import require_within_reach
+from CNCStepper.workbench.document.stock_of_job import FORMS, stock_content, stock_of
+from CNCStepper.workbench.document.undo_observer import follow
 from CNCStepper.workbench.features.base import (
     CONTAINERS,
     DISTANCE,
@@ -23,10 +27,7 @@ from CNCStepper.workbench.features.base import (
     require_parts,
     values,
 )
-from CNCStepper.workbench.stock import FORMS, stock_content, stock_of
-from CNCStepper.workbench.undo import follow
-from CNCStepper.workbench.within_reach import require_within_reach
-from CNCStepper.workbench.words import later
+from CNCStepper.workbench.services.translation import later
 
 MACHINE, STOCK, HEIGHTS, PROGRAM = later("Machine"), later("Stock"), later("Heights"), later("Program")
 JOB_GROUP = later("Job")
@@ -99,7 +100,7 @@ class Job(Feature):
     def check(self, obj: Any) -> None:
         """Raise JobError for a machine that there is not, a stock that none can be, or heights beyond both."""
         packages.require()
-        from CNCStepper.workbench.machines import machine_of
+        from CNCStepper.workbench.document.machine_of_job import machine_of
 
         machine_of(obj)
         stock_of(obj)
@@ -111,7 +112,7 @@ class Job(Feature):
         self.check(obj)
         if not active_operations(obj):
             return None
-        from CNCStepper.workbench.making import program_question
+        from CNCStepper.workbench.document.core_job import program_question
 
         return program_question(obj)
 
@@ -124,7 +125,7 @@ class Job(Feature):
         if not active_operations(obj):
             self.invalidate(obj, "the job has no operations")
             return
-        from CNCStepper.workbench.making import programs
+        from CNCStepper.workbench.document.core_job import programs
 
         texts = [text for _, text in programs(obj)]
         obj.ProgramParts = len(texts)

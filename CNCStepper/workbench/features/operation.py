@@ -10,7 +10,9 @@ from typing import Any
 
 from CNCStepper.errors import CNCStepperError, CycleError
 from CNCStepper.workbench import packages
-from CNCStepper.workbench.cut_answers import Content
+from CNCStepper.workbench.calculation.result_cache import Content
+from CNCStepper.workbench.document.input_limits import require_within_reach
+from CNCStepper.workbench.drawings.shapes import Seen, all_same, containers_of, edges_of, require_closed
 from CNCStepper.workbench.features.base import (
     BOOL,
     CONTAINERS,
@@ -32,9 +34,7 @@ from CNCStepper.workbench.features.base import (
     show,
     values,
 )
-from CNCStepper.workbench.shapes import Seen, all_same, containers_of, edges_of, require_closed
-from CNCStepper.workbench.within_reach import require_within_reach
-from CNCStepper.workbench.words import later
+from CNCStepper.workbench.services.translation import later
 
 OPERATION_GROUP = later("Operation")
 LINKS = ("tool", "active", "drawings")  # keys of every operation that are none of a cycle's
@@ -75,7 +75,7 @@ class Kept:
     @functools.cached_property
     def most(self) -> dict[str, float]:
         """The largest of the measures of each kind that is limited."""
-        from CNCStepper.job.reach import largest
+        from CNCStepper.job.input_limits import largest
 
         return largest(self.measures)
 
@@ -92,7 +92,7 @@ class Lines:
     @functools.cached_property
     def nested(self) -> tuple[tuple[Any, ...], tuple[Any, ...]]:
         """The closed curves as outlines and islands; raises GeometryError for an open one or two that cross."""
-        from CNCStepper.workbench.nesting import nested
+        from CNCStepper.workbench.drawings.islands import nested
 
         return nested(self.curves)
 
@@ -133,7 +133,7 @@ class Operation(Feature):
         """Let one of an older version catch up, and take a copied or pasted one into its job; FreeCAD calls this."""
         super().onDocumentRestored(obj)
         if self.is_copy:
-            from CNCStepper.workbench.operation_order import take_in
+            from CNCStepper.workbench.document.operation_order import take_in
 
             take_in(obj)
 
@@ -208,7 +208,7 @@ class Operation(Feature):
 
     def cut_once(self, cycle: Any, setup: Any) -> Any:
         """Return the cycle with its cut, which is kept for the next who asks for the same; raises CycleError."""
-        from CNCStepper.workbench.cut_once import CutOnce
+        from CNCStepper.job.cycle_cache import CutOnce
 
         if self.last_cut is None or not self.last_cut.fits(cycle, setup):
             self.last_cut = CutOnce(cycle, setup)
@@ -228,7 +228,7 @@ class Operation(Feature):
         job, cycle = self._followed(obj)
         if job is None:
             return None
-        from CNCStepper.workbench.making import cut_question
+        from CNCStepper.workbench.document.core_job import cut_question
 
         return cut_question(job, obj, cycle)
 
@@ -267,9 +267,9 @@ class Operation(Feature):
         job, cycle = self._followed(obj)
         if job is None:
             return {}
+        from CNCStepper.workbench.document.core_job import setup_of
+        from CNCStepper.workbench.document.feeds_of_job import fed, remarks
         from CNCStepper.workbench.features.tool import model_of
-        from CNCStepper.workbench.feeds import fed, remarks
-        from CNCStepper.workbench.making import setup_of
 
         answer = self._known(job, obj, cycle) or self.cut_once(cycle, setup_of(job, obj, cycle)).answer
         self.warnings = (*self.remarks, *answer.warnings, *remarks(fed(model_of(obj.Tool), job), job))
@@ -286,10 +286,10 @@ class Operation(Feature):
 
     def _known(self, job: Any, obj: Any, cycle: Any) -> Any:
         """Return what the cut process has answered about this cut, None where it was not asked."""
-        from CNCStepper.workbench import cut_answers
-        from CNCStepper.workbench.making import cut_question
+        from CNCStepper.workbench.calculation import result_cache
+        from CNCStepper.workbench.document.core_job import cut_question
 
-        return cut_answers.answer_to(cut_question(job, obj, cycle)) if cut_answers.any_known() else None
+        return result_cache.answer_to(cut_question(job, obj, cycle)) if result_cache.any_known() else None
 
 
 def drawings_of(obj: Any) -> tuple[tuple[Any, tuple[str, ...]], ...]:
@@ -331,7 +331,7 @@ def drawn_lines(obj: Any, origin_mm: tuple[float, ...], wanted: str) -> Lines:
 
 
 def _lines(made_of: tuple[Any, ...], seen: Sequence[Seen]) -> Lines:
-    from CNCStepper.workbench.drawn_curves import drawn_of
+    from CNCStepper.workbench.drawings.joined_curves import drawn_of
 
     pairs, tolerance_mm, (x_mm, y_mm, _) = made_of
     drawn = drawn_of(pairs, tolerance_mm)

@@ -18,7 +18,7 @@ from CNCStepper.workbench.features.base import (
 )
 from CNCStepper.workbench.features.common import CUT, PATH
 from CNCStepper.workbench.features.operation import Operation, drawings_of, drawn
-from CNCStepper.workbench.words import later
+from CNCStepper.workbench.services.translation import later
 
 PLACES = later("Places")
 DRAWN = "drawing"
@@ -74,7 +74,7 @@ class Places(Operation):
     @classmethod
     def look(cls, drawing: Any, picked: tuple[str, ...]) -> None:
         """Raise GeometryError when the drawing wants no holes."""
-        from CNCStepper.workbench.holes import holes_of
+        from CNCStepper.workbench.drawings.holes import holes_of
 
         holes_of(drawing, picked)
 
@@ -96,7 +96,7 @@ class Places(Operation):
     def drawn_pattern(self, obj: Any, origin_mm: tuple[float, ...]) -> dict[str, Any]:
         """Return the pattern that the drawings give, from the work zero: circles, points where they have any."""
         from CNCStepper.geometry.curve import circle
-        from CNCStepper.workbench.holes import remarks
+        from CNCStepper.workbench.drawings.holes import remarks
 
         holes = drawn_holes(obj)
         self.remarks = tuple(remarks(drawings_of(obj), holes))
@@ -112,7 +112,7 @@ def drawn_holes(obj: Any) -> list[Any]:
 
     Where the order is to be short, that of the drawings does not matter.
     """
-    from CNCStepper.workbench.holes import holes_of_all
+    from CNCStepper.workbench.drawings.holes import holes_of_all
 
     pairs = drawings_of(obj)
     if not pairs:

@@ -8,9 +8,11 @@ from __future__ import annotations
 
 from typing import Any
 
-from CNCStepper.workbench import cut_answers, packages, program_file
+from CNCStepper.workbench import packages
+from CNCStepper.workbench.calculation import result_cache
+from CNCStepper.workbench.document import program_file
 from CNCStepper.workbench.features.base import LINK, Feature, Property
-from CNCStepper.workbench.words import later
+from CNCStepper.workbench.services.translation import later
 
 
 class Preview(Feature):
@@ -26,7 +28,7 @@ class Preview(Feature):
     def read(self, obj: Any) -> bool:
         """Read the program, whose moves the cut process has told, for the next `make`; return whether it was unread."""
         text = program_file.load(obj.Job) if obj.Job is not None else ""
-        moves = cut_answers.path_of(text) if text else None
+        moves = result_cache.path_of(text) if text else None
         if moves is None or (self.was_read is not None and self.was_read[0] == text):
             return False
         self.was_read = text, _path(moves)
@@ -41,7 +43,7 @@ class Preview(Feature):
         packages.require()
         read, self.was_read = self.was_read, None
         if read is None or read[0] != text:
-            read = text, _path(cut_answers.path_of(text) or path_text(obj.Job, text))
+            read = text, _path(result_cache.path_of(text) or path_text(obj.Job, text))
         obj.Path = read[1]
         placement = obj.Placement
         placement.Base = obj.Job.WorkOrigin
@@ -62,7 +64,7 @@ def _path(moves: str) -> Any:
 
 def path_text(job: Any, text: str) -> str:
     """Return the moves of a job's program as FreeCAD's Path reads them."""
-    from CNCStepper.workbench.making import read_back
-    from CNCStepper.workbench.picture import commands, gcode
+    from CNCStepper.job.path_commands import commands, gcode
+    from CNCStepper.workbench.document.core_job import read_back
 
     return gcode(commands(read_back(job, text)))

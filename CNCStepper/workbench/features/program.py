@@ -10,10 +10,10 @@ import hashlib
 from typing import Any
 
 from CNCStepper.errors import JobError
-from CNCStepper.workbench import program_file
+from CNCStepper.workbench.document import program_file
+from CNCStepper.workbench.document.undo_observer import follow
 from CNCStepper.workbench.features.base import LINK, TEXT, Feature, Property, proxy_type
-from CNCStepper.workbench.undo import follow
-from CNCStepper.workbench.words import later
+from CNCStepper.workbench.services.translation import later
 
 PROGRAM = later("Program")
 

@@ -8,7 +8,7 @@ from typing import Any
 from CNCStepper.workbench.features.base import ANGLE, DISTANCE, POSITION, Property, edit
 from CNCStepper.workbench.features.common import ANY_POCKET
 from CNCStepper.workbench.features.operation import OPERATION, Operation, drawn, the_drawing
-from CNCStepper.workbench.words import later
+from CNCStepper.workbench.services.translation import later
 
 RECTANGLE = later("Rectangle")
 
@@ -37,7 +37,7 @@ class RectangularPocket(Operation):
     @classmethod
     def look(cls, drawing: Any, picked: tuple[str, ...]) -> None:
         """Raise GeometryError unless the drawing holds one rectangle."""
-        from CNCStepper.workbench.rectangles import rectangle_of
+        from CNCStepper.workbench.drawings.rectangles import rectangle_of
 
         rectangle_of(drawing, picked)
 
@@ -45,7 +45,7 @@ class RectangularPocket(Operation):
         """Take diagonal, corner radius and rotation from the drawing where there is one."""
         if not (pair := the_drawing(obj)):
             return
-        from CNCStepper.workbench.rectangles import rectangle_of
+        from CNCStepper.workbench.drawings.rectangles import rectangle_of
 
         found = rectangle_of(*pair)
         x, y = found.corner_mm[0] - origin_mm[0], found.corner_mm[1] - origin_mm[1]

@@ -7,7 +7,7 @@ from CNCStepper.workbench.features.base import DISTANCE, ENUMERATION, INTEGER, P
 from CNCStepper.workbench.features.common import CUT, DEPTH, DIRECTION, RESULT
 from CNCStepper.workbench.features.operation import OPERATION
 from CNCStepper.workbench.features.places import HOLES, ORDER, PATTERN, Places
-from CNCStepper.workbench.words import later
+from CNCStepper.workbench.services.translation import later
 
 
 class Thread(Places):

@@ -5,9 +5,9 @@ from __future__ import annotations
 
 from typing import Any
 
-from CNCStepper.machine.shapes import SHAPES, foreign_keys
+from CNCStepper.machine.tools.tool_shapes import SHAPES, foreign_keys
 from CNCStepper.workbench import packages
-from CNCStepper.workbench.cut_answers import Content
+from CNCStepper.workbench.calculation.result_cache import Content
 from CNCStepper.workbench.features.base import (
     ANGLE,
     DISTANCE,
@@ -22,7 +22,7 @@ from CNCStepper.workbench.features.base import (
     show,
     values,
 )
-from CNCStepper.workbench.words import later
+from CNCStepper.workbench.services.translation import later
 
 TOOL, CUTTING, FORM, LIMITS = later("Tool"), later("Cutting"), later("Tip"), later("Lengths and limits")
 USED = later("In the program")
@@ -94,7 +94,7 @@ class Tool(Feature):
         """Let one of an older version catch up, and take a copied or pasted one into its job; FreeCAD calls this."""
         super().onDocumentRestored(obj)
         if self.is_copy:
-            from CNCStepper.workbench.operation_order import take_in
+            from CNCStepper.workbench.document.operation_order import take_in
 
             take_in(obj)
 
@@ -119,7 +119,7 @@ class Tool(Feature):
     def make(self, obj: Any) -> None:
         """Show feeds and speed as the program has them, which the material of the tool's job may give."""
         tool = model_of(obj)
-        from CNCStepper.workbench.feeds import fed
+        from CNCStepper.workbench.document.feeds_of_job import fed
 
         tool = fed(tool, next((other for other in obj.InList if proxy_type(other) == JOB), None))
         keys = [entry.key for entry in self.PROPERTIES if entry.output]
@@ -137,10 +137,10 @@ def _fix_foreign(obj: Any) -> None:
 
 
 def model_of(obj: Any) -> Any:
-    """Return a tool object as `machine.tool.Tool`, made anew where it has changed; raises JobError."""
+    """Return a tool object as `machine.tools.tool.Tool`, made anew where it has changed; raises JobError."""
     packages.require()
     from CNCStepper.machine.profile import validated
-    from CNCStepper.machine.tool import Tool as Model
+    from CNCStepper.machine.tools.tool import Tool as Model
 
     if obj.Proxy.model is None:
         obj.Proxy.model = validated(Model, obj.Proxy.given(values(obj)), obj.Label)

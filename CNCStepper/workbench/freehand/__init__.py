@@ -24,7 +24,7 @@ def start() -> None:
     A release beside the start closes the line. Esc gives up the line being drawn; Esc between two lines ends drawing.
     Raises JobError where no 3D view is active, MissingPackage without numpy or shapely.
     """
-    from CNCStepper.workbench.freehand.drawing import Drawing, active_view
+    from CNCStepper.workbench.freehand.draw_mode import Drawing, active_view
 
     view = active_view()
     again = any(isinstance(mode, Drawing) and mode.view is view for mode in _going_on)
@@ -41,7 +41,7 @@ def edit(line: Any, changed: Callable[[], None] | None = None) -> None:
     `changed`, which is called after each, and ends the editing itself with `leave`.
     Raises JobError where no 3D view of the line's document is active, MissingPackage without numpy or shapely.
     """
-    from CNCStepper.workbench.freehand.handles import Handles
+    from CNCStepper.workbench.freehand.edit_mode import Handles
 
     leave()
     _begin(Handles(line, changed))

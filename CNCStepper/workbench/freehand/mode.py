@@ -14,8 +14,8 @@ class Mode:
     """Something that the user does with the mouse in `view` until it is left; it hears what happens to its document."""
 
     def __init__(self, view: Any, document: Any):
-        from CNCStepper.workbench.freehand.pointer import Pointer
-        from CNCStepper.workbench.freehand.wire import Wire
+        from CNCStepper.workbench.freehand.mouse_events import Pointer
+        from CNCStepper.workbench.freehand.preview_wire import Wire
 
         self.view = view
         self.document = document

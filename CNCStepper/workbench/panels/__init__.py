@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from CNCStepper.workbench.words import tr
+from CNCStepper.workbench.services.translation import tr
 
 
 def open_panel(obj: Any) -> None:
@@ -17,12 +17,13 @@ def open_panel(obj: Any) -> None:
     import FreeCAD
     import FreeCADGui
 
-    from CNCStepper.workbench import collecting, packages
+    from CNCStepper.workbench import packages
+    from CNCStepper.workbench.services import garbage_collection
 
     packages.require()
     from CNCStepper.workbench.panels.catalogue import panel_of
 
-    collecting.leave_what_is_loaded()  # before a person types
+    garbage_collection.leave_what_is_loaded()  # before a person types
     if FreeCAD.getActiveTransaction() is None:
         obj.Document.openTransaction(tr("Edit {0}").format(obj.Label))
     panel = panel_of(obj)

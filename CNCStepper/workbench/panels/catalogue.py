@@ -10,11 +10,11 @@ from CNCStepper.workbench.features.common import FINISH, PATH
 from CNCStepper.workbench.features.contour import LEADS, TABS
 from CNCStepper.workbench.features.operation import Operation
 from CNCStepper.workbench.features.tool import FORM, LIMITS
-from CNCStepper.workbench.panels.drawings import DrawingField, DrawingsField
-from CNCStepper.workbench.panels.editor import Editor
-from CNCStepper.workbench.panels.links import ToolField
-from CNCStepper.workbench.panels.panel import Panel
-from CNCStepper.workbench.panels.points import PointsField
+from CNCStepper.workbench.panels.drawing_fields import DrawingField, DrawingsField
+from CNCStepper.workbench.panels.object_form import Editor
+from CNCStepper.workbench.panels.point_list_field import PointsField
+from CNCStepper.workbench.panels.task_panel import Panel
+from CNCStepper.workbench.panels.tool_field import ToolField
 
 KINDS = {"tool": ToolField, "pattern_points_mm": PointsField}
 RARE = (FINISH, PATH, TABS, LEADS)  # groups of operations

@@ -6,11 +6,11 @@ from __future__ import annotations
 from typing import Any
 
 from CNCStepper.errors import CNCStepperError
-from CNCStepper.workbench.clamps import outline_of
+from CNCStepper.workbench.document.clamps import outline_of
 from CNCStepper.workbench.features.base import edit
-from CNCStepper.workbench.panels.lists import ObjectList
-from CNCStepper.workbench.sentences import translated
-from CNCStepper.workbench.words import tr
+from CNCStepper.workbench.panels.job_lists import ObjectList
+from CNCStepper.workbench.services.message_translation import translated
+from CNCStepper.workbench.services.translation import tr
 
 
 class ClampList(ObjectList):

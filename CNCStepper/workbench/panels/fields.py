@@ -16,10 +16,10 @@ from CNCStepper.workbench.features.base import (
     Property,
     value_of,
 )
-from CNCStepper.workbench.panels.choices import words_of
-from CNCStepper.workbench.panels.measures import measure_of, text_of, value_of_text, whole_of_text
-from CNCStepper.workbench.panels.numbers import Refused
-from CNCStepper.workbench.words import tr
+from CNCStepper.workbench.panels.choice_labels import words_of
+from CNCStepper.workbench.panels.number_input import Refused
+from CNCStepper.workbench.panels.unit_values import measure_of, text_of, value_of_text, whole_of_text
+from CNCStepper.workbench.services.translation import tr
 
 NAME = "CNCStepper_Panel"
 ERROR_COLOUR = "#d32f2f"  # reads on light and on dark

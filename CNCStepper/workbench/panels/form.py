@@ -9,8 +9,8 @@ from PySide import QtCore, QtGui
 
 from CNCStepper.workbench.features.base import INTEGER, NUMBERS, Property, value_of
 from CNCStepper.workbench.panels.fields import GAP_PX, NAME, Field, field_class
-from CNCStepper.workbench.panels.measures import text_of
-from CNCStepper.workbench.words import tr
+from CNCStepper.workbench.panels.unit_values import text_of
+from CNCStepper.workbench.services.translation import tr
 
 MOST_BESIDE_LABEL = 2  # more lines to type into stand below their label: the task view is narrow
 LABEL_LETTERS = 14  # longer labels take a second line: Portuguese is longer, and the values need room

@@ -6,9 +6,9 @@ from __future__ import annotations
 from typing import Any
 
 from CNCStepper.workbench import freehand
-from CNCStepper.workbench.commands.choice import why_no_view
-from CNCStepper.workbench.panels.editor import Editor
-from CNCStepper.workbench.panels.panel import Panel
+from CNCStepper.workbench.document.targets import why_no_view
+from CNCStepper.workbench.panels.object_form import Editor
+from CNCStepper.workbench.panels.task_panel import Panel
 
 
 class FreehandPanel(Panel):

@@ -7,23 +7,23 @@ from typing import Any
 
 from PySide import QtGui
 
-from CNCStepper.workbench.commands.defaults import stock_of_drawing, stock_of_solid
+from CNCStepper.workbench.document.default_values import stock_of_drawing, stock_of_solid
+from CNCStepper.workbench.document.stock_of_job import CYLINDER
+from CNCStepper.workbench.drawings.shapes import box_round, round_box
 from CNCStepper.workbench.features.job import HEIGHTS, MACHINE, PROGRAM, STOCK
 from CNCStepper.workbench.features.operation import drawings_of
 from CNCStepper.workbench.features.tool import FORM, LIMITS
-from CNCStepper.workbench.panels.axis import AxisSheet
+from CNCStepper.workbench.panels.axis_calculator import AxisSheet
 from CNCStepper.workbench.panels.clamp_list import ClampList
-from CNCStepper.workbench.panels.editor import Editor
 from CNCStepper.workbench.panels.fields import NAME
 from CNCStepper.workbench.panels.form import MARGINS, Box
-from CNCStepper.workbench.panels.lists import OperationList, ToolList
-from CNCStepper.workbench.panels.machine import DialectField, MachineField, MaterialField
-from CNCStepper.workbench.panels.panel import Panel
-from CNCStepper.workbench.panels.stock_size import StockSizeField
-from CNCStepper.workbench.shapes import box_round, round_box
-from CNCStepper.workbench.stock import CYLINDER
-from CNCStepper.workbench.tell import guarded
-from CNCStepper.workbench.words import later, tr
+from CNCStepper.workbench.panels.job_lists import OperationList, ToolList
+from CNCStepper.workbench.panels.machine_fields import DialectField, MachineField, MaterialField
+from CNCStepper.workbench.panels.object_form import Editor
+from CNCStepper.workbench.panels.stock_size_field import StockSizeField
+from CNCStepper.workbench.panels.task_panel import Panel
+from CNCStepper.workbench.services.messages import guarded
+from CNCStepper.workbench.services.translation import later, tr
 
 KINDS = {"machine": MachineField, "dialect": DialectField, "material": MaterialField, "stock_size_mm": StockSizeField}
 FOLDED = (PROGRAM, HEIGHTS)

@@ -18,8 +18,8 @@ def stock_warnings(obj: Any) -> list[str]:
     if not jobs:
         return []
     from CNCStepper.job.stock_fit import stock_findings
-    from CNCStepper.workbench.findings import sentence
-    from CNCStepper.workbench.stock import stock_of
+    from CNCStepper.workbench.document.stock_of_job import stock_of
+    from CNCStepper.workbench.services.findings_list import sentence
 
     try:
         cycle = obj.Proxy.cycle(obj, tuple(jobs[0].WorkOrigin))

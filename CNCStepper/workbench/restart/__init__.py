@@ -17,7 +17,7 @@ def open_restart(program: Any, line: int = 0, said: Sequence[tuple[str, str]] = 
     import FreeCADGui
 
     from CNCStepper.workbench.restart.task import RestartTask
-    from CNCStepper.workbench.task_view import require_free
+    from CNCStepper.workbench.services.task_panel_in_use import require_free
 
     require_free()
     task = RestartTask(program, line, said)

@@ -9,17 +9,17 @@ from typing import TYPE_CHECKING, Any
 
 from PySide import QtCore, QtGui
 
-from CNCStepper.workbench.findings import FindingsList
-from CNCStepper.workbench.icons import icon
-from CNCStepper.workbench.restart.entering_fields import NAME, EnteringFields
-from CNCStepper.workbench.restart.place_list import PlaceList
+from CNCStepper.workbench.restart.entry_fields import NAME, EnteringFields
+from CNCStepper.workbench.restart.place_table import PlaceList
 from CNCStepper.workbench.restart.places import Row, chosen, line_of, row_of
-from CNCStepper.workbench.sentences import translated
-from CNCStepper.workbench.words import tr
+from CNCStepper.workbench.services.findings_list import FindingsList
+from CNCStepper.workbench.services.icons import icon
+from CNCStepper.workbench.services.message_translation import translated
+from CNCStepper.workbench.services.translation import tr
 
 if TYPE_CHECKING:
-    from CNCStepper.gcode.restart.places import Where
-    from CNCStepper.workbench.proof import ProofResult
+    from CNCStepper.recovery.restart.places import Where
+    from CNCStepper.workbench.proving.proof_process import ProofResult
 
 MOST_RUNS = 9999
 FINDINGS_PX = 110

@@ -9,8 +9,8 @@ from heapq import merge
 from operator import attrgetter
 from typing import Any
 
-from CNCStepper.gcode.restart.places import Where
-from CNCStepper.workbench.words import later
+from CNCStepper.recovery.restart.places import Where
+from CNCStepper.workbench.services.translation import later
 
 OPERATION, CONTOUR = "operation", "contour"
 CHOSEN = {
@@ -40,7 +40,7 @@ class Row:
 
 
 def rows_of(told: Mapping[str, Any]) -> list[Row]:
-    """Return the list of what `job/restart_places.py` tells: each operation before its contours."""
+    """Return the list of what `recovery/restart/place_list.py` tells: each operation before its contours."""
     operations = [Row(OPERATION, number, line, name) for number, line, name in told["operations"]]
     contours = [Row(CONTOUR, *contour) for contour in told["contours"]]
     return list(merge(operations, contours, key=attrgetter("line")))

@@ -11,24 +11,26 @@ from typing import TYPE_CHECKING, Any
 
 from PySide import QtCore
 
-from CNCStepper.control.outcome import error_from_json
-from CNCStepper.gcode.restart.places import Where
-from CNCStepper.job.restart_files import RestartPlace
-from CNCStepper.workbench import dock, program_file, tell
-from CNCStepper.workbench.dock.state import sentences
-from CNCStepper.workbench.editor.reader import ProgramReader
-from CNCStepper.workbench.editor.source import ObjectSource
-from CNCStepper.workbench.editor.stage import EditorStage
+from CNCStepper.control.session.status import error_from_json
+from CNCStepper.recovery.restart.places import Where
+from CNCStepper.recovery.restart.proof_folder import RestartPlace
+from CNCStepper.workbench import dock
+from CNCStepper.workbench.dock.model.controller_state import sentences
+from CNCStepper.workbench.document import program_file
+from CNCStepper.workbench.document.core_job import machine_of
+from CNCStepper.workbench.editor.program_source import ObjectSource
+from CNCStepper.workbench.editor.reader_client import ProgramReader
+from CNCStepper.workbench.editor.view_session import EditorStage
 from CNCStepper.workbench.features.program import job_behind
-from CNCStepper.workbench.latest_proof import LatestProof
-from CNCStepper.workbench.making import machine_of
-from CNCStepper.workbench.panels.view_task import ViewTask
+from CNCStepper.workbench.panels.view_task_panel import ViewTask
+from CNCStepper.workbench.proving.latest_proof import LatestProof
 from CNCStepper.workbench.restart.panel import RestartPanel
 from CNCStepper.workbench.restart.places import Row, line_of, rows_of
-from CNCStepper.workbench.sentences import translated
-from CNCStepper.workbench.simulation.stage import Stage, view_of
-from CNCStepper.workbench.watch import ProgramWatch
-from CNCStepper.workbench.words import tr
+from CNCStepper.workbench.services import messages
+from CNCStepper.workbench.services.message_translation import translated
+from CNCStepper.workbench.services.program_observer import ProgramWatch
+from CNCStepper.workbench.services.translation import tr
+from CNCStepper.workbench.simulation.view_session import Stage, view_of
 
 if TYPE_CHECKING:
     from CNCStepper.errors import CNCStepperError
@@ -53,7 +55,7 @@ class RestartTask(ViewTask):
         self._settled = QtCore.QTimer()
         self._settled.setSingleShot(True)
         self._settled.setInterval(SETTLED_MS)
-        self._settled.timeout.connect(tell.guarded(self._prove))
+        self._settled.timeout.connect(messages.guarded(self._prove))
         self._connect()
 
     # ---- the life of the task ----
@@ -75,7 +77,7 @@ class RestartTask(ViewTask):
             self._stage = None
 
     def _connect(self) -> None:
-        reader, form, guarded = self._reader, self.form, tell.guarded
+        reader, form, guarded = self._reader, self.form, messages.guarded
         reader.read.connect(guarded(self._read))
         reader.timed.connect(guarded(self._show_path))
         reader.listed.connect(guarded(self._list))
@@ -159,7 +161,7 @@ class RestartTask(ViewTask):
         self._proof.give_up()
         if error.code == "restart-time":
             self.form.ask_time(True)
-        self.form.say(sentences(tell.sentence(error), translated(error.advice)))
+        self.form.say(sentences(messages.sentence(error), translated(error.advice)))
 
     def _send(self) -> None:
         """Hand the restart to the dock, which asks for the work zero and sends it."""
@@ -175,10 +177,10 @@ class RestartTask(ViewTask):
         self._settled.stop()
         self._where = None
         self.form.say(tr("The program has changed: it is read again."), busy=True)
-        QtCore.QTimer.singleShot(0, tell.guarded(self.begin))
+        QtCore.QTimer.singleShot(0, messages.guarded(self.begin))
 
     def _close_soon(self) -> None:
-        QtCore.QTimer.singleShot(0, tell.guarded(self.reject))
+        QtCore.QTimer.singleShot(0, messages.guarded(self.reject))
 
     def _document_closing(self, name: str) -> None:
         if name == self._document_name:

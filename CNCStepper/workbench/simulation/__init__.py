@@ -13,8 +13,8 @@ def open_simulation(job_object: Any) -> Any:
     """
     import FreeCADGui
 
+    from CNCStepper.workbench.services.task_panel_in_use import require_free
     from CNCStepper.workbench.simulation.task import SimulationTask
-    from CNCStepper.workbench.task_view import require_free
 
     require_free()
     task = SimulationTask(job_object)

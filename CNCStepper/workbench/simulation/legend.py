@@ -7,9 +7,9 @@ from typing import Any
 
 from PySide import QtCore, QtGui
 
-from CNCStepper.workbench.simulation.figures import length_text
+from CNCStepper.workbench.services.quantity_format import length_text
+from CNCStepper.workbench.services.translation import tr
 from CNCStepper.workbench.simulation.scene import FEED_RGB, RAPID_RGB
-from CNCStepper.workbench.words import tr
 
 BAR_PX = 12
 GAP_PX = 4
@@ -35,7 +35,7 @@ class Legend(QtGui.QWidget):
         painter.end()
 
     def _paint_bar(self, painter: Any) -> None:
-        from CNCStepper.simulation.depth_colours import MATERIAL
+        from CNCStepper.simulation.views.depth_colours import MATERIAL
 
         gradient = QtGui.QLinearGradient(0, 0, self.width(), 0)
         for place, colour in enumerate(MATERIAL):

@@ -8,17 +8,17 @@ from typing import TYPE_CHECKING, Any
 
 from PySide import QtCore, QtGui
 
-from CNCStepper.workbench.findings import FindingsList
-from CNCStepper.workbench.icons import icon
-from CNCStepper.workbench.simulation.controls import Controls
-from CNCStepper.workbench.simulation.figures import totals
+from CNCStepper.workbench.services.findings_list import FindingsList
+from CNCStepper.workbench.services.icons import icon
+from CNCStepper.workbench.services.quantity_format import totals
+from CNCStepper.workbench.services.translation import tr
 from CNCStepper.workbench.simulation.legend import Legend
 from CNCStepper.workbench.simulation.player import Player
+from CNCStepper.workbench.simulation.player_controls import Controls
 from CNCStepper.workbench.simulation.program_list import ProgramList
-from CNCStepper.workbench.words import tr
 
 if TYPE_CHECKING:
-    from CNCStepper.workbench.proof import ProofResult
+    from CNCStepper.workbench.proving.proof_process import ProofResult
 
 
 class SimulationPanel(QtGui.QWidget):

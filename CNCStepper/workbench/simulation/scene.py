@@ -15,14 +15,14 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from CNCStepper.simulation.depth_colours import deepest_shown_mm
-from CNCStepper.simulation.revolve import revolved
-from CNCStepper.workbench.simulation import coin as nodes
+from CNCStepper.simulation.meshes.bodies_of_revolution import revolved
+from CNCStepper.simulation.views.depth_colours import deepest_shown_mm
+from CNCStepper.workbench.simulation import coin_nodes as nodes
 
 if TYPE_CHECKING:
-    from CNCStepper.job.proof_files import Part
-    from CNCStepper.workbench.proof import ProofResult
-    from CNCStepper.workbench.simulation.moments import Tiles
+    from CNCStepper.job.proof_folder import Part
+    from CNCStepper.workbench.proving.proof_process import ProofResult
+    from CNCStepper.workbench.simulation.timeline_client import Tiles
 
 FACES_AT_ONCE = 2500  # so many are handed to the 3D view at once, which takes a few ms
 POINTS_AT_ONCE = 10_000  # of lines, likewise

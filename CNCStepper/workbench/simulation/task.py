@@ -12,21 +12,22 @@ from typing import TYPE_CHECKING, Any
 
 from PySide import QtCore
 
-from CNCStepper.workbench import dock, tell
-from CNCStepper.workbench.panels.view_task import ViewTask
-from CNCStepper.workbench.proof import ProofResult, ProofRun
-from CNCStepper.workbench.sentences import translated
-from CNCStepper.workbench.simulation.kept_mesh import keep_mesh
-from CNCStepper.workbench.simulation.material import Material
+from CNCStepper.workbench import dock
+from CNCStepper.workbench.panels.view_task_panel import ViewTask
+from CNCStepper.workbench.proving.proof_process import ProofResult, ProofRun
+from CNCStepper.workbench.services import messages
+from CNCStepper.workbench.services.message_translation import translated
+from CNCStepper.workbench.services.program_observer import ProgramWatch
+from CNCStepper.workbench.services.translation import tr
+from CNCStepper.workbench.simulation.mesh_object import keep_mesh
 from CNCStepper.workbench.simulation.panel import SimulationPanel
 from CNCStepper.workbench.simulation.player import Player
-from CNCStepper.workbench.simulation.stage import Stage, view_of
-from CNCStepper.workbench.watch import ProgramWatch
-from CNCStepper.workbench.words import tr
+from CNCStepper.workbench.simulation.stock_update import Material
+from CNCStepper.workbench.simulation.view_session import Stage, view_of
 
 if TYPE_CHECKING:
     from CNCStepper.errors import CNCStepperError
-    from CNCStepper.job.proof_files import Part
+    from CNCStepper.job.proof_folder import Part
     from CNCStepper.simulation.finding import Finding
     from CNCStepper.workbench.simulation.scene import Scene
 
@@ -36,10 +37,10 @@ class SimulationTask(ViewTask):
 
     def __init__(self, job: Any):
         self.form = SimulationPanel(job.Label)
-        self.form.again.connect(tell.guarded(self.begin))
-        self.form.path_shown.connect(tell.guarded(self._show_path))
-        self.form.keep.connect(tell.guarded(self._want_mesh))
-        self.form.restart.connect(tell.guarded(self._restart))
+        self.form.again.connect(messages.guarded(self.begin))
+        self.form.path_shown.connect(messages.guarded(self._show_path))
+        self.form.keep.connect(messages.guarded(self._want_mesh))
+        self.form.restart.connect(messages.guarded(self._restart))
         self.form.destroyed.connect(self._leave)  # however FreeCAD closes the panel
         self._job = job
         self._document_name = job.Document.Name
@@ -53,7 +54,7 @@ class SimulationTask(ViewTask):
         self._loading: Iterator[None] = iter(())
         self._loader = QtCore.QTimer()
         self._loader.setInterval(0)
-        self._loader.timeout.connect(tell.guarded(self._load_on))
+        self._loader.timeout.connect(messages.guarded(self._load_on))
 
     # ---- the life of a simulation ----
 
@@ -63,9 +64,9 @@ class SimulationTask(ViewTask):
         self.form.clear()
         self._run = ProofRun(self._job, begins=dock.start_here())
         self._run.progress.connect(self._tell_stage)
-        self._run.part.connect(tell.guarded(self._show_part))
-        self._run.finished.connect(tell.guarded(self._show))
-        self._run.failed.connect(tell.guarded(self._refuse))
+        self._run.part.connect(messages.guarded(self._show_part))
+        self._run.finished.connect(messages.guarded(self._show))
+        self._run.failed.connect(messages.guarded(self._refuse))
         self.form.say(tr("Looking for a Python…"), busy=True)
         self._run.start()
 
@@ -143,14 +144,14 @@ class SimulationTask(ViewTask):
     def _rest_bit_by_bit(self, result: ProofResult, player: Player, scene: Scene) -> Iterator[None]:
         """Bring in path, tools and panel likewise, and stand at the end."""
         yield from self.form.load_result(result, player, scene.height_range_mm)
-        self.form.program.chosen.connect(tell.guarded(self._go_to_line))
-        self.form.findings.chosen.connect(tell.guarded(self._go_to_finding))
+        self.form.program.chosen.connect(messages.guarded(self._go_to_line))
+        self.form.findings.chosen.connect(messages.guarded(self._go_to_finding))
         yield
         yield from scene.load_result(result)
         self._material = Material(player, scene, result)
-        self._material.moments.failed.connect(tell.guarded(self._tell_material))
-        self._material.moments.mesh.connect(tell.guarded(self._keep_mesh))
-        player.moved.connect(tell.guarded(self._follow))
+        self._material.moments.failed.connect(messages.guarded(self._tell_material))
+        self._material.moments.mesh.connect(messages.guarded(self._keep_mesh))
+        player.moved.connect(messages.guarded(self._follow))
         player.seek(player.moves.duration_s)
 
     def _load_on(self) -> None:
@@ -224,7 +225,7 @@ class SimulationTask(ViewTask):
             self.form.say(tr("The program has changed since: what is shown is the one before."), again=True)
 
     def _deleted(self) -> None:
-        QtCore.QTimer.singleShot(0, tell.guarded(self.reject))
+        QtCore.QTimer.singleShot(0, messages.guarded(self.reject))
 
     def _document_closing(self, name: str) -> None:
         if name == self._document_name:
@@ -232,7 +233,7 @@ class SimulationTask(ViewTask):
 
 
 def _words(error: CNCStepperError) -> str:
-    return "\n".join(part for part in (tell.sentence(error), translated(error.advice)) if part)
+    return "\n".join(part for part in (messages.sentence(error), translated(error.advice)) if part)
 
 
 def _no_view() -> CNCStepperError:

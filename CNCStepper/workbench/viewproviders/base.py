@@ -8,8 +8,8 @@ from dataclasses import dataclass
 from typing import Any
 
 from CNCStepper.workbench.features.base import problem_of, proxy_type
-from CNCStepper.workbench.tell import guarded, polled
-from CNCStepper.workbench.words import tr
+from CNCStepper.workbench.services.messages import guarded, polled
+from CNCStepper.workbench.services.translation import tr
 
 
 @dataclass(frozen=True)
@@ -38,7 +38,7 @@ class ViewProvider:
     @polled
     def getIcon(self) -> Any:
         """Return the icon of the tree."""
-        from CNCStepper.workbench.icons import icon
+        from CNCStepper.workbench.services.icons import icon
 
         return icon(proxy_type(self.obj), self.badge())
 
@@ -65,7 +65,7 @@ class ViewProvider:
 
     def edit(self) -> None:
         """Open the object's panel; its changes are one undo step."""
-        from CNCStepper.workbench.editing import edit
+        from CNCStepper.workbench.panels.open_panel import edit
 
         edit(self.obj)
 
@@ -98,7 +98,7 @@ class ViewProvider:
 def _action(entry: Entry, menu: Any) -> Any:
     from PySide import QtGui
 
-    from CNCStepper.workbench.icons import icon
+    from CNCStepper.workbench.services.icons import icon
 
     action = QtGui.QAction(icon(entry.icon), entry.text, menu)
     action.setEnabled(not entry.why_not)

@@ -5,13 +5,13 @@ from __future__ import annotations
 
 from typing import Any
 
+from CNCStepper.job.deferred_fitting import is_on_trial
 from CNCStepper.workbench.features.base import proxy_type
-from CNCStepper.workbench.looking import is_on_trial
-from CNCStepper.workbench.tell import guarded, polled
+from CNCStepper.workbench.services.messages import guarded, polled
+from CNCStepper.workbench.services.translation import tr
 from CNCStepper.workbench.viewproviders.base import Entry, ViewProvider
-from CNCStepper.workbench.viewproviders.clamp_blocks import ClampBlocks
-from CNCStepper.workbench.viewproviders.stock_box import SHAPED_BY, StockBox
-from CNCStepper.workbench.words import tr
+from CNCStepper.workbench.viewproviders.clamp_display import ClampBlocks
+from CNCStepper.workbench.viewproviders.stock_display import SHAPED_BY, StockBox
 
 STOCK = "Stock"  # the one way in which a job is drawn
 DRAWN_FROM = {*SHAPED_BY, "ClampOutlines"}
@@ -97,13 +97,13 @@ class Job(ViewProvider):
 
     def saving(self) -> Entry:
         """Return the entry that saves the program."""
-        from CNCStepper.workbench.commands import proving
+        from CNCStepper.workbench.proving import prove_program
 
-        return Entry(tr("Save program as…"), "CNCStepper_Preview", self.save_program, proving.why_not())
+        return Entry(tr("Save program as…"), "CNCStepper_Preview", self.save_program, prove_program.why_not())
 
     def save_program(self) -> None:
         """Ask for a file and write the program into it."""
-        from CNCStepper.workbench.saving import save_as
+        from CNCStepper.workbench.proving.save_program import save_as
 
         save_as(self.obj)
 

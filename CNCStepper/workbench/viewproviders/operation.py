@@ -5,8 +5,8 @@ from __future__ import annotations
 
 from functools import partial
 
+from CNCStepper.workbench.services.translation import tr
 from CNCStepper.workbench.viewproviders.base import Entry, ViewProvider
-from CNCStepper.workbench.words import tr
 
 
 class Operation(ViewProvider):
@@ -25,7 +25,7 @@ class Operation(ViewProvider):
 
     def _ordering(self) -> list[Entry]:
         """Return the entries that duplicate and move it, or all operations that are selected with it."""
-        from CNCStepper.workbench.commands.ordering import COMMANDS, beside_selected
+        from CNCStepper.workbench.commands.reorder import COMMANDS, beside_selected
 
         meant = beside_selected(self.obj)
         commands = [kind() for kind in COMMANDS]

@@ -5,8 +5,8 @@ from __future__ import annotations
 
 from functools import partial
 
+from CNCStepper.workbench.services.translation import tr
 from CNCStepper.workbench.viewproviders.base import Entry, ViewProvider
-from CNCStepper.workbench.words import tr
 
 
 class Program(ViewProvider):
@@ -20,11 +20,11 @@ class Program(ViewProvider):
 
     def entries(self) -> list[Entry]:
         """Return what can be done with it."""
-        from CNCStepper.workbench.commands import proving
         from CNCStepper.workbench.commands.send import Send
         from CNCStepper.workbench.commands.simulate import Simulate
+        from CNCStepper.workbench.proving import prove_program
 
-        why_not = proving.why_not_of(self.obj)
+        why_not = prove_program.why_not_of(self.obj)
         further = [
             Entry(each.text(), each.name, partial(each.take, self.obj), why_not) for each in (Simulate(), Send())
         ]

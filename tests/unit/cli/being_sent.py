@@ -11,8 +11,8 @@ from pathlib import Path
 
 from test_send import command
 
-from CNCStepper.control.session import SessionClient
-from CNCStepper.control.session_file import sessions
+from CNCStepper.control.session.client import SessionClient
+from CNCStepper.control.session.files import sessions
 
 CHECKED = ("--machine", "table-a")
 TYPED_AT = {"stdin": subprocess.PIPE, "stdout": subprocess.PIPE, "stderr": subprocess.DEVNULL}

@@ -17,9 +17,9 @@ import click
 import pytest
 from click.testing import CliRunner, Result
 
-from CNCStepper import whole_file
-from CNCStepper.cli.main import VERBS, group, main
-from CNCStepper.cli.verb import InputFolder, InputPath, OutputFolder, OutputPath, Verb
+from CNCStepper import atomic_file
+from CNCStepper.cli.common.verb import InputFolder, InputPath, OutputFolder, OutputPath, Verb
+from CNCStepper.cli.main import FAMILY_OF, group, main
 
 EXAMPLES = Path(__file__).parents[3] / "examples"
 PROGRAM = "G21 G90\nG0 X1 Y1 Z1\nG1 X10 F600\no<sub> call\nM2\n"
@@ -57,7 +57,7 @@ def test_every_path_of_every_verb_is_an_input_or_under_the_rule(names: tuple[str
     for param in command.params:
         if isinstance(param.type, click.Path | click.File):
             known = isinstance(param.type, InputPath | InputFolder | OutputPath)
-            assert known, f"{' '.join(names)} {param.opts}: say what it is with a type of CNCStepper.cli.verb"
+            assert known, f"{' '.join(names)} {param.opts}: say what it is with a type of CNCStepper.cli.common.verb"
     if outputs_of(command):
         assert isinstance(command, Verb), f"{' '.join(names)} does not check its outputs"
         assert any("--overwrite" in param.opts for param in command.params)
@@ -78,7 +78,7 @@ def test_the_walk_finds_the_verbs_that_write() -> None:
         "drive",
         "virtual",
     }
-    assert {names[0] for names in WRITING} == writers <= set(VERBS)
+    assert {names[0] for names in WRITING} == writers <= set(FAMILY_OF)
 
 
 @pytest.fixture
@@ -265,7 +265,7 @@ def test_an_animation_is_known_again(ending: str, tmp_path: Path) -> None:
     from PIL import Image
 
     from CNCStepper.output_files import is_ours
-    from CNCStepper.simulation.views import _ImageWriter
+    from CNCStepper.simulation.views.single_view import _ImageWriter
 
     writer = _ImageWriter(fps=10)
     writer.outfile = str(tmp_path / f"a.{ending}")
@@ -289,7 +289,7 @@ def test_a_full_disk_leaves_nothing_and_the_sentence_names_the_file(
         raise OSError(errno.ENOSPC, "No space left on device")
 
     before = content(folder)
-    monkeypatch.setattr(whole_file.os, "fsync", full)
+    monkeypatch.setattr(atomic_file.os, "fsync", full)
     words = ["convert", "p.nc", "--to", "grbl", "-o", "out.nc", "--search", "sub"]
     monkeypatch.setattr("sys.argv", ["cncstepper", *words])
     with pytest.raises(SystemExit) as end:

@@ -13,10 +13,10 @@ import numpy as np
 import pytest
 from click.testing import CliRunner, Result
 
-from CNCStepper.cli.main import VERBS, group, main
-from CNCStepper.control.certificate import Certificate
+from CNCStepper.cli.main import FAMILY_OF, group, main
+from CNCStepper.control.program.certificate import Certificate
 from CNCStepper.errors import ProgramError
-from CNCStepper.simulation.mesh import STL_FACET
+from CNCStepper.simulation.meshes.stl_mesh import STL_FACET
 
 ROOT = Path(__file__).parents[3]
 JOBS = ROOT / "examples" / "jobs"
@@ -36,7 +36,7 @@ def square(tmp_path: Path) -> Path:
     return path
 
 
-@pytest.mark.parametrize("verb", VERBS)
+@pytest.mark.parametrize("verb", FAMILY_OF)
 def test_every_verb_has_a_help_for_strangers(verb: str) -> None:
     result = run(verb, "--help")
     assert result.exit_code == 0
@@ -243,7 +243,7 @@ def test_simulate_is_exit_1_when_a_check_refuses_the_program_and_draws_it(square
 
 @pytest.mark.slow
 def test_simulate_animates(square: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("CNCStepper.cli.simulate.ANIMATION_S", 0.4)
+    monkeypatch.setattr("CNCStepper.cli.program.simulate.ANIMATION_S", 0.4)
     out = tmp_path / "part.gif"
     assert run("simulate", square, *PLATE, "--view", "depth", "--out", out).exit_code == 0
     assert out.read_bytes().startswith(b"GIF89a")

@@ -15,18 +15,18 @@ from typing import Any
 import numpy as np
 from desk_table import Person, Table
 
-from CNCStepper.control.command import Command
-from CNCStepper.control.outcome import Outcome
-from CNCStepper.control.sender import Sender
+from CNCStepper.control.service.sender import Sender
+from CNCStepper.control.session.command import Command
+from CNCStepper.control.session.status import Outcome
 from CNCStepper.errors import CNCStepperError
-from CNCStepper.gcode.interpret import interpret
-from CNCStepper.gcode.prepare import prepare
-from CNCStepper.gcode.retreat.way import Place, Way
-from CNCStepper.gcode.take_up import play_of
+from CNCStepper.gcode.interpreter.interpret import interpret
+from CNCStepper.gcode.wire.backlash_compensation import play_of
+from CNCStepper.gcode.wire.encoder import prepare
 from CNCStepper.job.certify import send_job
-from CNCStepper.job.retreat import Held, held
 from CNCStepper.machine.profile import Machine, load_machine
-from CNCStepper.motion.arcs import arc_points
+from CNCStepper.motion.planner.arc_segments import arc_points
+from CNCStepper.recovery.retract.path import Place, Way
+from CNCStepper.recovery.retract.prove import Held, held
 from CNCStepper.state import Start
 from CNCStepper.toolpath import ARC_CW, Toolpath
 

@@ -11,18 +11,18 @@ from unittest.mock import patch
 from fake_controller import FakeClock, Unqueued
 from fault_disk import AtOnce
 
-from CNCStepper.control.belief_file import BeliefFile
-from CNCStepper.control.command import Command
-from CNCStepper.control.desk import Desk
-from CNCStepper.control.journal import journal
-from CNCStepper.control.outcome import Outcome
-from CNCStepper.control.send_job import SendJob
-from CNCStepper.control.timing import Timing
+from CNCStepper.control.journal import writer
+from CNCStepper.control.program.send_job import SendJob
+from CNCStepper.control.protocol.grbl.timeouts import Timing
+from CNCStepper.control.service.connection_service import Desk
+from CNCStepper.control.service.position_trust_file import BeliefFile
+from CNCStepper.control.session.command import Command
+from CNCStepper.control.session.status import Outcome
 from CNCStepper.errors import CNCStepperError, LinkError
 from CNCStepper.machine.profile import load_machine
 from CNCStepper.virtual.grbl.firmware import GRBL, Firmware
-from CNCStepper.virtual.grbl.link import Link
 from CNCStepper.virtual.grbl.machine import Grbl
+from CNCStepper.virtual.server.serial_line import Link
 
 STEP_S, LONG_STEP_S = 0.002, 0.01
 LIMIT_S = 60.0
@@ -148,7 +148,7 @@ class Visit:
             self.desk.stop()
 
         self.table.person = visit()
-        with patch.object(journal, "ThreadPoolExecutor", lambda *_: AtOnce()):
+        with patch.object(writer, "ThreadPoolExecutor", lambda *_: AtOnce()):
             self.desk.run()
 
     def ask(self, name: str, **values) -> None:

@@ -12,20 +12,20 @@ from fault_disk import AtOnce, Disk
 from fault_judge import Claim, MachineTrace, Reference, Run
 from fault_switches import HOMED, LOCKED, NONE, board_of, homed_board
 
-from CNCStepper.control.belief_file import BeliefFile
-from CNCStepper.control.command import Command
-from CNCStepper.control.journal.journal import MENDED, Journal
-from CNCStepper.control.outcome import REFUSED, Outcome
-from CNCStepper.control.readiness import expected_settings
-from CNCStepper.control.send_job import SendJob
-from CNCStepper.control.sender import Sender
-from CNCStepper.control.timing import Timing
+from CNCStepper.control.journal.writer import MENDED, Journal
+from CNCStepper.control.program.send_job import SendJob
+from CNCStepper.control.protocol.grbl.readiness import expected_settings
+from CNCStepper.control.protocol.grbl.timeouts import Timing
+from CNCStepper.control.service.position_trust_file import BeliefFile
+from CNCStepper.control.service.sender import Sender
+from CNCStepper.control.session.command import Command
+from CNCStepper.control.session.status import REFUSED, Outcome
 from CNCStepper.errors import CNCStepperError, LinkError
 from CNCStepper.machine.profile import load_machine
-from CNCStepper.virtual.faults import Fault, FaultPlan
-from CNCStepper.virtual.faults_link import FaultyLink
-from CNCStepper.virtual.grbl.link import Link
+from CNCStepper.virtual.faults.plan import Fault, FaultPlan
 from CNCStepper.virtual.grbl.machine import Grbl
+from CNCStepper.virtual.server.fault_proxy import FaultyLink
+from CNCStepper.virtual.server.serial_line import Link
 
 STEP_S, QUIET_STEP_S = 0.01, 0.02
 LIMIT_S = 240.0  # no run of these tests takes so long; a sender that waits for ever does

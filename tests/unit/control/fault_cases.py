@@ -6,7 +6,7 @@ from __future__ import annotations
 from math import cos, radians, sin
 from random import Random
 
-from CNCStepper.virtual.faults import KINDS, WIRE_KINDS, Fault, FaultPlan
+from CNCStepper.virtual.faults.plan import KINDS, WIRE_KINDS, Fault, FaultPlan
 
 PROGRAMS = 24
 SIMULATED = KINDS

@@ -13,9 +13,9 @@ from dataclasses import dataclass, field
 from itertools import pairwise
 from math import dist, hypot, inf
 
-from CNCStepper.virtual.faults_link import FaultyLink
 from CNCStepper.virtual.grbl.machine import Grbl
 from CNCStepper.virtual.grbl.states import State
+from CNCStepper.virtual.server.fault_proxy import FaultyLink
 
 NEAR_STEPS = 2.0
 RIGHT_MM = 0.002  # of a told position: three decimals

@@ -11,15 +11,15 @@ from fault_bench import FILE, STEP_S, FaultBench, job_of
 from fault_judge import Claim, Row, Run
 from fault_restart import Interval
 
-from CNCStepper.control.journal.story import Story, read_story
-from CNCStepper.control.journal.told import told_of
-from CNCStepper.control.send_job import SendJob
+from CNCStepper.control.journal.replay import Story, read_story
+from CNCStepper.control.journal.summary import told_of
+from CNCStepper.control.program.send_job import SendJob
 from CNCStepper.errors import ProgramError
-from CNCStepper.gcode.restart.places import Where
 from CNCStepper.job.certify import certificate_of
-from CNCStepper.job.restart import restart_program
 from CNCStepper.machine.profile import load_machine
-from CNCStepper.virtual.faults import FaultPlan
+from CNCStepper.recovery.restart.places import Where
+from CNCStepper.recovery.restart.prove import restart_program
+from CNCStepper.virtual.faults.plan import FaultPlan
 from CNCStepper.virtual.grbl.machine import Grbl
 from CNCStepper.virtual.grbl.settings import HOMING
 from CNCStepper.virtual.grbl.states import State

@@ -12,7 +12,7 @@ from random import Random
 from fault_cases import plan_of
 
 from CNCStepper.machine.profile import load_machine
-from CNCStepper.virtual.faults import IN, OUT, Fault, FaultPlan
+from CNCStepper.virtual.faults.plan import IN, OUT, Fault, FaultPlan
 from CNCStepper.virtual.grbl.machine import Grbl
 from CNCStepper.virtual.grbl.settings import DEBOUNCE_MS, HOMING_FEED, HOMING_SEEK
 from CNCStepper.virtual.grbl.states import State

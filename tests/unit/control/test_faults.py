@@ -21,11 +21,11 @@ from fault_restart import Interval, judge_restart
 from fault_second_go import SecondGo
 from fault_switches import HOMED, LOCKED, OVER_S, plan_for, switches_of
 
-from CNCStepper.control.belief import LOST
-from CNCStepper.control.belief_file import BeliefFile
-from CNCStepper.control.journal.journal import Journal
-from CNCStepper.control.path_watch import PathWatch
-from CNCStepper.virtual.faults import KINDS, Fault, FaultPlan
+from CNCStepper.control.journal.writer import Journal
+from CNCStepper.control.service.position_trust_file import BeliefFile
+from CNCStepper.control.stream.path_watch import PathWatch
+from CNCStepper.control.stream.position_trust import LOST
+from CNCStepper.virtual.faults.plan import KINDS, Fault, FaultPlan
 from CNCStepper.virtual.grbl.states import State
 
 BLOCK = 100  # runs of one test; every kind must fire in them
@@ -128,14 +128,14 @@ def test_broken_sender_fails_the_judge_that_passes_ours(broken, fault, monkeypat
     at_byte = byte_of(SPIKES, "G1X5.3", 25)
     plan = FaultPlan(fault=(Fault(at_byte=at_byte, **fault),))
     assert judge(FaultBench(SPIKES, plan).run()).kind != WRONG
-    monkeypatch.setattr("CNCStepper.control.sender.Grbl", broken)
+    monkeypatch.setattr("CNCStepper.control.service.sender.Grbl", broken)
     monkeypatch.setattr(PathWatch, "may_have_restarted", lambda watch, sent: False)
     assert judge(FaultBench(SPIKES, plan).run()).kind == WRONG
 
 
 def test_restart_that_is_not_heard_is_reckoned_with_where_the_spindle_stands(monkeypatch):
     plan = FaultPlan(fault=(Fault(kind="power", at_byte=byte_of(SPIKES, "G1X5.3", 25)),))
-    monkeypatch.setattr("CNCStepper.control.sender.Grbl", GoesOnAfterGreeting)
+    monkeypatch.setattr("CNCStepper.control.service.sender.Grbl", GoesOnAfterGreeting)
     bench = FaultBench(SPIKES, plan)
     run = bench.run()
     assert run.claim.declared == "path-left" and judge(run).kind == STOPPED_UNKNOWN
@@ -306,7 +306,7 @@ def test_machine_with_switches_homes_before_its_restart_and_the_journal_says_so(
 
 
 def test_homing_that_is_believed_though_it_was_none_fails_the_judge(monkeypatch):
-    monkeypatch.setattr("CNCStepper.control.home_first.check_took", lambda seconds: None)
+    monkeypatch.setattr("CNCStepper.control.operator.homing.check_took", lambda seconds: None)
     fault = Fault(kind="corrupt", at_byte=len("?$\n$"), bits=ord("H") ^ ord("X"))
     verdict = judge(FaultBench(WHOLE, FaultPlan(fault=(fault,)), switches=LOCKED).run())
     assert verdict.kind == WRONG

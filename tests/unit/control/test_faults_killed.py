@@ -14,11 +14,11 @@ import pytest
 from fault_judge import covers, follows
 from trace_file import rows_at, rows_of_file
 
+from CNCStepper.control.journal.replay import KILLED, RUNNING
 from CNCStepper.control.journal.store import latest_unfinished, stories
-from CNCStepper.control.journal.story import KILLED, RUNNING
-from CNCStepper.control.send_job import SendJob
-from CNCStepper.control.session import SessionClient
-from CNCStepper.control.session_file import read_private
+from CNCStepper.control.program.send_job import SendJob
+from CNCStepper.control.session.client import SessionClient
+from CNCStepper.control.session.files import read_private
 from CNCStepper.errors import LinkError
 
 PLAN = '[[fault]]\nkind = "kill"\nat_byte = {}\npid_file = "{}"\n'
@@ -28,8 +28,8 @@ SERVE = (sys.executable, "-u", "-m", "CNCStepper.cli.main", "virtual", "grbl", "
 CLIENT = """
 import sys
 from pathlib import Path
-from CNCStepper.control.send_job import SendJob
-from CNCStepper.control.session import SessionClient
+from CNCStepper.control.program.send_job import SendJob
+from CNCStepper.control.session.client import SessionClient
 SessionClient.start(SendJob.from_json(sys.stdin.read()), python=sys.executable, folder=Path(sys.argv[1])).wait()
 """
 LIMIT_S = 120.0

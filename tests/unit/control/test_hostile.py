@@ -19,15 +19,15 @@ from pathlib import Path
 import pytest
 from hostile_controller import FAULTS, HostileController, HostileServer
 
-from CNCStepper.control.command import Command
-from CNCStepper.control.outcome import FAILED, REFUSED, STOPPED, Outcome
-from CNCStepper.control.send_job import SendJob
-from CNCStepper.control.sender import Sender
-from CNCStepper.control.session import SessionClient
-from CNCStepper.control.session_file import write_private
+from CNCStepper.control.program.send_job import SendJob
+from CNCStepper.control.service.sender import Sender
+from CNCStepper.control.session.client import SessionClient
+from CNCStepper.control.session.command import Command
+from CNCStepper.control.session.files import write_private
+from CNCStepper.control.session.status import FAILED, REFUSED, STOPPED, Outcome
 from CNCStepper.errors import LinkError
-from CNCStepper.job.way_back import WayBack
 from CNCStepper.machine.profile import load_machine
+from CNCStepper.recovery.retract.client import WayBack
 
 TOLD_S, OBEYED_S = 2.0, 5.0
 LIMIT_S = 20.0
@@ -309,7 +309,8 @@ def test_a_slow_disk_delays_no_stop(tmp_path, monkeypatch):
     script = tmp_path / "slow_disk.py"
     script.write_text(SLOW_DISK)
     monkeypatch.setattr(
-        "CNCStepper.control.own_process.command", lambda python, module, *words: [python, str(script), *words]
+        "CNCStepper.control.session.detached_process.command",
+        lambda python, module, *words: [python, str(script), *words],
     )
     with sent(tmp_path) as (controller, client):
         await_phase(client, "running")

@@ -9,13 +9,13 @@ from pathlib import Path
 import pytest
 from desk_table import Person, Table, Visit
 
-from CNCStepper.control import session_file
-from CNCStepper.control.belief import LOST, NOTHING_AGAINST
-from CNCStepper.control.belief_file import BeliefFile
-from CNCStepper.control.grbl import RESET, RESUME
-from CNCStepper.control.outcome import DONE, FAILED, REFUSED, STOPPED, Outcome
-from CNCStepper.control.send_job import SendJob
-from CNCStepper.control.sender import Sender
+from CNCStepper.control.program.send_job import SendJob
+from CNCStepper.control.protocol.grbl.driver import RESET, RESUME
+from CNCStepper.control.service.position_trust_file import BeliefFile
+from CNCStepper.control.service.sender import Sender
+from CNCStepper.control.session import files
+from CNCStepper.control.session.status import DONE, FAILED, REFUSED, STOPPED, Outcome
+from CNCStepper.control.stream.position_trust import LOST, NOTHING_AGAINST
 from CNCStepper.errors import LinkError
 from CNCStepper.machine.profile import load_machine
 from CNCStepper.virtual.grbl.machine import Grbl
@@ -279,7 +279,7 @@ def test_no_job_begins_whose_end_could_not_be_told(shop, monkeypatch):
     def full(descriptor: int) -> None:
         raise OSError(28, "No space left on device")
 
-    monkeypatch.setattr(session_file.os, "fsync", full)
+    monkeypatch.setattr(files.os, "fsync", full)
     outcome = shop.send()
     assert outcome.kind == REFUSED and outcome.error.code == "position-unwritable" and "make room" in outcome.text
     assert shop.board.axes.position_mm[0] == 0

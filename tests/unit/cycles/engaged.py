@@ -18,7 +18,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from CNCStepper.cycles.clearing.form import Run
+from CNCStepper.cycles.clearing.pattern import Run
 
 CELLS = 48  # a radius
 STEP = 0.05  # of the radius

@@ -17,12 +17,12 @@ from functools import cache
 
 from shapely import union_all
 
-from CNCStepper.cycles.form import Answer, Cycle, Setup
+from CNCStepper.cycles.cycle import Answer, Cycle, Setup
 from CNCStepper.job.make import make_program
 from CNCStepper.job.model import Job, StockForm
 from CNCStepper.job.prove import prove
 from CNCStepper.machine.profile import Machine, load_machine
-from CNCStepper.machine.tool import Tool
+from CNCStepper.machine.tools.tool import Tool
 from CNCStepper.simulation.finding import Finding
 from CNCStepper.simulation.stock import Stock
 from CNCStepper.state import Start

@@ -10,7 +10,7 @@ import numpy as np
 from shapely import Polygon
 from swept import left_mm, reachable
 
-from CNCStepper.cycles.elliptical_pocket import EllipticalPocket
+from CNCStepper.cycles.pockets.elliptical_pocket import EllipticalPocket
 from CNCStepper.toolpath import ARC_CCW, ARC_CW, LINE, RAPID, Toolpath
 
 OUTLINE_MM = 2e-4

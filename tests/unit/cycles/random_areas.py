@@ -13,8 +13,8 @@ from judged import tool
 from shapely import Polygon
 from shapely.geometry.base import BaseGeometry
 
-from CNCStepper.cycles.clearing.form import Area, Run
-from CNCStepper.cycles.form import Setup
+from CNCStepper.cycles.clearing.pattern import Area, Run
+from CNCStepper.cycles.cycle import Setup
 from CNCStepper.cycles.moves import Moves, point_of
 from CNCStepper.geometry.curve import Curve, circle, from_points
 from CNCStepper.geometry.region import Region

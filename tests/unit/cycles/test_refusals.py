@@ -12,13 +12,13 @@ import numpy as np
 import pytest
 
 from CNCStepper.cycles.catalogue import cycle_class
-from CNCStepper.cycles.elliptical_pocket import EllipticalPocket
-from CNCStepper.cycles.engrave import Engrave
-from CNCStepper.cycles.form import Setup
+from CNCStepper.cycles.contours.engrave import Engrave
+from CNCStepper.cycles.cycle import Setup
 from CNCStepper.cycles.passes import MOST_BLOCKS, MOST_PASSES, whole_passes
+from CNCStepper.cycles.pockets.elliptical_pocket import EllipticalPocket
 from CNCStepper.errors import CNCStepperError, CycleError, JobError
 from CNCStepper.machine.profile import validated
-from CNCStepper.machine.tool import Tool
+from CNCStepper.machine.tools.tool import Tool
 from CNCStepper.state import Start
 from CNCStepper.toolpath import TableBuilder
 

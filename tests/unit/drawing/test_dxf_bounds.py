@@ -13,9 +13,9 @@ from typing import Any
 import ezdxf
 import pytest
 
-from CNCStepper.checkpoint import interruptible
-from CNCStepper.drawing.dxf import Drawing, read_dxf
-from CNCStepper.drawing.dxf_size import MOST_ENTITIES
+from CNCStepper.cancellation import interruptible
+from CNCStepper.drawing.dxf.reader import Drawing, read_dxf
+from CNCStepper.drawing.dxf.size_limits import MOST_ENTITIES
 from CNCStepper.errors import CNCStepperError, JobError
 
 MOST_S = 5.0  # of processor time
@@ -65,7 +65,7 @@ def test_a_binary_drawing_is_counted_like_any_other(tmp_path: Path, monkeypatch:
         document.saveas(tmp_path / f"{version}.dxf", fmt="bin")
         assert len(read_dxf(tmp_path / f"{version}.dxf", 0.005).layers[0].curves) == 2000
         with monkeypatch.context() as smaller:
-            smaller.setattr("CNCStepper.drawing.dxf_size.MOST_ENTITIES", 1999)
+            smaller.setattr("CNCStepper.drawing.dxf.size_limits.MOST_ENTITIES", 1999)
             assert "too many entities" in refused(tmp_path / f"{version}.dxf")
 
 
@@ -253,7 +253,7 @@ def test_curves_that_take_too_long_together_refuse_the_drawing(tmp_path: Path, m
     for ratio in (0.3, 0.4, 0.5):
         document.modelspace().add_ellipse((50, 0), (20, 0), ratio)
     assert len(read(document, tmp_path).layers[0].curves) == 4
-    monkeypatch.setattr("CNCStepper.drawing.dxf_entities.MOST_SAMPLES_OF_ALL", 10_000)
+    monkeypatch.setattr("CNCStepper.drawing.dxf.entities.MOST_SAMPLES_OF_ALL", 10_000)
     with pytest.raises(JobError, match="too many and too wild") as error:
         read_dxf(tmp_path / "a.dxf", 0.005)
     assert error.value.code == "dxf-large" and error.value.place and error.value.place.file
@@ -276,7 +276,7 @@ def test_a_long_drawing_says_how_far_it_is_and_can_be_ended(tmp_path: Path) -> N
 
 def test_vertices_of_an_old_polyline_are_points_of_it(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """In R12 each stands in the file as an entity of its own."""
-    monkeypatch.setattr("CNCStepper.drawing.dxf_size.MOST_ENTITIES", 100)
+    monkeypatch.setattr("CNCStepper.drawing.dxf.size_limits.MOST_ENTITIES", 100)
     document = ezdxf.new("R12")
     document.modelspace().add_polyline2d([(index, index % 7) for index in range(1000)])
     assert read(document, tmp_path).layers

@@ -7,9 +7,9 @@ from hypothesis import strategies as st
 
 from CNCStepper.errors import ProgramError
 from CNCStepper.gcode.dialects import dialect_names
-from CNCStepper.gcode.flow import Limits, run
-from CNCStepper.gcode.flow_lines import KEYWORDS
-from CNCStepper.gcode.interpret import Interpreter
+from CNCStepper.gcode.interpreter.flow.o_words import KEYWORDS
+from CNCStepper.gcode.interpreter.flow.program_flow import Limits, run
+from CNCStepper.gcode.interpreter.interpret import Interpreter
 from CNCStepper.state import Start
 from CNCStepper.toolpath import Toolpath
 

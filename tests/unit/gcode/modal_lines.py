@@ -20,9 +20,9 @@ from random import Random
 from rs274_runs import same_call
 
 from CNCStepper.errors import ProgramError
-from CNCStepper.gcode.codes import RS274
-from CNCStepper.gcode.interpret import Interpreter
-from CNCStepper.gcode.trace import _Calls, bare_start
+from CNCStepper.gcode.dialects.codes import RS274
+from CNCStepper.gcode.interpreter.canonical_trace import _Calls, bare_start
+from CNCStepper.gcode.interpreter.interpret import Interpreter
 
 ENDS = {"M2", "M30", "M99"}  # nothing is read after them
 PROFILES = {"G70", "G71", "G71.1", "G71.2", "G72", "G72.1", "G72.2"}  # need a subroutine, a program of their own

@@ -12,8 +12,8 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from CNCStepper.gcode.retreat.move import Move
-from CNCStepper.machine.play import Play
+from CNCStepper.machine.backlash import Play
+from CNCStepper.recovery.retract.move_curve import Move
 
 PLANES = {"G17": ("X", "Y", "I", "J"), "G18": ("Z", "X", "K", "I"), "G19": ("Y", "Z", "J", "K")}
 APART_MM = 0.01  # of the points at which the tool is looked at

@@ -8,8 +8,8 @@ from dataclasses import dataclass, replace
 from math import hypot
 from random import Random
 
-from CNCStepper.gcode.codes import AXES
 from CNCStepper.gcode.dialects import Dialect
+from CNCStepper.gcode.dialects.codes import AXES
 from CNCStepper.state import Start, State
 from CNCStepper.toolpath import ARC_CCW, ARC_CW, PLANE_AXES, TableBuilder, Toolpath
 from CNCStepper.units import MM_PER_INCH

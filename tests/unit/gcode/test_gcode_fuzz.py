@@ -17,11 +17,11 @@ from hypothesis import strategies as st
 
 from CNCStepper.errors import ProgramError
 from CNCStepper.gcode.dialects import dialect
-from CNCStepper.gcode.expressions import Scanner
-from CNCStepper.gcode.flow_lines import is_plain
-from CNCStepper.gcode.model import model_at
-from CNCStepper.gcode.predefined import Known
-from CNCStepper.gcode.words import pack, split_line, words_of
+from CNCStepper.gcode.interpreter.flow.o_words import is_plain
+from CNCStepper.gcode.interpreter.state.model import model_at
+from CNCStepper.gcode.interpreter.state.system_parameters import Known
+from CNCStepper.gcode.syntax.expressions import Scanner
+from CNCStepper.gcode.syntax.words import pack, split_line, words_of
 from CNCStepper.state import Start
 
 CASES = int(os.environ.get("CNCSTEPPER_FUZZ", "50"))

@@ -16,10 +16,10 @@ from round_trip_paths import Drawn, drawn_path
 from rs274_runs import run_rs274, same_call
 
 from CNCStepper.gcode.dialects import dialect, dialect_names
-from CNCStepper.gcode.interpret import interpret
-from CNCStepper.gcode.prepare import prepare
-from CNCStepper.gcode.trace import canonical_calls
-from CNCStepper.gcode.write import WriteOptions, write, written
+from CNCStepper.gcode.interpreter.canonical_trace import canonical_calls
+from CNCStepper.gcode.interpreter.interpret import interpret
+from CNCStepper.gcode.wire.encoder import prepare
+from CNCStepper.gcode.writer.write import WriteOptions, write, written
 from CNCStepper.state import Start
 from CNCStepper.toolpath import Toolpath
 
@@ -147,7 +147,7 @@ def test_the_text_is_the_same_in_every_process(language):
     here = write(one.path, language, options(language, one.units))
     code = (
         "import sys; sys.path.insert(0, sys.argv[1]); from round_trip_paths import drawn_path; "
-        "from CNCStepper.gcode.dialects import dialect; from CNCStepper.gcode.write import WriteOptions, write; "
+        "from CNCStepper.gcode.dialects import dialect; from CNCStepper.gcode.writer.write import WriteOptions, write; "
         f"one = drawn_path(dialect('{language}'), 3); "
         f"print(write(one.path, '{language}', WriteOptions(units=one.units, work_offset='', retract=False, "
         f"tool_change='{options(language, one.units).tool_change}')), end='')"

@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from shapely import LineString, Polygon, points, prepare
 
 from CNCStepper.errors import GeometryError
-from CNCStepper.geometry.ellipse import Ellipse
+from CNCStepper.geometry.shapes.ellipse import Ellipse
 
 
 def outline(major_mm: float, minor_mm: float, count: int = 8_000) -> Polygon:

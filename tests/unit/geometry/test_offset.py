@@ -88,7 +88,7 @@ def test_mad_distances_are_refused() -> None:
 
 PRINT_LOOPS = """
 from CNCStepper.geometry.curve import circle, from_points
-from CNCStepper.geometry.order import Stop, ordered
+from CNCStepper.geometry.cut_order.cut_order import Stop, ordered
 from CNCStepper.geometry.region import Region
 walls = [(0, 0), (30, 0), (30, 9), (18, 9), (18, 6), (12, 6), (12, 9), (0, 9)]
 islands = [circle((6, 5), 1.5), circle((29, 5), 2)]

@@ -6,7 +6,7 @@ import pytest
 
 from CNCStepper.job.prove import prove
 from CNCStepper.machine.profile import load_machine
-from CNCStepper.machine.tool import Tool
+from CNCStepper.machine.tools.tool import Tool
 from CNCStepper.simulation.stock import Stock
 from CNCStepper.toolpath import RAPID
 

@@ -16,8 +16,8 @@ from CNCStepper.cycles.catalogue import CYCLES
 from CNCStepper.errors import JobError
 from CNCStepper.job.model import Job, load_job
 from CNCStepper.job.shapes import ShapeForm
-from CNCStepper.job.tool_keys import ToolFile
-from CNCStepper.machine.material import Material
+from CNCStepper.job.tool_library import ToolFile
+from CNCStepper.machine.materials import Material
 from CNCStepper.machine.profile import Machine, load_machine
 from CNCStepper.quantities import Bounds
 

@@ -14,10 +14,10 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from CNCStepper.control.certificate import Certificate, digest_of, digest_of_lines, digest_of_text, sendable
-from CNCStepper.control.readiness import expected_settings
+from CNCStepper.control.program.certificate import Certificate, digest_of, digest_of_lines, digest_of_text, sendable
+from CNCStepper.control.protocol.grbl.readiness import expected_settings
 from CNCStepper.errors import JobError
-from CNCStepper.gcode.prepare import prepare
+from CNCStepper.gcode.wire.encoder import prepare
 from CNCStepper.job.certify import (
     certificate_of,
     keep_out_digest,
@@ -29,8 +29,8 @@ from CNCStepper.job.certify import (
 )
 from CNCStepper.job.prove import Proof, prove
 from CNCStepper.machine.profile import Machine, load_machine
-from CNCStepper.machine.tool import Tool
-from CNCStepper.simulation.clamps import Clamp
+from CNCStepper.machine.tools.tool import Tool
+from CNCStepper.simulation.checks.clamps import Clamp
 from CNCStepper.simulation.stock import Cylinder, HeightField, Stock
 from CNCStepper.state import Start
 

@@ -19,14 +19,14 @@ from types import FrameType
 import pytest
 from hostile_files import BITS, BYTES, KIND, MEAN, Case, drawing_case, job_case, profile_case, tool_case
 
-from CNCStepper.drawing.dxf import read_dxf
+from CNCStepper.drawing.dxf.reader import read_dxf
 from CNCStepper.errors import CNCStepperError
-from CNCStepper.gcode.interpret import interpret
+from CNCStepper.gcode.interpreter.interpret import interpret
 from CNCStepper.job.make import make_program
 from CNCStepper.job.model import load_job
 from CNCStepper.machine.profile import load_machine
-from CNCStepper.machine.tool_files import read_tools, write_tools
-from CNCStepper.motion.limits import Limits
+from CNCStepper.machine.tools.tool_files import read_tools, write_tools
+from CNCStepper.motion.planner.machine_limits import Limits
 
 FILES = int(os.environ.get("CNCSTEPPER_FILE_FUZZ", "100"))
 MOST_S = 60.0  # processor time of one case; the first ones compile kernels

@@ -13,7 +13,7 @@ from CNCStepper.job.certify import stock_digest
 from CNCStepper.job.make import make_program
 from CNCStepper.job.model import Job, load_job, operation_of, save_job
 from CNCStepper.job.prove import prove_job
-from CNCStepper.simulation.clamps import Clamp
+from CNCStepper.simulation.checks.clamps import Clamp
 from CNCStepper.simulation.stock import Cylinder, HeightField, Stock
 
 EXAMPLES = Path(__file__).parents[3] / "examples"

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from CNCStepper.errors import CycleError
-from CNCStepper.gcode.interpret import interpret
+from CNCStepper.gcode.interpreter.interpret import interpret
 from CNCStepper.job.make import make_program
 from CNCStepper.job.model import Job, load_job
 from CNCStepper.state import Start

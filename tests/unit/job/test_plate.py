@@ -15,7 +15,7 @@ from CNCStepper.job.make import cut_operations, make_program
 from CNCStepper.job.model import Job, load_job
 from CNCStepper.job.prove import Proof, prove_job
 from CNCStepper.machine.profile import Machine
-from CNCStepper.simulation.segments import segments
+from CNCStepper.simulation.tip_segments import segments
 
 PLATE = Path(__file__).parents[3] / "examples" / "jobs" / "plate.toml"
 MEANT = {"place-unknown", "not-exact", "below-stock"}  # drills and outline go through, corners are round

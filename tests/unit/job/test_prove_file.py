@@ -14,17 +14,19 @@ from typing import Any
 
 import pytest
 
-from CNCStepper.control.certificate import Certificate
+from CNCStepper.control.program.certificate import Certificate
 from CNCStepper.errors import JobError, ProgramError
-from CNCStepper.gcode import file_pieces, line_store, wire_blocks
-from CNCStepper.gcode.wire_file import WireFile
+from CNCStepper.gcode.interpreter import file_chunks, line_store
+from CNCStepper.gcode.wire import expanded_wire_file
+from CNCStepper.gcode.wire.wire_file import WireFile
 from CNCStepper.job import prove_file as prove_file_module
 from CNCStepper.job.certify import certificate_of
 from CNCStepper.job.prove import prove
 from CNCStepper.job.prove_file import FileProof, prove_file
 from CNCStepper.machine.profile import Machine, Motor, load_machine
-from CNCStepper.machine.tool import Tool
-from CNCStepper.simulation import engagement, kept_path
+from CNCStepper.machine.tools.tool import Tool
+from CNCStepper.simulation.checks import tip_path_store
+from CNCStepper.simulation.removal import engagement
 from CNCStepper.simulation.stock import Stock
 from CNCStepper.state import Start
 from CNCStepper.toolpath import COLUMNS, Chunk
@@ -64,10 +66,10 @@ def pieces(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> N
 
     monkeypatch.setattr(WireFile, "chunks", small)
     monkeypatch.setattr(prove_file_module, "PART_ROWS", 2 * rows)
-    monkeypatch.setattr(file_pieces, "PIECE", size)
+    monkeypatch.setattr(file_chunks, "PIECE", size)
     monkeypatch.setattr(line_store, "BLOCK", rows)
     monkeypatch.setattr(line_store, "MOST_BLOCKS", 2)
-    monkeypatch.setattr(wire_blocks, "BLOCKS", 2 * rows)
+    monkeypatch.setattr(expanded_wire_file, "BLOCKS", 2 * rows)
 
 
 def both(folder: Path, text: str, machine: Machine, dialect: str = "grbl", **more: Any) -> tuple[Any, FileProof]:
@@ -162,7 +164,7 @@ def test_tools_that_say_what_they_may_meet(tmp_path: Path, monkeypatch: pytest.M
     file.write_text(LOADED, encoding="ascii")
     whole = prove(LOADED, TABLE, file=str(file), dialect="grbl", stock=STOCK, tools=tools)
     if small:
-        monkeypatch.setattr(kept_path, "BLOCK", 3)
+        monkeypatch.setattr(tip_path_store, "BLOCK", 3)
         monkeypatch.setattr(engagement, "MOST_PLACES", 7)
     parts = prove_file(file, TABLE, dialect="grbl", stock=STOCK, tools=tools, spool=tmp_path / "sent")
     assert_same(whole, parts)
@@ -232,7 +234,7 @@ def test_three_times_the_lines_hold_no_more(
     monkeypatch.setattr("CNCStepper.toolpath.CHUNK_ROWS", rows)
     monkeypatch.setattr("CNCStepper.state.PIECE", rows)
     monkeypatch.setattr(prove_file_module, "PART_ROWS", 2 * rows)
-    monkeypatch.setattr(file_pieces, "PIECE", 4000)
+    monkeypatch.setattr(file_chunks, "PIECE", 4000)
     held: list[int] = []
     see = prove_file_module._FileProof._see
 

@@ -11,8 +11,8 @@ import pytest
 from test_prove_file import CORED, STOCK, TABLE, assert_same, both, machine_with, pieces  # noqa: F401  a fixture
 
 from CNCStepper.errors import ProgramError
-from CNCStepper.gcode.line_store import LineStore
-from CNCStepper.gcode.wire_blocks import WireBlocks, wire_of_file
+from CNCStepper.gcode.interpreter.line_store import LineStore
+from CNCStepper.gcode.wire.expanded_wire_file import WireBlocks, wire_of_file
 from CNCStepper.job.prove import prove
 from CNCStepper.job.prove_file import prove_file
 from CNCStepper.state import Start

@@ -11,14 +11,14 @@ import pytest
 from click.testing import CliRunner
 
 from CNCStepper.cli.main import group
-from CNCStepper.control.certificate import Certificate, digest_of_text
+from CNCStepper.control.program.certificate import Certificate, digest_of_text
 from CNCStepper.errors import JobError, ProgramError
-from CNCStepper.gcode.interpret import interpret
+from CNCStepper.gcode.interpreter.interpret import interpret
 from CNCStepper.job.make import is_split, make_parts, make_program
 from CNCStepper.job.model import Job, load_job
 from CNCStepper.job.prove import earlier_proofs, prove_job, prove_parts
 from CNCStepper.machine.profile import Machine
-from CNCStepper.simulation.earlier import followed
+from CNCStepper.simulation.prior_programs import followed
 from CNCStepper.state import Start
 
 MACHINE = (Path(__file__).parents[3] / "examples" / "machines" / "table-a.toml").read_text("utf-8")

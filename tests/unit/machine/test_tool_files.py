@@ -12,9 +12,9 @@ from click.testing import CliRunner
 from CNCStepper.cli.main import group
 from CNCStepper.errors import JobError
 from CNCStepper.job.model import load_job, save_job
-from CNCStepper.machine.stored_tool import StoredTool, given_keys
-from CNCStepper.machine.tool import Tool
-from CNCStepper.machine.tool_files import read_tools, write_tools
+from CNCStepper.machine.tools.stored_tool import StoredTool, given_keys
+from CNCStepper.machine.tools.tool import Tool
+from CNCStepper.machine.tools.tool_files import read_tools, write_tools
 
 DATA = Path(__file__).parents[2] / "data" / "tools"
 BITS = sorted((DATA / "Bit").glob("*.fctb"))

@@ -8,9 +8,9 @@ import pytest
 from hypothesis import strategies as st
 
 from CNCStepper.machine.profile import load_machine
-from CNCStepper.machine.waits import accelerated_s
-from CNCStepper.motion.limits import Limits
-from CNCStepper.motion.plan import step_events
+from CNCStepper.machine.step_wait_tables import accelerated_s
+from CNCStepper.motion.planner.machine_limits import Limits
+from CNCStepper.motion.planner.plan import step_events
 from CNCStepper.state import Start, State
 from CNCStepper.toolpath import TableBuilder
 

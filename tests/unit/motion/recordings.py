@@ -9,7 +9,7 @@ from pathlib import Path
 
 import numpy as np
 
-from CNCStepper.motion.limits import Limits
+from CNCStepper.motion.planner.machine_limits import Limits
 from CNCStepper.state import Start
 from CNCStepper.toolpath import ARC_CCW, ARC_CW, PLANE_AXES, TableBuilder, Toolpath
 

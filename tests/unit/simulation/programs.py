@@ -8,8 +8,8 @@ from dataclasses import replace
 import numpy as np
 import shapely
 
-from CNCStepper.cycles.form import Removal
-from CNCStepper.machine.tool import Tool
+from CNCStepper.cycles.cycle import Removal
+from CNCStepper.machine.tools.tool import Tool
 from CNCStepper.state import UNKNOWN, Start, State
 from CNCStepper.toolpath import XY, Chunk, TableBuilder, Toolpath
 

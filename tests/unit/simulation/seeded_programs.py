@@ -19,9 +19,9 @@ import numpy as np
 import shapely
 from shapely import affinity
 
-from CNCStepper.cycles.form import Removal
+from CNCStepper.cycles.cycle import Removal
 from CNCStepper.machine.profile import load_machine
-from CNCStepper.machine.tool import Tool
+from CNCStepper.machine.tools.tool import Tool
 from CNCStepper.simulation.stock import Cylinder, HeightField, Stock
 from CNCStepper.state import WORK_SYSTEMS, Start
 

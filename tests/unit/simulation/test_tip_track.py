@@ -9,9 +9,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from CNCStepper.gcode.interpret import interpret
+from CNCStepper.gcode.interpreter.interpret import interpret
 from CNCStepper.machine.profile import load_machine
-from CNCStepper.motion.plan import times_s
+from CNCStepper.motion.planner.plan import times_s
 from CNCStepper.simulation.tip_track import TipTrack
 from CNCStepper.state import Start
 

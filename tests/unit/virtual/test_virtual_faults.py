@@ -8,15 +8,15 @@ import json
 import pytest
 from click.testing import CliRunner
 
-from CNCStepper.cli.virtual import command
+from CNCStepper.cli.machine.virtual import command
 from CNCStepper.errors import JobError
 from CNCStepper.machine.profile import load_machine
-from CNCStepper.virtual.faults import KINDS, Fault, FaultPlan, read_plan
-from CNCStepper.virtual.faults_link import FaultyLink
-from CNCStepper.virtual.faults_outside import kill_sender, plan_for_server
-from CNCStepper.virtual.grbl.link import Link
+from CNCStepper.virtual.faults.host_faults import kill_sender, plan_for_server
+from CNCStepper.virtual.faults.plan import KINDS, Fault, FaultPlan, read_plan
 from CNCStepper.virtual.grbl.machine import STARTS_UP_S, Grbl
 from CNCStepper.virtual.grbl.states import State
+from CNCStepper.virtual.server.fault_proxy import FaultyLink
+from CNCStepper.virtual.server.serial_line import Link
 
 TICK_S = 0.002
 

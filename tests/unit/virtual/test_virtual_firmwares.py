@@ -6,8 +6,8 @@ from __future__ import annotations
 import pytest
 
 from CNCStepper.virtual.grbl.firmware import FIRMWARES, FLUIDNC, GRBL, GRBLHAL
-from CNCStepper.virtual.grbl.link import Link
 from CNCStepper.virtual.grbl.machine import Grbl
+from CNCStepper.virtual.server.serial_line import Link
 
 
 @pytest.mark.parametrize(

@@ -6,7 +6,7 @@ from __future__ import annotations
 import pytest
 
 from CNCStepper.errors import JobError, MachineRefusal
-from CNCStepper.virtual.grbl.hand import TAP_S, Hand
+from CNCStepper.virtual.server.pin_presses import TAP_S, Hand
 
 
 def pins(grbl) -> str:

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from CNCStepper.virtual.grbl.machine import Grbl
-from CNCStepper.virtual.grbl.trace import Trace
+from CNCStepper.virtual.server.path_trace import Trace
 
 RESET = "\x18"
 LOCKED = "[MSG:'$H'|'$X' to unlock]"

@@ -11,8 +11,8 @@ import numpy as np
 import pytest
 
 from CNCStepper.machine.profile import Machine, load_machine
-from CNCStepper.virtual.grbl.link import Link
 from CNCStepper.virtual.grbl.machine import Grbl
+from CNCStepper.virtual.server.serial_line import Link
 
 DATA = Path(__file__).parents[2] / "data" / "firmware"
 RECORDINGS = sorted(DATA.glob("*.json"))

@@ -24,12 +24,12 @@ import serial
 
 from CNCStepper.errors import LinkError
 from CNCStepper.machine.profile import Machine, load_machine
-from CNCStepper.virtual.grbl import server as server_module
-from CNCStepper.virtual.grbl.link import Link
 from CNCStepper.virtual.grbl.machine import Grbl
-from CNCStepper.virtual.grbl.ports import Port, PtyPort, TcpPort
-from CNCStepper.virtual.grbl.server import Server, serve
-from CNCStepper.virtual.grbl.trace import Trace
+from CNCStepper.virtual.server import grbl_server as server_module
+from CNCStepper.virtual.server.grbl_server import Server, serve
+from CNCStepper.virtual.server.path_trace import Trace
+from CNCStepper.virtual.server.ports import Port, PtyPort, TcpPort
+from CNCStepper.virtual.server.serial_line import Link
 
 LIMIT_S = 10.0
 DATA = Path(__file__).parents[2] / "data" / "firmware"
@@ -38,7 +38,7 @@ import sys
 def ready(address):
     print(address, flush=True)
 from CNCStepper.machine.profile import load_machine
-from CNCStepper.virtual.grbl.server import serve
+from CNCStepper.virtual.server.grbl_server import serve
 serve(load_machine(sys.argv[1]), ready=ready, **eval(sys.argv[2]))
 """
 
@@ -219,7 +219,7 @@ def test_without_terminals_the_pty_is_refused(machine: Machine, monkeypatch: pyt
 def test_imports_without_terminals() -> None:
     code = (
         "import sys; sys.modules.update(pty=None, tty=None, termios=None, fcntl=None); "
-        "import CNCStepper.virtual.grbl.server"
+        "import CNCStepper.virtual.server.grbl_server"
     )
     subprocess.run([sys.executable, "-c", code], check=True)
 

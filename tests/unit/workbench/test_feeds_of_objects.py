@@ -8,8 +8,8 @@ from types import SimpleNamespace
 import pytest
 
 from CNCStepper.errors import JobError
-from CNCStepper.machine.tool import Tool
-from CNCStepper.workbench.feeds import fed, remarks
+from CNCStepper.machine.tools.tool import Tool
+from CNCStepper.workbench.document.feeds_of_job import fed, remarks
 
 JOB = SimpleNamespace(Material="fr4", Machine="table-a", Dialect="")
 

@@ -28,8 +28,12 @@ def modules_of(folder: str) -> list[str]:
 @pytest.mark.parametrize(
     "modules",
     [
-        [*modules_of("commands"), "CNCStepper.workbench.opening", "CNCStepper.workbench.missing"],
-        [*modules_of("viewproviders"), "CNCStepper.workbench.editing", "CNCStepper.workbench.saving"],
+        [*modules_of("commands"), "CNCStepper.workbench.opening", "CNCStepper.workbench.services.missing_packages"],
+        [
+            *modules_of("viewproviders"),
+            "CNCStepper.workbench.panels.open_panel",
+            "CNCStepper.workbench.proving.save_program",
+        ],
     ],
     ids=["commands", "tree"],
 )

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import pytest
 
-from CNCStepper.gcode.restart.places import Where
+from CNCStepper.recovery.restart.places import Where
 from CNCStepper.workbench.restart.places import CONTOUR, OPERATION, Row, chosen, line_of, row_of, rows_of
 
 TOLD = {

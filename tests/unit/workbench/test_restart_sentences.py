@@ -14,20 +14,20 @@ from typing import Any
 import pytest
 from test_translations import tool
 
-from CNCStepper.control.journal.first_program import FirstProgram
-from CNCStepper.control.journal.group import Group
-from CNCStepper.control.journal.reached import Reached
-from CNCStepper.control.journal.story import KILLED, Story
+from CNCStepper.control.journal.entry import Group
+from CNCStepper.control.journal.progress_interval import Reached
+from CNCStepper.control.journal.replay import KILLED, Story
+from CNCStepper.control.journal.restart_line_map import FirstProgram
 from CNCStepper.errors import ProgramError
-from CNCStepper.gcode.restart.options import Options
-from CNCStepper.gcode.restart.places import Where
-from CNCStepper.gcode.restart.restart import restart
-from CNCStepper.job.restart_words import words_of
-from CNCStepper.job.unfinished_worker import told
-from CNCStepper.workbench import sentences
+from CNCStepper.recovery.restart.description import words_of
+from CNCStepper.recovery.restart.options import Options
+from CNCStepper.recovery.restart.places import Where
+from CNCStepper.recovery.restart.restart_program import restart
+from CNCStepper.workbench.services import message_translation
+from CNCStepper.workers.unfinished_job import told
 
-ROOMS = ("job", "gcode/restart", "control/journal")
-CORE = Path(sentences.__file__).parents[1]
+ROOMS = ("job", "recovery", "workers", "control/journal")
+CORE = Path(message_translation.__file__).parents[2]
 SMALL = re.compile(r"[a-zà-ÿ]{2,}")
 MILLED = (
     "(BEGIN OPERATION: POCKET)\nG21 G90\nT1\n{0}\nG4 P3\nG0 Z10\nX0 Y0\nG1 Z-2 F200\n{1}\nY20\nX0\nG0 Z10\nM5\nM2\n"
@@ -45,7 +45,7 @@ def catalogue(tmp_path_factory: pytest.TempPathFactory) -> Path:
     path = tmp_path_factory.mktemp("catalogue") / "CNCStepper.ts"
     modules = (module for room in ROOMS for module in (CORE / room).rglob("*.py"))
     found = {sentence for module in modules for sentence, _ in tool.sentences_of(module.read_text("utf-8"))}
-    tool.write(path, "en", {tool.Text(sentences.CONTEXT, sentence): "" for sentence in sorted(found)})
+    tool.write(path, "en", {tool.Text(message_translation.CONTEXT, sentence): "" for sentence in sorted(found)})
     return path
 
 
@@ -54,14 +54,14 @@ def shouting(monkeypatch: pytest.MonkeyPatch, catalogue: Path) -> Iterator[None]
     """FreeCAD speaks a language in which every word that was translated stands in capitals."""
     speech = SimpleNamespace(translate=lambda _, text: shouted(text))
     monkeypatch.setitem(sys.modules, "FreeCAD", SimpleNamespace(Qt=speech))
-    monkeypatch.setattr(sentences, "CATALOGUE", catalogue)
-    sentences._catalogue.cache_clear()
+    monkeypatch.setattr(message_translation, "CATALOGUE", catalogue)
+    message_translation._catalogue.cache_clear()
     yield
-    sentences._catalogue.cache_clear()
+    message_translation._catalogue.cache_clear()
 
 
 def left_english(english: str) -> list[str]:
-    return SMALL.findall(sentences.translated(english))
+    return SMALL.findall(message_translation.translated(english))
 
 
 def milled(spindle: str = "M3 S12000", cut: str = "X40 F800") -> str:
@@ -84,7 +84,7 @@ def test_what_a_restart_does_is_said_to_its_last_word(
     text: str, where: Where, options: Options, words: tuple[str, ...]
 ) -> None:
     english = list(words_of(restart(text, where, options=options)))
-    said = "\n".join(map(sentences.translated, english))
+    said = "\n".join(map(message_translation.translated, english))
     assert [word for word in words if word not in said] == [], said
     assert [left for left in map(left_english, english) if left] == []
 

@@ -1,0 +1,132 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Which option helps against a refusal: the core, which knows no options, cannot say it."""
+
+from __future__ import annotations
+
+import os
+import shlex
+import subprocess
+import sys
+import time
+from collections.abc import Callable, Iterable
+from itertools import chain, count
+from pathlib import Path
+
+import click
+
+from CNCStepper.cancellation import interruptible
+from CNCStepper.errors import CNCStepperError, Place, ProgramError
+
+DIALECT = "--dialect says how a program is read: linuxcnc knows parameters, expressions and O-words"
+TOOLS = "--tool-table FILE tells the tools' lengths and diameters"
+PLACE = "--position X,Y,Z says where the machine stands at first, --parameters FILE the places of G28 and G30"
+HINTS = {
+    "unknown-position": PLACE,
+    "no-subroutine": "--search FOLDER says where else the files of subroutines stand",
+    "tool-length": TOOLS,
+    "tool-diameter": TOOLS,
+    "not-expressible": "--leave-out leaves out what the target lacks: spindle, coolant, dwell, pause or tool",
+}
+
+
+MOST_BYTES = 20_000_000  # of a program whose conversion is tried unasked
+MOST_S = 5.0  # of processor time for that: a loop without end reads as no other dialect in any time
+ALREADY_CONVERTS = ("convert", "trace")
+START_PARAMETERS = ("work_zero", "position", "parameters", "tool_table", "search")
+OF_START = ("--work-zero", "--position", "--parameters", "--tool-table", "--search")
+
+
+def show_hints(errors: Iterable[CNCStepperError]) -> None:
+    """Print on standard error, each once, the options that help, and what `add_conversion` has found."""
+    errors = list(errors)
+    found = [text for error in errors for text in getattr(error, "__notes__", ())]
+    for text in dict.fromkeys((*map(_hint, errors), *found)):
+        if text:
+            click.echo(f"hint: {text}", err=True)
+
+
+def add_conversion(error: ProgramError, context: click.Context) -> None:
+    """Add to the refusal of a verb's program the command that converts it, where one does."""
+    program = context.params.get("program")
+    if not isinstance(program, Path) or context.info_name in ALREADY_CONVERTS:
+        return
+    if context.params.get("dialect"):  # who says what the program is does not want it taken for something else
+        return
+    if program.is_file() and program.stat().st_size <= MOST_BYTES and (text := _conversion(program, context, error)):
+        error.add_note(text)
+
+
+def _conversion(program: Path, context: click.Context, refusal: ProgramError) -> str:
+    """Return the command that makes a program one that the verb reads, or why none does; "" where none is wanted."""
+    from CNCStepper.cli.common.options import dialect_name, read_program
+    from CNCStepper.cli.common.start_state_options import Given
+    from CNCStepper.gcode.conversion.foreign_programs import conversion_of
+
+    machine, params = context.params.get("machine"), context.params
+    target = dialect_name(params.get("dialect"), machine)
+    rule, lengths = (machine.tool_change, machine.tool_length) if machine else ("pause", "none")
+    start = Given(**{name: params[name] for name in START_PARAMETERS if params.get(name)}).start()
+    try:
+        with interruptible(_ended_after(MOST_S)):
+            found = conversion_of(read_program(program), target, start, str(program), rule, lengths)
+    except _TooLongError:
+        return ""
+    except ProgramError as reason:
+        return "" if _is_wrong(refusal, reason) else f"no conversion makes it a program for {target}: {reason}"
+    if found is None:
+        return ""
+    words = ["cncstepper", "convert", _as_file(program), "--dialect", found.source, "--to", target]
+    words += ["--tool-change", rule, *(["--tool-length", found.tool_length] if found.tool_length else [])]
+    words += [*_start_words(), "-o", _as_file(_new_name(program, target))]
+    return f"this makes it a program for {target}: {shell_line(words)}"
+
+
+class _TooLongError(Exception):
+    """The conversion that nobody asked for takes too long."""
+
+
+def _ended_after(most_s: float) -> Callable[[], None]:
+    """Return what raises _TooLongError once so much processor time has passed."""
+    end_s = time.thread_time() + most_s
+
+    def look() -> None:
+        if time.thread_time() > end_s:
+            raise _TooLongError
+
+    return look
+
+
+def _is_wrong(refusal: ProgramError, reason: ProgramError) -> bool:
+    """Return whether a program is wrong as another dialect reads it too: then its own refusal has said enough."""
+    there, here = refusal.place or Place(), reason.place or Place()
+    return reason.code == refusal.code or (here.column > 0 and here.line == there.line)
+
+
+def _start_words() -> list[str]:
+    """Return the options that say the start, as the running verb was given them."""
+    from CNCStepper.cli.common.reproduce_options import made_with
+
+    options = made_with()["options"]
+    return [word for name in OF_START for value in options.get(name, ()) for word in (name, value)]
+
+
+def _as_file(path: Path) -> str:
+    """Return a path that is not taken for an option."""
+    return f".{os.sep}{path}" if str(path).startswith("-") else str(path)
+
+
+def _new_name(program: Path, target: str) -> Path:
+    """Return the name of a file beside the program that is not there yet."""
+    names = (f"{program.stem}-{target}{number}{program.suffix}" for number in chain([""], (f"-{n}" for n in count(2))))
+    return next(path for path in map(program.with_name, names) if not os.path.lexists(path))
+
+
+def shell_line(words: list[str]) -> str:
+    """Return a command as it is pasted into this system's shell."""
+    return subprocess.list2cmdline(words) if sys.platform == "win32" else shlex.join(words)
+
+
+def _hint(error: CNCStepperError) -> str:
+    if error.code == "not-supported" and "dialect" in error.what:
+        return DIALECT
+    return HINTS.get(error.code, "")

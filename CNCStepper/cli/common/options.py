@@ -1,0 +1,193 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What several verbs take from the command line, and how it is read."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from CNCStepper.cli.common.verb import TYPED, InputPath
+from CNCStepper.errors import CNCStepperError, ProgramError
+from CNCStepper.gcode.dialects import dialect as dialect_called
+from CNCStepper.gcode.dialects import dialect_names
+from CNCStepper.input_file import read_input
+from CNCStepper.machine.profile import Machine, load_machine
+from CNCStepper.machine.tools.tool import tool_from_text
+from CNCStepper.quantities import QUANTITIES, Bounds, shown
+
+if TYPE_CHECKING:
+    from CNCStepper.simulation.stock import Stock
+
+
+MOST_PROGRAM_BYTES = 400_000_000  # of a program that is held whole: `check` and `time` read files of any length
+MOST = QUANTITIES["factor"].most  # beyond it no length, angle or factor makes sense
+
+
+class NumberType(click.ParamType):
+    """One number with a decimal point, above a bound where there is one, or within those of a kind of quantity."""
+
+    name = "NUMBER"
+
+    def __init__(self, above: float = -MOST, kind: str = ""):
+        self._above = above
+        self._bounds = Bounds(kind) if kind else None
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> float:
+        try:
+            number = float(value)
+        except ValueError:
+            number = float("nan")
+        if self._bounds and not self._bounds.allows(number):
+            self.fail(f"{shown(value)} is not a number from {self._bounds.words}", param, ctx)
+        if not self._above < number < MOST:
+            least = f" above {self._above:g}" if self._above > -MOST else ""
+            self.fail(f"'{value}' is not a number{least} with a decimal point, such as 1.5", param, ctx)
+        return number
+
+
+class NumbersType(click.ParamType):
+    """X,Y,Z in mm with decimal points."""
+
+    name = "X,Y,Z"
+
+    def __init__(self, kind: str = ""):
+        self._low, self._high = (Bounds(kind).low, Bounds(kind).high) if kind else (-MOST, MOST)
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> tuple[float, ...]:
+        if isinstance(value, tuple):
+            return value
+        try:
+            numbers = tuple(float(part) for part in value.split(","))
+        except ValueError:
+            numbers = ()
+        if len(numbers) != 3 or not all(self._low <= number <= self._high for number in numbers):
+            kind = "lengths above 0" if self._low > 0 else "numbers"
+            self.fail(f"'{value}' is not three {kind} in mm with decimal points, such as 100,70,20", param, ctx)
+        return numbers
+
+
+class PointType(click.ParamType):
+    """X,Y or X,Y,Z in mm with decimal points."""
+
+    name = "X,Y[,Z]"
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> tuple[float, ...]:
+        if isinstance(value, tuple):
+            return value
+        try:
+            numbers = tuple(float(part) for part in value.split(","))
+        except ValueError:
+            numbers = ()
+        if len(numbers) not in (2, 3) or not all(-MOST < number < MOST for number in numbers):
+            self.fail(f"'{value}' is no point: two or three numbers in mm, such as 12.5,40 or 12.5,40,-2", param, ctx)
+        return numbers
+
+
+def as_typed(param: click.Parameter) -> str:
+    """Return by what a context's `meta` knows the word that was read into the value of a parameter."""
+    return f"{TYPED}{param.name}"
+
+
+class _Named(click.ParamType):
+    """A word that one of our own readers understands; its refusal is a usage error (exit 2)."""
+
+    def __init__(self, name: str, reader: Any):
+        self.name = name
+        self._reader = reader
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
+        if not isinstance(value, str):
+            return value
+        if ctx is not None and param is not None:
+            ctx.meta[as_typed(param)] = value
+        try:
+            return self._reader(value)
+        except CNCStepperError as error:
+            self.fail(str(error), param, ctx)
+
+
+ToolType = _Named("SHAPE:MM", tool_from_text)
+DialectType = _Named("DIALECT", lambda name: dialect_called(name).name)
+FilePath = InputPath()
+
+program_argument = click.argument("program", type=FilePath)
+
+
+def _dialect_option(default: str) -> Any:
+    text = f"How the program is to be read: {', '.join(dialect_names())}. [default: {default}]"
+    return click.option("--dialect", type=DialectType, help=text)
+
+
+dialect_option = _dialect_option("as the machine does; without one grbl")
+linuxcnc_option = _dialect_option("linuxcnc")
+job_option = click.option(
+    "--job", "job_path", type=FilePath, help="Take stock, tools, clamps and the shapes wanted from this job file."
+)
+
+
+def check_stock(stock: Any, tool: Any, job_path: Path | None, required: bool = False) -> None:
+    """Refuse what says too little or two things of the stock; raises a usage error."""
+    if job_path and (stock or tool):
+        raise click.UsageError("--job says the stock and the tools: leave --stock and --tool out")
+    if tool and not stock:
+        raise click.UsageError("--tool goes with --stock")
+    if required and not job_path and not (stock and tool):
+        raise click.UsageError("give --stock and --tool, or --job")
+
+
+def machine_option(required: bool) -> Any:
+    """Return the option that names a machine profile."""
+    text = "A profile's name (table-a) or its TOML file."
+    return click.option("--machine", type=_Named("PROFILE", load_machine), required=required, help=text)
+
+
+def stock_options(required: bool) -> Any:
+    """Return the decorator that adds --stock, --origin and --tool."""
+
+    def add(function: Any) -> Any:
+        for option in (
+            click.option(
+                "--tool",
+                type=ToolType,
+                required=required,
+                help="The cutter, for example flat:6 or ball:2.",
+            ),
+            click.option(
+                "--origin",
+                type=click.Choice(["top-centre", "top-left-front"]),
+                default="top-centre",
+                show_default=True,
+                help="Where on the stock the work zero lies.",
+            ),
+            click.option("--stock", type=NumbersType(kind="length"), required=required, help="The stock's size in mm."),
+        ):
+            function = option(function)
+        return function
+
+    return add
+
+
+def stock_of(size_mm: tuple[float, float, float] | None, origin: str) -> Stock | None:
+    """Return the stock that the options name, or None."""
+    from CNCStepper.simulation.stock import Stock
+
+    return Stock(size_mm, origin) if size_mm else None
+
+
+def dialect_name(dialect: str | None, machine: Machine | None) -> str:
+    """Return the dialect asked for, else the machine's own, else grbl."""
+    return dialect or (machine.controller if machine else "grbl")
+
+
+def read_program(path: Path) -> str:
+    """Return the text of a program file: UTF-8 (a byte-order mark is dropped), else Latin-1."""
+    from CNCStepper.gcode.syntax.text_format import decoded
+
+    return decoded(program_bytes(path))[0]
+
+
+def program_bytes(path: Path) -> bytes:
+    """Return the content of a program file, or of a pipe that the shell names; raises ProgramError."""
+    return read_input(path, MOST_PROGRAM_BYTES, streams=True, refusal=ProgramError)

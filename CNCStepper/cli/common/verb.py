@@ -1,0 +1,232 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The class of every verb: before it begins, all files that it is going to write are held against those that it reads.
+
+A verb names its outputs by the type of the option, `OutputPath` or `OutputFolder`, and its inputs by `InputPath`. The
+files that a job, a profile or a tool library names, and the subroutines that a program calls, are inputs too.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+import click
+
+from CNCStepper.errors import ProgramError
+from CNCStepper.input_file import STREAM_NAME, input_kind
+from CNCStepper.output_files import Input, Output, check_outputs, in_folder
+from CNCStepper.safe_text import printable
+
+OVERWRITE = "CNCStepper.overwrite"  # in a context's meta
+TYPED = "CNCStepper.as_typed."  # and the parameter's name
+LISTS = (".toml", ".json", ".fctl", ".fctb")  # files that name other files
+SUBROUTINES = (".ngc", ".nc")
+CALL = re.compile(r"(?i)o\s*<\s*([^<>]+?)\s*>\s*call")
+
+
+class InputPath(click.Path):
+    """A file that is read: a regular one, or a pipe that the shell itself names ("/dev/stdin", "/dev/fd/63")."""
+
+    def __init__(self, exists: bool = True):
+        super().__init__(exists=exists, dir_okay=False, path_type=Path)
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
+        """Return the path; a pipe without a writer would let the command wait for ever, a device never ends."""
+        path = super().convert(value, param, ctx)
+        if not STREAM_NAME.fullmatch(str(path)) and (kind := _kind_of(path)):
+            self.fail(f"'{printable(str(path))}' is {kind}, not a file", param, ctx)
+        return path
+
+
+def _kind_of(path: Any) -> str:
+    try:
+        return input_kind(path)
+    except OSError:  # it need not be there, or cannot be looked at: who opens it says so
+        return ""
+
+
+class InputFolder(click.Path):
+    """A folder of subroutines that are read."""
+
+    def __init__(self) -> None:
+        super().__init__(exists=True, file_okay=False)
+
+
+class OutputPath(click.Path):
+    """A file that is written. kind: one of `output_files.MARKS`, "" for what carries no mark."""
+
+    def __init__(self, kind: str):
+        super().__init__(dir_okay=False, path_type=Path)
+        self.kind = kind
+
+    def outputs(self, path: Path, option: str, context: click.Context) -> Iterator[Output]:
+        """Yield what is written under that path."""
+        yield Output(path, option, self.kind)
+
+
+class OutputFolder(OutputPath):
+    """A folder into which files are written.
+
+    names: returns the regular expressions of their whole names, each with its kind, of a command's parameters.
+    """
+
+    def __init__(self, names: Callable[[Mapping[str, Any]], Mapping[str, str]]):
+        super().__init__("")
+        self.file_okay, self.dir_okay, self.name = False, True, "directory"
+        self._names = names
+
+    def outputs(self, path: Path, option: str, context: click.Context) -> Iterator[Output]:
+        """Yield the files in the folder whose place a new one would take."""
+        for names, kind in self._names(context.params).items():
+            for file in in_folder(path, names):
+                yield Output(file, option, kind)
+
+
+class Verb(click.Command):
+    """A command that checks its outputs before it begins; where it has some, it takes --overwrite."""
+
+    def __init__(self, *arguments: Any, **words: Any):
+        super().__init__(*arguments, **words)
+        if any(isinstance(param.type, OutputPath) for param in self.params):
+            self.params.append(_overwrite_option())
+
+    def invoke(self, ctx: click.Context) -> Any:
+        """Run it, unless an output would cost a file; raises OutputError."""
+        outputs = [
+            output
+            for param, value in _given(ctx)
+            if isinstance(param.type, OutputPath)
+            for output in param.type.outputs(value, _spelled(param), ctx)
+        ]
+        _check(outputs, ctx)
+        try:
+            return super().invoke(ctx)
+        except ProgramError as error:
+            from CNCStepper.cli.common.option_hints import add_conversion
+
+            add_conversion(error, ctx)
+            raise
+
+
+class Verbs(click.Group):
+    """A group of verbs."""
+
+    command_class = Verb
+
+
+def check_further(outputs: Sequence[Output]) -> None:
+    """Check outputs of the running verb whose names are known only when its inputs are read; raises OutputError."""
+    _check(outputs, click.get_current_context())
+
+
+def _check(outputs: Sequence[Output], context: click.Context) -> None:
+    if outputs:
+        check_outputs(outputs, _inputs(outputs, context), bool(context.meta.get(OVERWRITE)))
+
+
+def _overwrite_option() -> click.Option:
+    def remember(context: click.Context, param: click.Parameter, value: bool) -> None:
+        context.meta[OVERWRITE] = value
+
+    text = "Also replace files that CNCStepper did not make."
+    return click.Option(["--overwrite"], is_flag=True, expose_value=False, callback=remember, help=text)
+
+
+def _given(context: click.Context) -> Iterator[tuple[click.Parameter, Any]]:
+    """Yield each parameter that has a value, with the value, or with each where there are several."""
+    for param in context.command.params:
+        value = context.params.get(param.name or "")
+        values = value if getattr(param, "multiple", False) else (value,)
+        yield from ((param, each) for each in values or () if each is not None)
+
+
+def _spelled(param: click.Parameter) -> str:
+    long = [name for name in param.opts if name.startswith("--")]
+    return long[0] if long else f"the {param.human_readable_name}"
+
+
+def _inputs(outputs: Sequence[Output], context: click.Context) -> Iterator[Input]:
+    """Yield every file that the command reads."""
+    programs, folders = list[Path](), list[Path]()
+    for param, value in _given(context):
+        if isinstance(param.type, InputFolder):
+            folders.append(Path(value))
+        typed = context.meta.get(TYPED + str(param.name))
+        if isinstance(param.type, InputPath):
+            file = Path(value)
+        elif typed is not None and Path(typed).is_file():
+            file = Path(typed)
+        else:
+            continue
+        what = _spelled(param)
+        yield Input(file, f"{what}, which is read" if what.startswith("--") else f"{what.lower()} that is read")
+        for named in files_named(file):
+            yield Input(named, f"a file that {what.lower()} names")
+        if param.name == "program":
+            programs.append(file)
+    if any(output.path.suffix.lower() in SUBROUTINES and output.path.exists() for output in outputs):
+        for program in programs:
+            for file in _called(program, folders):
+                yield Input(file, "a subroutine that is called")
+
+
+def files_named(file: Path) -> list[Path]:
+    """Return the files that a job, a profile, a tool library or a tool bit names, and those that these name."""
+    found: dict[Path, None] = {}
+    waiting = [file]
+    while waiting:
+        holder = waiting.pop()
+        for text in _texts(_content(holder)):
+            for path in (holder.parent / text, holder.parent.parent / "Bit" / text):
+                if _is_file(path) and path not in found:
+                    found[path] = None
+                    waiting.append(path)
+    return list(found)
+
+
+def _content(file: Path) -> Any:
+    """Return what a file of LISTS holds, None for any other and for one that cannot be read: its reader says why."""
+    try:
+        if file.suffix.lower() == ".toml":
+            from CNCStepper.machine.profile import read_toml
+
+            return read_toml(file)
+        return json.loads(file.read_text("utf-8")) if file.suffix.lower() in LISTS else None
+    except (OSError, ValueError, RecursionError):
+        return None
+
+
+def _texts(content: Any) -> Iterator[str]:
+    """Yield every text in a structure of lists and tables."""
+    waiting = [content]
+    while waiting:
+        each = waiting.pop()
+        if isinstance(each, str):
+            yield each
+        elif isinstance(each, Mapping):
+            waiting.extend(each.values())
+        elif isinstance(each, list):
+            waiting.extend(each)
+
+
+def _is_file(path: Path) -> bool:
+    try:
+        return path.is_file()
+    except (OSError, ValueError):  # a text that is no name of a file
+        return False
+
+
+def _called(program: Path, folders: Iterable[Path]) -> list[Path]:
+    """Return the files of the subroutines that a program calls, and that these call."""
+    beside = (program.parent, *folders)
+    found, waiting = dict[Path, None](), [program]
+    while waiting:
+        for name in set(CALL.findall(waiting.pop().read_text("latin-1"))):
+            for path in (folder / f"{name}{suffix}" for folder in beside for suffix in SUBROUTINES):
+                if _is_file(path) and path not in found:
+                    found[path] = None
+                    waiting.append(path)
+    return list(found)

@@ -1,0 +1,71 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""`cncstepper go`: lets a job go on that stands, from any terminal."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import click
+
+from CNCStepper.cli.common.verb import Verb
+from CNCStepper.cli.job.running_job import follow, session_file, session_option
+from CNCStepper.errors import MachineRefusal
+
+if TYPE_CHECKING:
+    from CNCStepper.control.service.connection_session import DeskSession
+    from CNCStepper.control.session.client import SessionClient
+    from CNCStepper.control.session.status import SenderStatus
+
+
+@click.command("go", cls=Verb)
+@click.option("--pause", "from_pause", is_flag=True, help="Also from a pause of the program (M0), once that is done.")
+@session_option
+def command(from_pause: bool, session: str | None) -> None:
+    """Let the job go on that stands: after a hold, a closed door, or a way back along its cut.
+
+    At a pause of the program it says what the pause is for, for example a change of tools, and moves nothing: do that,
+    then give --pause. The job is one that `cncstepper send` sent from any terminal, also one that is closed by now, or
+    that was sent from FreeCAD's window. `cncstepper hold` holds it, `cncstepper stop` ends it.
+    """
+    from CNCStepper.control.service.connection_session import attach
+    from CNCStepper.control.stream.phases import RETREATED
+
+    with attach(session_file(session)) as client:
+        status = client.status()
+        _check(status, from_pause)
+        if status.phase == RETREATED:
+            _from_cut(client)
+        else:
+            _from_stand(client, status)
+    click.echo("the job goes on")
+
+
+def _check(status: SenderStatus, from_pause: bool) -> None:
+    """Refuse what nobody should start from here without having read why it stands; raises MachineRefusal."""
+    from CNCStepper.cli.job.pause_question import why
+    from CNCStepper.control.stream.pause_id import WAITING
+
+    if status.phase not in WAITING:
+        raise MachineRefusal("not-held", "the job is not held", value=status.phase, advice="there is nothing to do")
+    if status.phase == "paused" and not from_pause:
+        advice = "see to that, then `cncstepper go --pause`"
+        raise MachineRefusal("program-pause", f"the program pauses: {why(status)}", advice=advice)
+    if status.phase == "door" and status.machine_state != "Door:0":
+        raise MachineRefusal(
+            "door-open", "the safety door is open", value=status.machine_state, advice="close it first"
+        )
+
+
+def _from_stand(client: SessionClient | DeskSession, stood: SenderStatus) -> None:
+    from CNCStepper.control.stream.pause_id import WAITING
+
+    client.ask("resume", stand=stood.stand)
+    follow(client, stood, lambda now: now.stand != stood.stand or now.phase not in WAITING, "resume")
+
+
+def _from_cut(client: SessionClient | DeskSession) -> None:
+    """Cut from where the tool was led back to, as `cncstepper back --resume` does."""
+    from CNCStepper.recovery.retract.client import WayBack
+
+    back = WayBack(client)
+    back.go(back.held().rest())

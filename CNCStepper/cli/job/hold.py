@@ -1,0 +1,30 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""`cncstepper hold`: holds a job that runs, from any terminal."""
+
+from __future__ import annotations
+
+import click
+
+from CNCStepper.cli.common.verb import Verb
+from CNCStepper.cli.job.running_job import follow, session_file, session_option
+
+
+@click.command("hold", cls=Verb)
+@session_option
+def command(session: str | None) -> None:
+    """Hold the job that runs: the machine slows down and stands, nothing is lost, the spindle goes on turning.
+
+    The job is one that `cncstepper send` sent from any terminal, also one that is closed by now, or that was sent from
+    FreeCAD's window. `cncstepper go` lets it go on, `cncstepper back` leads it back along its cut, `cncstepper stop`
+    ends it. This is not an emergency stop.
+    """
+    from CNCStepper.cli.job.pause_question import why
+    from CNCStepper.control.service.connection_session import attach
+    from CNCStepper.control.stream.pause_id import WAITING
+
+    with attach(session_file(session)) as client:
+        client.hold()
+        status = follow(client, client.status(), lambda status: status.phase in WAITING, "hold")
+        if client.outcome:
+            raise click.ClickException(f"the job has ended: {client.outcome.text}")
+        click.echo(f"{status.phase}: {why(status)}, at line {status.file_line}")

@@ -1,0 +1,56 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""`cncstepper override`: feed, rapid, spindle and coolant of a job that runs, from any terminal."""
+
+from __future__ import annotations
+
+import time
+
+import click
+
+from CNCStepper.cli.job.override_words import read_override
+from CNCStepper.cli.job.running_job import follow, session_file, session_option
+from CNCStepper.cli.job.status_text import OVERRIDES_TOLD_S, overrides_in_words
+
+
+@click.command("override", context_settings={"ignore_unknown_options": True})  # of which -10 would be one
+@click.argument("what", nargs=-1, required=True)
+@session_option
+def command(what: tuple[str, ...], session: str | None) -> None:
+    """Change the speeds or the coolant of the job that runs, while it moves or stands, and print what is in force.
+
+    \b
+    cncstepper override feed +10       10 % of the programmed feed more; also -10 +1 -1
+    cncstepper override feed 100       the programmed feed again
+    cncstepper override rapid 50       rapid moves at half their speed; also 25 and 100
+    cncstepper override spindle -10    as with the feed
+    cncstepper override spindle stop   stop the spindle of a held machine, and start it again
+    cncstepper override flood          switch flood coolant on, or off; also mist
+
+    Printed are feed/rapid/spindle in percent, and what is on: S or C for the spindle's sense, F flood, M mist. The job
+    is one that `cncstepper send` sent from any terminal, or that was sent from FreeCAD's window.
+    """
+    from CNCStepper.control.service.connection_session import attach
+
+    values = _values(" ".join(what))
+    with attach(session_file(session)) as client:
+        status = client.status()
+        before, end_s = overrides_in_words(status), time.monotonic() + OVERRIDES_TOLD_S
+        client.ask("override", **values)
+        shown = follow(
+            client,
+            status,
+            lambda now: overrides_in_words(now) != before or time.monotonic() > end_s,
+            "override",
+        )
+    click.echo(overrides_in_words(shown) or "the controller does not tell its overrides")
+
+
+def _values(text: str) -> dict[str, str]:
+    """Return the values of the command; raises a usage error."""
+    try:
+        values = read_override(text)
+    except ValueError as error:
+        raise click.UsageError(str(error)) from error
+    if values is None:
+        raise click.UsageError(f"'{text}' is no override: write for example feed +10, or flood")
+    return values

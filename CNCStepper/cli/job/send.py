@@ -1,0 +1,326 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""`cncstepper send`: a program to a controller, by the sender's own process, watched until the machine is idle."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable, Iterator
+from contextlib import ExitStack
+from dataclasses import dataclass, replace
+from functools import partial
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from CNCStepper.cli.common.findings_output import show_findings
+from CNCStepper.cli.common.options import (
+    FilePath,
+    check_stock,
+    dialect_name,
+    dialect_option,
+    job_option,
+    machine_option,
+    program_argument,
+    stock_of,
+    stock_options,
+)
+from CNCStepper.cli.common.start_state_options import Given, start_options
+from CNCStepper.cli.common.verb import Verb
+from CNCStepper.cli.job.program_file import ProgramFile
+from CNCStepper.cli.job_file import job_and_machine
+from CNCStepper.errors import JobError
+from CNCStepper.machine.profile import Machine
+from CNCStepper.machine.tools.tool import Tool
+
+if TYPE_CHECKING:
+    from CNCStepper.control.program.certificate import Certificate
+    from CNCStepper.control.program.send_job import SendJob
+    from CNCStepper.control.session.status import Outcome
+    from CNCStepper.job.model import Job
+    from CNCStepper.simulation.cutter_solid import Tools
+    from CNCStepper.simulation.finding import Finding
+    from CNCStepper.simulation.stock import Stock
+    from CNCStepper.state import Start
+    from CNCStepper.toolpath import Toolpath
+
+
+@click.command("send", cls=Verb)
+@program_argument
+@click.option("--port", required=True, help="A serial port (COM3, /dev/ttyUSB0) or a URL (socket://127.0.0.1:2217).")
+@click.option("--certificate", type=FilePath, help="What `check` or `run` wrote for it; other bytes are refused.")
+@machine_option(required=False)
+@stock_options(required=False)
+@job_option
+@start_options
+@dialect_option
+@click.option("--baud", type=click.IntRange(min=300), default=115200, show_default=True)
+@click.option(
+    "--zero-confirmed",
+    is_flag=True,
+    help="The work zero is set on the stock, and if the board restarts now the tool has stood on that zero since; "
+    "without this option you are asked.",
+)
+@click.option(
+    "--home", "home_first", is_flag=True, help="Let the machine home itself first ($H): see that the way is free."
+)
+@click.option(
+    "--step", "by_line", is_flag=True, help="Line by line: Enter sends the next one and waits till it is cut."
+)
+@click.option("--resume-pauses", is_flag=True, help="Go on by itself at M0: for a virtual machine or a dry run.")
+@click.option(
+    "--allow-differences", is_flag=True, help="Send though the controller's settings or offsets are not those wanted."
+)
+@click.option("--unchecked", is_flag=True, help="Send without a certificate and without a check.")
+@click.option("--despite-certificate", is_flag=True, help="Send though the certificate does not fit, or has errors.")
+def command(
+    program: Path,
+    port: str,
+    certificate: Path | None,
+    machine: Machine | None,
+    stock: tuple[float, float, float] | None,
+    origin: str,
+    tool: Tool | None,
+    job_path: Path | None,
+    dialect: str | None,
+    baud: int,
+    zero_confirmed: bool,
+    home_first: bool,
+    by_line: bool,
+    resume_pauses: bool,
+    allow_differences: bool,
+    unchecked: bool,
+    despite_certificate: bool,
+    given: Given,
+) -> None:
+    """Send PROGRAM to the controller at --port and wait until the machine is idle again.
+
+    With --certificate only the program that was proven is sent, to the machine, from the start state and with the
+    tools, the stock and the clamps of the proof, as far as these are given here. Without one the program is checked
+    first: with --machine, with --job (whose machine counts where none is given), or not at all if told so by
+    --unchecked. The controller's settings, and its work zero where the proof knows it, are compared.
+
+    Many boards restart when their port is opened, and count from where they stand: the position is unknown. Where there
+    are limit switches, --home lets the machine find its zero again. Without, such a board is sent nothing unless its
+    zero is that very place: move the tool to the work zero, `cncstepper zero`, then send and move nothing in between.
+    After an alarm, a lost link or a sender that was killed the position is unknown too, and stays so for every later
+    connection: nothing is sent before --home, `cncstepper home`, or `cncstepper zero` for all axes.
+
+    Ctrl-C holds the machine and asks what to do; a second one stops the job. A stop here is not an emergency stop. An
+    answer counts only for what it was asked about: where the job was led on meanwhile, you are asked anew. In any other
+    terminal `cncstepper hold`, `go`, `stop`, `override` and `back` act on the job; it goes on when this one is closed.
+    Without a terminal (standard input at its end) the machine waits at each pause and hold until one of them is called;
+    Ctrl-C holds it, and stops it where it stands.
+
+    At a pause (M0, for example to change the tool, or M6 of grblHAL) and between two lines with --step a beam is off,
+    and Enter goes on, s stops, "x10 y-5 z0.1" jogs by these mm ("f100": at 100 mm/min), "zero z" sets the work zero of
+    Z, "all" ends --step. While it stands "feed -10", "spindle +10", "rapid 50", "flood" and the like change its
+    overrides; "?" lists them. Who jogged is taken back first: up, over, and slowly down to where the program stood.
+    """
+    from CNCStepper.cli.common.reproduce_options import made_with, merged
+    from CNCStepper.cli.job.session_watch import watch
+    from CNCStepper.control.service.port_owner import check_free, tell_closed
+
+    if not certificate or job_path:
+        check_stock(stock, tool, job_path)
+    _check_pauses(by_line, resume_pauses)
+    _check_proof(bool(certificate), bool(machine or job_path), unchecked, despite_certificate)
+    check_free(port)
+    tell_closed(partial(click.echo, err=True))
+    wanted = _Wanted(ProgramFile(program), machine, stock_of(stock, origin), tool, given.start())
+    if job_path:
+        wanted = wanted.of_job(*job_and_machine(job_path), is_certified=certificate is not None)
+    with ExitStack() as files:
+        if certificate:
+            job = _certified(certificate, wanted, dialect, despite_certificate, files)
+            _check_spoken(job.dialect, wanted.machine)
+        else:
+            job = _checked(wanted, dialect_name(dialect, wanted.machine), unchecked)
+        job = replace(job, port=port, baud=baud, allow_differences=allow_differences)
+        how = merged(job.made_with, made_with())
+        job = replace(job, by_line=by_line, home_first=home_first, program_sha256=wanted.program.sha256, made_with=how)
+        outcome = watch(confirmed(job, zero_confirmed), resume_pauses)
+    conclude(outcome)
+
+
+def _check_pauses(by_line: bool, resume_pauses: bool) -> None:
+    if by_line and resume_pauses:
+        raise click.UsageError("--step waits at each line, --resume-pauses at none: give one of them")
+
+
+def _check_proof(is_certified: bool, can_be_checked: bool, unchecked: bool, despite_certificate: bool) -> None:
+    """Refuse options that leave a program unproven without saying so."""
+    if despite_certificate and not is_certified:
+        raise click.UsageError("--despite-certificate goes with --certificate")
+    if not (is_certified or can_be_checked or unchecked):
+        raise click.UsageError("give --certificate, or --machine or --job to have it checked, or --unchecked")
+
+
+@dataclass(frozen=True)
+class _Wanted:
+    """What is to be sent, and against what, as far as the command line says it."""
+
+    program: ProgramFile
+    machine: Machine | None
+    stock: Stock | None
+    tools: Tools | None
+    start: Start | None
+    job: Job | None = None
+
+    @property
+    def file(self) -> str:
+        """What the program is called."""
+        return str(self.program.path)
+
+    def of_job(self, job: Job, machine: Machine, is_certified: bool) -> _Wanted:
+        """Return it with stock and tools of a job, and its machine where the command line names none.
+
+        A certificate tells the start where the command line does not; else the job does.
+        """
+        machine = self.machine or machine
+        start = self.start if is_certified and not self.start else job.started(self.start, machine)
+        return replace(
+            self, machine=machine, stock=job.stock.stock(), tools=job.on(machine).tools, start=start, job=job
+        )
+
+
+def _check_spoken(dialect: str, machine: Machine | None) -> None:
+    """Refuse, before a port is opened, what the machine's controller would read as other moves."""
+    from CNCStepper.control.preflight.dialect import check_sendable
+
+    check_sendable(dialect, machine.controller if machine else "")
+
+
+def _certified(path: Path, wanted: _Wanted, dialect: str | None, despite: bool, files: ExitStack) -> SendJob:
+    """Return the certificate's own job; refuses whatever differs from it, or tells it when `despite`.
+
+    Its lines are read from the certificate, which `files` closes.
+    """
+    from CNCStepper.control.program.certificate import Certificate
+    from CNCStepper.job.certify import proven_start
+
+    try:
+        certificate = Certificate.read(path, files)
+    except JobError as error:
+        if not despite:
+            raise
+        click.echo(f"cncstepper: {error}", err=True)
+        return _uncertified(wanted, dialect_name(dialect, wanted.machine))
+    proven = replace(wanted, start=wanted.start or proven_start(certificate))
+    refusals = list(_refusals(certificate, proven, dialect or certificate.dialect))
+    if refusals and not despite:
+        raise refusals[0]
+    for refusal in refusals:
+        click.echo(f"cncstepper: {refusal}", err=True)
+    if any(refusal.code in ("certificate-program", "certificate-wire") for refusal in refusals):
+        return _uncertified(wanted, dialect or certificate.dialect)
+    return certificate.send_job(file=wanted.file)
+
+
+def _refusals(certificate: Certificate, wanted: _Wanted, dialect: str) -> Iterator[JobError]:
+    """Yield each thing in which what is wanted is not what was proven, and the proof's own errors."""
+    from CNCStepper.job.certify import keep_out_digest, machine_digest, stock_digest, tools_digest
+
+    digests = {
+        "program": wanted.program.sha256,
+        "wire": _other_wire(certificate, wanted, dialect),
+        "machine": wanted.machine and machine_digest(wanted.machine),
+        "start": wanted.start and wanted.start.sha256(),
+        "stock": wanted.stock and stock_digest(wanted.stock),
+        "tools": wanted.tools and tools_digest(wanted.tools),
+        "keep_out": wanted.job and keep_out_digest(wanted.job.clamps, wanted.job.stock.edge_mm),
+    }
+    checks: list[Callable[[], None]] = [
+        partial(certificate.compare, what, digest) for what, digest in digests.items() if digest
+    ]
+    for check in [*checks, certificate.check_clean]:
+        try:
+            check()
+        except JobError as error:
+            yield error
+
+
+def _other_wire(certificate: Certificate, wanted: _Wanted, dialect: str) -> str:
+    """Return the fingerprint of the lines to send, "" where they can be none but the proven ones.
+
+    So it is with the same program, read in the same way, that leads to no other file: it need not be held whole then.
+    """
+    from CNCStepper.job.certify import proven_wire
+
+    asked = (wanted.program.sha256, wanted.start and wanted.start.sha256(), dialect)
+    proven = (certificate.content["program"]["sha256"], certificate.content["start"]["sha256"], certificate.dialect)
+    if asked == proven and not wanted.program.is_expanded(dialect):
+        return ""
+    return proven_wire(certificate, wanted.program.text, dialect, wanted.file, wanted.start).sha256
+
+
+def _checked(wanted: _Wanted, dialect: str, unchecked: bool) -> SendJob:
+    """Read the program back and check it; exits with 1 where a check refuses it."""
+    from CNCStepper.job.certify import send_job
+    from CNCStepper.job.wire_round_trip import wire_and_ways
+    from CNCStepper.simulation.finding import refused
+    from CNCStepper.toolpath import require_straight_axes
+
+    _check_spoken(dialect, wanted.machine)
+    wire, motors, toolpath = wire_and_ways(wanted.program.text, wanted.machine, dialect, wanted.file, wanted.start)
+    require_straight_axes(motors, wanted.file)
+    if wanted.machine and not unchecked:
+        findings = _findings(wanted, wanted.machine, toolpath, motors)
+        show_findings(finding for finding in findings if finding.severity == "error")
+        if refused(findings):
+            sys.exit(1)
+    return send_job(wire, wanted.machine, wanted.file, toolpath.start, dialect, _plan(wanted.machine, motors))
+
+
+def _plan(machine: Machine | None, motors: Toolpath) -> list[list[float]]:
+    """Return the planned times by which the sender tells what remains; none for a machine that is not known."""
+    from CNCStepper.job.planned_times import milestones
+    from CNCStepper.motion.planner.plan import begun, times_s
+
+    return milestones(motors.table().line, times_s(begun(motors), machine)) if machine else []
+
+
+def _findings(wanted: _Wanted, machine: Machine, toolpath: Toolpath, motors: Toolpath) -> list[Finding]:
+    """Return what every check finds, with a job also against its shapes, its clamps and its sheet's edge."""
+    from CNCStepper.job.make import is_split, make_program
+    from CNCStepper.simulation.checks.check_program import check
+
+    given: dict[str, Any] = {"file": wanted.file, "stock": wanted.stock, "tools": wanted.tools, "motors": motors}
+    if wanted.job and is_split(wanted.job, machine):
+        what = "the programs of a job that is split, one a tool, are proven one after the other"
+        raise JobError("send-part", what, advice="send each with the certificate that `run` wrote beside it")
+    if wanted.job:
+        removals = make_program(wanted.job, machine).removals
+        given |= {"removals": removals, "keep_out": wanted.job.clamps, "edge_mm": wanted.job.stock.edge_mm}
+    return check(toolpath, machine, **given)
+
+
+def _uncertified(wanted: _Wanted, dialect: str) -> SendJob:
+    """Return the job of a program that no certificate covers, which somebody wants sent all the same."""
+    from CNCStepper.gcode.wire.backlash_compensation import play_of
+    from CNCStepper.gcode.wire.encoder import prepare
+    from CNCStepper.job.certify import send_job
+
+    wire = prepare(wanted.program.text, dialect, wanted.file, wanted.start, play_of(wanted.machine, dialect))
+    return send_job(wire, wanted.machine, wanted.file, wanted.start, dialect)
+
+
+def confirmed(job: SendJob, confirmed: bool) -> SendJob:
+    """Return the job with the zero confirmed, by the option or by the person at the terminal."""
+    if not confirmed and sys.stdin.isatty():
+        click.echo(
+            "Should the board restart when its port is opened, the tool must stand on the work zero, as it was set."
+        )
+        confirmed = click.confirm("Is the work zero set on the stock, and the way free?", default=False)
+    return replace(job, zero_confirmed=confirmed)
+
+
+def conclude(outcome: Outcome) -> None:
+    """Say how it ended and how the machine stands; only "done" is exit status 0."""
+    status = outcome.status
+    click.echo(f"{status.acknowledged} of {status.total} lines acknowledged in {status.elapsed_s:.1f} s")
+    if outcome.error:
+        click.echo(f"cncstepper: {outcome.text}", err=True)
+    else:
+        click.echo(outcome.text)
+    sys.exit(0 if outcome.done else 1)

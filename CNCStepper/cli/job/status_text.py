@@ -1,0 +1,57 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a terminal says of a moment of a job, below its progress bar."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from datetime import timedelta
+
+from CNCStepper.control.protocol.grbl.report import Vector
+from CNCStepper.control.session.status import SenderStatus
+
+AXES = "XYZABC"
+GAP = "  "
+OVERRIDES_TOLD_S = 1.0  # within which a controller tells those that have changed
+
+
+def live(status: SenderStatus, width: int) -> str:
+    """Return the time still to go, the line done and sent, speeds, overrides with outputs, buffer and both positions.
+
+    width: of the terminal; as many lines as that takes, broken between two of these. What the controller has not
+    reported is left out.
+    """
+    lines: list[str] = []
+    for part in _parts(status):
+        if lines and len(lines[-1]) + len(GAP) + len(part) <= width:
+            lines[-1] += GAP + part
+        else:
+            lines.append(part)
+    return "\n".join(lines)
+
+
+def overrides_in_words(status: SenderStatus) -> str:
+    """Return the overrides and what is switched on, "" where the controller has not told them."""
+    if not status.overrides:
+        return ""
+    return "/".join(map(str, status.overrides)) + " %" + (f" {status.outputs}" if status.outputs else "")
+
+
+def _parts(status: SenderStatus) -> Iterator[str]:
+    """Yield what there is to say, the most important first."""
+    if status.remaining_s is not None:
+        yield f"{timedelta(seconds=round(status.remaining_s))} to go"
+    if status.file_line_sent:
+        yield f"line {status.file_line}, sent {status.file_line_sent}"
+    if status.feed_mm_min is not None:
+        yield f"F{status.feed_mm_min:.0f} S{status.spindle_rpm or 0:.0f}"
+    if status.overrides:
+        yield overrides_in_words(status)
+    if status.buffer:
+        yield "free {} blocks {} bytes".format(*status.buffer)
+    for name, position_mm in (("work", status.wpos_mm), ("machine", status.mpos_mm)):
+        if position_mm:
+            yield f"{name} {_position(position_mm)}"
+
+
+def _position(position_mm: Vector) -> str:
+    return " ".join(f"{axis}{value:.3f}" for axis, value in zip(AXES, position_mm, strict=False))

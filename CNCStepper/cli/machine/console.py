@@ -1,0 +1,221 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""`cncstepper console`: lines typed to a controller, each waited for, with history."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager, suppress
+from pathlib import Path
+
+import click
+
+from CNCStepper.cli.common.verb import Verb
+from CNCStepper.cli.job.override_words import read_override
+from CNCStepper.cli.job.status_text import overrides_in_words
+from CNCStepper.cli.machine.echo_input import Overheard
+from CNCStepper.cli.machine.jog import FEED_MM_MIN, jog_line
+from CNCStepper.cli.machine.service_client import Talk, place, port_options
+from CNCStepper.errors import CNCStepperError, LinkError
+
+PROMPT = "> "
+STANDING = ("Hold:0", "Idle", "Alarm", "Tool", "Door:0", "Door:1")
+HISTORY_LINES = 1000
+MOST_MM_MIN = 100_000.0
+HELP = """\
+?                      where the machine stands
+!  ~                   hold; go on
+feed +10  rapid 50     overrides in %: also spindle -10, feed 100; flood, mist switch the coolant
+stop                   bring it to rest: hold, standstill, reset; spindle and outputs off
+home  unlock           $H and $X
+zero [XYZ]             make this place the work zero
+jog X10 Y-2.5 [F1000]  move by that way in mm
+$$ $# $G $I $N         settings, offsets, modes, what it is, start-up lines
+$110=500               change a setting
+G0 X10, M3 S1000 ...   any line that the controller knows, while its position is not unknown
+history  help  quit    (Ctrl-D quits; Ctrl-C holds a move)"""
+
+
+@click.command("console", cls=Verb)
+@port_options
+def command(port: str, baud: int) -> None:
+    """Type lines to the controller at --port; each is done, with the machine at rest, before the next is asked for.
+
+    Beside the controller's own lines it knows: ? ! ~ stop home unlock zero jog feed rapid spindle flood mist history
+    help quit; help says what each does. Lines with bytes that act at once (! ? ~ and what is not ASCII) are refused.
+    While the position is unknown, after a restart or an alarm that lost it, in an earlier connection too, only homing,
+    jog, unlock, questions and settings are accepted; zero of all axes makes it known too. What the controller says by
+    itself, an alarm for example, is shown as it comes.
+
+    Lines also come from a pipe or a file; then the first refusal ends it with exit status 1.
+    """
+    with Talk(port, baud) as talk:
+        click.echo(place(talk.status))
+        if sys.stdin.isatty():
+            with _history():
+                converse(talk)
+        else:
+            _follow(talk)
+
+
+class Session:
+    """What the words of a console do."""
+
+    def __init__(self, talk: Talk):
+        self._talk = talk
+        self._words: dict[str, Callable[[list[str]], None]] = {
+            "?": lambda _: self._show(),
+            "!": lambda _: self._realtime(talk.client.hold, "held"),
+            "~": lambda _: self._go_on(),
+            "stop": lambda _: self._realtime(talk.client.stop, "idle", "alarm"),
+            "home": lambda _: talk.home(),
+            "$h": lambda _: talk.home(),
+            "unlock": lambda _: self._type("$X"),
+            "zero": lambda words: talk.set_zero(words[0] if words else "XYZ"),
+            "jog": self._jog,
+            "help": lambda _: click.echo(HELP),
+        }
+
+    def do(self, line: str) -> None:
+        """Do what a line says and wait until it is done; raises what is refused."""
+        first, *words = line.split() or [""]
+        if first.lower() in self._words:
+            self._words[first.lower()](words)
+        elif override := _override(line):
+            self._talk.override(override)
+            click.echo(overrides_in_words(self._talk.status) or "ok")
+        elif line:
+            self._type(line)
+
+    def _show(self) -> None:
+        click.echo(place(self._talk.ask_status()))
+
+    def _go_on(self) -> None:
+        stand = self._talk.status.stand  # that of which was told
+        self._realtime(lambda: self._talk.client.resume(stand), "busy", "idle", "door")
+
+    def _realtime(self, ask: Callable[[], None], *phases: str) -> None:
+        ask()
+        while self._talk.status.phase not in phases:
+            self._talk.look()
+        click.echo(place(self._talk.status))
+
+    def _jog(self, words: list[str]) -> None:
+        feeds = [word for word in words if word[:1] in "Ff"]
+        self._type(jog_line(tuple(word for word in words if word not in feeds), _feed_mm_min(feeds)))
+
+    def _type(self, line: str) -> None:
+        """Type a line; while it is not done Ctrl-C holds, so that `~` or `stop` can follow."""
+        answer = self._talk.type(line)
+        if answer != "ok":
+            raise click.ClickException(answer)
+        click.echo(answer)
+
+
+def _follow(talk: Talk) -> None:
+    """Do the lines of a pipe or a file; Ctrl-C holds what moves and ends it."""
+    try:
+        for line in map(str.strip, sys.stdin):
+            if line == "quit":
+                return
+            Session(talk).do(line)
+    except KeyboardInterrupt:
+        talk.client.hold()
+        raise
+
+
+def _override(line: str) -> dict[str, str] | None:
+    """Return the override that a line asks for, None where it asks for none; raises a usage error."""
+    try:
+        return read_override(line)
+    except ValueError as error:
+        raise click.UsageError(str(error)) from error
+
+
+def _feed_mm_min(words: list[str]) -> float:
+    """Return the speed of a word as F500, or the usual one where there is none; raises a usage error."""
+    try:
+        feed_mm_min = float(words[0][1:]) if words else FEED_MM_MIN
+    except ValueError:
+        feed_mm_min = 0.0
+    if not 0 < feed_mm_min < MOST_MM_MIN:
+        raise click.UsageError(f"'{words[0]}' is no speed: write for example F500 (mm/min)")
+    return feed_mm_min
+
+
+def converse(talk: Talk) -> None:
+    """Ask for line after line until quit; a refusal is said, a lost link ends it."""
+    session, typed = Session(talk), list[str]()
+    for line in _lines(talk):
+        if line == "quit":
+            return
+        if line == "history":
+            click.echo("\n".join(typed))
+            continue
+        typed.append(line)
+        try:
+            _try(session, line)
+        except KeyboardInterrupt:
+            _hold(talk)
+
+
+def _try(session: Session, line: str) -> None:
+    """Do what a line says; what is refused is said."""
+    try:
+        session.do(line)
+    except click.ClickException as error:
+        click.echo(error.format_message())
+    except CNCStepperError as error:
+        if isinstance(error, LinkError):
+            raise
+        click.echo(str(error))
+
+
+def _lines(talk: Talk) -> Iterator[str]:
+    """Yield the lines that are typed; what the controller says meanwhile is shown. Raises the error of a lost link."""
+    overheard = Overheard(talk, PROMPT)
+    while True:
+        try:
+            with overheard:
+                line = input(PROMPT)
+            talk.check()
+            yield line.strip()
+        except KeyboardInterrupt:
+            click.echo()
+        except EOFError:
+            click.echo()
+            return
+
+
+def _hold(talk: Talk) -> None:
+    """Hold what moves, and wait until it stands; what had been done already is no error."""
+    talk.client.hold()
+    with suppress(CNCStepperError):
+        while talk.ask_status().machine_state not in STANDING:
+            pass
+    click.echo(f"{place(talk.status)}   ~ goes on, stop ends it")
+
+
+@contextmanager
+def _history() -> Iterator[None]:
+    """Let the arrow keys bring back lines of this and earlier consoles, where this Python has readline."""
+    try:
+        import readline
+    except ImportError:  # Windows' own console keeps the lines of one run
+        yield
+        return
+    path = _history_file()
+    with suppress(OSError):
+        readline.read_history_file(path)
+    readline.set_history_length(HISTORY_LINES)
+    try:
+        yield
+    finally:
+        with suppress(OSError):
+            readline.write_history_file(path)
+
+
+def _history_file() -> Path:
+    from CNCStepper.control.session.files import session_folder
+
+    return session_folder().parent / "console_history"

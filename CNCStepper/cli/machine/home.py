@@ -1,0 +1,28 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""`cncstepper home`: the machine finds its own zero."""
+
+from __future__ import annotations
+
+import click
+
+from CNCStepper.cli.common.verb import Verb
+from CNCStepper.cli.machine.service_client import Talk, place, port_options
+
+
+@click.command("home", cls=Verb)
+@port_options
+def command(port: str, baud: int) -> None:
+    """Let the machine at --port find its own zero with its limit switches ($H), and wait until it has.
+
+    The axes move to their switches: see that the way is free. Ctrl-C stops it; the position is unknown then.
+    Many boards restart when their port is opened anew and forget what they have found: then home with `cncstepper send
+    --home`, or from `cncstepper console`, which keeps the port open for what comes next.
+    """
+    with Talk(port, baud) as talk:
+        try:
+            talk.home()
+        except KeyboardInterrupt:
+            talk.client.stop()
+            talk.until(lambda event: talk.status.phase not in ("homing", "busy"))
+            raise
+        click.echo(place(talk.status))

@@ -1,0 +1,83 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""`cncstepper jog`: a way by hand."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import click
+
+from CNCStepper.cli.common.options import NumberType
+from CNCStepper.cli.common.verb import Verb
+from CNCStepper.cli.machine.service_client import Talk, place, port_options
+
+WORD = re.compile(r"([XYZ])([-+]?\d+(?:\.\d*)?|[-+]?\.\d+)", re.IGNORECASE)
+FEED_MM_MIN = 1000.0
+
+
+@click.command("jog", cls=Verb)
+@click.argument("way", nargs=-1, required=True)
+@click.option("--feed", type=NumberType(kind="feed"), default=FEED_MM_MIN, show_default=True, help="Speed in mm/min.")
+@port_options
+def command(way: tuple[str, ...], feed: float, port: str, baud: int) -> None:
+    """Move the axes of the machine at --port by WAY from where they stand, in mm: X10, or X-2.5 Y3 together.
+
+    The program's modes are left as they are ($J). Ctrl-C brakes at once and keeps the position. Works in any position,
+    known or not; the controller refuses a way out of its travel where its soft limits are on ($20=1).
+
+    Also while `cncstepper send` holds its job at that port: the controller is reset at standstill, which switches the
+    spindle off, and can be jogged then. The job goes on with `cncstepper back --resume`: up, over and slowly down to
+    its cut, and from there. At a pause, or while the tool is changed (M6 of grblHAL), nothing is reset, and whoever
+    resumes is taken back first.
+    """
+    from CNCStepper.control.session.files import session_at
+
+    axes_mm = _axes_mm(way)
+    if session := session_at(port):
+        _jog_job(session, axes_mm, feed)
+        return
+    with Talk(port, baud) as talk:
+        jog(talk, jog_line(way, feed))
+        click.echo(place(talk.status))
+
+
+def jog_line(way: tuple[str, ...], feed_mm_min: float) -> str:
+    """Return the jog command for words as "X10" and "Y-2.5"; raises a usage error for what is no way."""
+    moves = "".join(f"{axis}{value:.4f}" for axis, value in _axes_mm(way).items())
+    return f"$J=G91G21{moves}F{feed_mm_min:.1f}"
+
+
+def _axes_mm(way: tuple[str, ...]) -> dict[str, float]:
+    words = [WORD.fullmatch(part) for part in way]
+    axes_mm = {word[1].upper(): float(word[2]) for word in words if word}
+    if len(axes_mm) < len(way):
+        raise click.UsageError(f"'{' '.join(way)}' is no way: write for example X10, or X-2.5 Y3 (mm)")
+    return axes_mm
+
+
+def _jog_job(session: Path, axes_mm: dict[str, float], feed_mm_min: float) -> None:
+    """Jog the machine of a job that is held; Ctrl-C brakes."""
+    from CNCStepper.control.session.client import SessionClient
+    from CNCStepper.recovery.retract.jog_while_held import jog, step_aside
+
+    way = {f"{axis.lower()}_mm": axes_mm.get(axis, 0.0) for axis in "XYZ"} | {"feed_mm_min": feed_mm_min}
+    with SessionClient.attach(session) as client:
+        step_aside(client)
+        try:
+            click.echo(place(jog(client, way)))
+        except KeyboardInterrupt:
+            client.ask("jog_cancel")
+            raise
+
+
+def jog(talk: Talk, line: str) -> None:
+    """Jog and wait until the machine stands; raises a ClickException with the controller's words when it does not."""
+    try:
+        answer = talk.type(line)
+    except KeyboardInterrupt:
+        talk.client.jog_cancel()
+        talk.until(lambda event: event["event"] == "answer")
+        raise
+    if answer != "ok":
+        raise click.ClickException(answer)

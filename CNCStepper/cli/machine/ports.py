@@ -1,0 +1,97 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""`cncstepper ports`: where a controller may be, and what answers there."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import click
+
+from CNCStepper.cli.common.verb import Verb
+from CNCStepper.errors import CNCStepperError
+
+if TYPE_CHECKING:
+    from CNCStepper.control.protocol.grbl.connect import Found
+    from CNCStepper.control.protocol.grbl.driver import Grbl
+    from CNCStepper.control.protocol.grbl.timeouts import Timing
+
+
+@click.command("ports", cls=Verb)
+@click.option("--ask", "asked", multiple=True, metavar="PORT", help="Ask what answers at this port or URL; repeatable.")
+@click.option("--baud", type=click.IntRange(min=300), default=115200, show_default=True)
+@click.pass_context
+def command(context: click.Context, asked: tuple[str, ...], baud: int) -> None:
+    """List the serial ports of this computer, or say what answers at each port given with --ask.
+
+    A controller is asked with `?`, `$I`, `$$`, `$#` and `$G`, which change nothing; but many boards restart when their
+    port is opened, so do not ask one that is cutting. Over a network give its URL: socket://HOST:PORT,
+    telnet://HOST (port 23), rfc2217://HOST:PORT. Exit status 1 when one of the ports given does not answer.
+    """
+    if not asked:
+        _list_ports()
+        return
+    answers = [_ask(port, baud) for port in asked]
+    context.exit(0 if all(answers) else 1)
+
+
+def _list_ports() -> None:
+    from CNCStepper.control.transport.port_list import port_list
+
+    choices = port_list()
+    for choice in choices:
+        click.echo(choice.text)
+    if not choices:
+        click.echo("no serial port is there: plug the controller in, or give its URL (socket://HOST:PORT)", err=True)
+
+
+def _ask(port: str, baud: int) -> bool:
+    """Say what answers at a port; return whether something did."""
+    from CNCStepper.control.protocol.grbl.driver import Grbl
+    from CNCStepper.control.protocol.grbl.timeouts import Timing
+    from CNCStepper.control.transport.link import open_link
+
+    try:
+        link = open_link(port, baud)
+        try:
+            driver = Grbl(link)
+            told = _meet(port, driver, Timing())
+        finally:
+            link.close()
+    except CNCStepperError as error:
+        click.echo(f"{port}: {error}")
+        return False
+    click.echo(f"{port}: {told}")
+    return True
+
+
+def _meet(port: str, driver: Grbl, timing: Timing) -> str:
+    """Return what answers in words; one that moves is not asked what it is."""
+    from CNCStepper.control.protocol.grbl.connect import greeted, learn, wake_up
+
+    woken = wake_up(driver, timing, locked=True)
+    assert driver.status
+    state = driver.status.name
+    if driver.status.state not in ("Idle", "Alarm"):
+        return f"a controller in the state {state}, which is not disturbed"
+    found = learn(driver, timing, greeted(woken))
+    _note_position(port, driver, found.greeted)
+    return f"{_told(found, driver.window + 1)}, {state}"
+
+
+def _note_position(port: str, driver: Grbl, greeted: bool) -> None:
+    """Keep for the next connection that the position is unknown, where the controller has restarted or is locked."""
+    from CNCStepper.control.service.position_trust_file import BeliefFile
+    from CNCStepper.control.session.files import session_folder
+    from CNCStepper.control.stream.position_trust import met
+
+    kept = BeliefFile.of_port(session_folder(), port)
+    kept.keep(met(kept.belief, driver, greeted))
+
+
+def _told(found: Found, receive_bytes: int) -> str:
+    words = [f"{found.firmware.name} {found.version}", f"{receive_bytes} bytes of receive buffer"]
+    if found.settings.get(13):
+        words.append("reports in inches ($13=1)")
+    if found.greeted:
+        words.append("it restarted when its port was opened")
+    return ", ".join(words)

@@ -1,0 +1,163 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What the verbs that stand at a machine share: they ask the desk at its port, and wait for what comes of it.
+
+A desk that runs at that port already, a window's for example, is asked; else one is started, and ends with the verb.
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+from functools import partial
+from types import TracebackType
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from CNCStepper.cli.job.status_text import OVERRIDES_TOLD_S, overrides_in_words
+from CNCStepper.errors import CNCStepperError, MachineRefusal
+
+if TYPE_CHECKING:
+    from CNCStepper.control.service.connection_client import DeskClient
+    from CNCStepper.control.session.status import SenderStatus
+
+LOOK_EVERY_S = 0.02
+END_LIMIT_S = 5.0  # for a desk of our own to let go of the port
+
+Event = dict[str, Any]
+
+
+def port_options(function: Any) -> Any:
+    """Add --port and --baud."""
+    port = click.option(
+        "--port",
+        required=True,
+        help="A serial port (COM3, /dev/ttyUSB0; `cncstepper ports` lists them) or a URL (socket://127.0.0.1:2217, "
+        "telnet://fluidnc.local, rfc2217://host:port).",
+    )
+    baud = click.option("--baud", type=click.IntRange(min=300), default=115200, show_default=True)
+    return port(baud(function))
+
+
+class Talk:
+    """A conversation with the desk at a port; prints what the desk tells meanwhile, and raises what it refuses."""
+
+    def __init__(self, port: str, baud: int):
+        from CNCStepper.control.service.connection_client import DeskClient
+
+        self.client: DeskClient = DeskClient.launch(port, baud)
+
+    def __enter__(self) -> Talk:
+        from CNCStepper.control.service.port_owner import tell_closed
+
+        tell_closed(partial(click.echo, err=True))
+        while self.client.phase != "connected":
+            self.look()
+        return self
+
+    def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, at: TracebackType | None) -> None:
+        path = self.client.session_file
+        alone = self.client.started_desk
+        self.client.leave()
+        end_s = time.monotonic() + END_LIMIT_S
+        while alone and path and path.exists() and time.monotonic() < end_s:
+            time.sleep(LOOK_EVERY_S)
+
+    @property
+    def status(self) -> SenderStatus:
+        """What was last heard of the machine."""
+        return self.client.status
+
+    @property
+    def is_over(self) -> bool:
+        """Whether the desk has ended, or its link is lost."""
+        return self.client.phase == "gone"
+
+    def heard(self) -> list[Event]:
+        """Return what has happened since the last call, at once."""
+        return [event for event in self.client.poll() if not event.get("past")]
+
+    def check(self) -> None:
+        """Raise why the desk has ended, if it has."""
+        if self.is_over:
+            raise self.client.error or CNCStepperError("desk-gone", "the desk has ended", advice="try again")
+
+    def look(self) -> list[Event]:
+        """Wait a moment and return what has happened; raises the error when the desk has ended."""
+        time.sleep(LOOK_EVERY_S)
+        events = self.heard()
+        for event in events:
+            if event["event"] in ("message", "warning"):
+                click.echo(event["text"])
+            elif event["event"] == "refused":
+                raise event.get("error") or MachineRefusal("desk-refused", event["text"], advice="see --help")
+        self.check()
+        return events
+
+    def until(self, done: Callable[[Event], bool]) -> Event:
+        """Wait for the event that is asked for, and return it; raises what is refused meanwhile."""
+        while True:
+            for event in self.look():
+                if done(event):
+                    return event
+
+    def ask_status(self) -> SenderStatus:
+        """Ask how the machine stands, and return it; one that does not change tells nothing by itself."""
+        self.client.ask("status")
+        self.until(lambda event: event["event"] == "status")
+        return self.status
+
+    def override(self, values: dict[str, str]) -> None:
+        """Ask for an override, and wait until the controller tells it."""
+        before, end_s = overrides_in_words(self.status), time.monotonic() + OVERRIDES_TOLD_S
+        self.client.ask("override", **values)
+        while overrides_in_words(self.ask_status()) == before and time.monotonic() < end_s:
+            pass
+
+    def type(self, text: str) -> str:
+        """Send a typed line, print what the controller says, and return its answer."""
+        self.client.type(text)
+        event = self.until(self._heard_answer)
+        return str(event["text"])
+
+    def home(self) -> None:
+        """Let the machine find its own zero, and wait until it has."""
+        from CNCStepper.control.service.idle_controller import HOMED
+
+        begun = False
+
+        def over(event: Event) -> bool:
+            nonlocal begun
+            begun = begun or event == {"event": "phase", "text": "homing"}
+            return event.get("text") == HOMED or (begun and event["event"] == "phase" and event["text"] != "homing")
+
+        self.client.home()
+        if self.until(over)["text"] != HOMED:
+            what = f"the machine is not homed: {self.status.message or self.status.machine_state}"
+            raise MachineRefusal("not-homed", what, advice="see that the way to the switches is free, then home again")
+
+    def set_zero(self, axes: str) -> None:
+        """Make this place the zero of these axes, and wait until that is done."""
+        self.client.set_zero(axes)
+        self.until(lambda event: event["event"] == "message" and event["text"].startswith("zero of"))
+
+    def _heard_answer(self, event: Event) -> bool:
+        if event["event"] == "console":
+            click.echo(event["text"])
+        return event["event"] == "answer"
+
+
+def place(status: SenderStatus) -> str:
+    """Return state and position in words: "Idle  X-1.000 Y0.000 Z0.000 (machine X...)"."""
+    found = [status.machine_state or status.phase]
+    if status.wpos_mm:
+        found.append(_axes(status.wpos_mm))
+    if status.mpos_mm:
+        found.append(f"machine {_axes(status.mpos_mm)}")
+    if status.position_known is False:
+        found.append("position unknown")
+    return "  ".join(found)
+
+
+def _axes(position_mm: tuple[float, ...]) -> str:
+    return " ".join(f"{axis}{value:.3f}" for axis, value in zip("XYZABC", position_mm, strict=False))

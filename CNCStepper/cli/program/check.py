@@ -1,0 +1,214 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""`cncstepper check`: what is wrong with a program on a machine, before it moves anything."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable
+from functools import partial
+from itertools import islice
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import TYPE_CHECKING, Any, NamedTuple, NoReturn
+
+import click
+
+from CNCStepper.cli.common.findings_output import show_figures, show_findings, write_report
+from CNCStepper.cli.common.option_hints import add_conversion, show_hints
+from CNCStepper.cli.common.options import (
+    check_stock,
+    dialect_name,
+    dialect_option,
+    job_option,
+    machine_option,
+    program_argument,
+    read_program,
+    stock_of,
+    stock_options,
+)
+from CNCStepper.cli.common.progress import Progress
+from CNCStepper.cli.common.start_state_options import Given, start_options
+from CNCStepper.cli.common.verb import OutputPath, Verb
+from CNCStepper.cli.job_file import job_of
+from CNCStepper.cli.program.piped_program import regular_file
+from CNCStepper.errors import ProgramError
+from CNCStepper.machine.profile import Machine
+from CNCStepper.machine.tools.tool import Tool
+
+if TYPE_CHECKING:
+    from CNCStepper.job.model import Job
+    from CNCStepper.job.prove import Proof
+    from CNCStepper.job.prove_file import FileProof
+    from CNCStepper.state import Start
+
+STAGES = {
+    "make": "making the shapes of",
+    "read": "reading back",
+    "cut": "cutting the stock by",
+    "time": "timing",
+    "judge": "judging the part of",
+    "check": "checking",
+    "report": "reporting on",
+}
+
+
+@click.command("check", cls=Verb)
+@program_argument
+@machine_option(required=True)
+@stock_options(required=False)
+@job_option
+@start_options
+@dialect_option
+@click.option(
+    "--part", type=click.IntRange(1), help="Which program of the job it is, where the machine wants one a tool."
+)
+@click.option("--json", "json_path", type=OutputPath("report"), help="Also write the report there.")
+@click.option("--certificate", type=OutputPath("certificate"), help="Also write the certificate there, for `send`.")
+def command(
+    program: Path,
+    machine: Machine,
+    stock: tuple[float, float, float] | None,
+    origin: str,
+    tool: Tool | None,
+    job_path: Path | None,
+    dialect: str | None,
+    part: int | None,
+    json_path: Path | None,
+    certificate: Path | None,
+    given: Given,
+) -> None:
+    """Check PROGRAM against a machine: travel, feeds, spindle; with --stock and --tool also rapids and plunges, with
+    --job gouge and material left, clamps and the sheet's edge too.
+
+    A job that is split into a program a tool needs --part: the programs before it are made anew and taken as cut.
+    A block that moves is a line of PROGRAM, counted once however often it is run.
+    Exit 0 clean, 1 refused; each finding is file:line:column: text. Where --work-zero is not given, the place of
+    the program on the table is reported as unknown.
+    """
+    check_stock(stock, tool, job_path)
+    language, start = dialect_name(dialect, machine), given.start()
+    asked = _Asked(program, machine, language, start, json_path, certificate)
+    job = job_of(job_path) if job_path else None
+    with Progress(f"{STAGES['make']} {program.name}"):
+        earlier = earlier_parts(job, machine, part) if job else []
+    with regular_file(program) as file:
+        if job and earlier:
+            _check_after(earlier, job, file, asked)
+        elif job:
+            from CNCStepper.job.prove_job_file import prove_job_file
+
+            _check_in_pieces(partial(prove_job_file, job), file, job.started(start, machine), asked)
+        else:
+            from CNCStepper.job.prove_file import prove_file
+
+            prove = partial(prove_file, stock=stock_of(stock, origin), tools=tool)
+            _check_in_pieces(prove, file, start, asked)
+
+
+class _Asked(NamedTuple):
+    """What the command line asks for; program: as it is named there."""
+
+    program: Path
+    machine: Machine
+    language: str
+    start: Start | None
+    json_path: Path | None
+    certificate: Path | None
+
+
+def _check_after(earlier: list[Proof], job: Job, file: Path, asked: _Asked) -> NoReturn:
+    """Check the program that a job's others have cut before, and end the command; all of them are held whole."""
+    from CNCStepper.job.prove import prove_job
+
+    program, machine = asked.program, asked.machine
+    text = read_program(file)
+    _require_readable(text, job.started(asked.start, machine), asked.language, program)
+    words: dict[str, Any] = {"file": str(program), "dialect": asked.language, "start": asked.start}
+    with Progress(f"checking {program.name}") as progress:
+        words["tell"] = lambda stage: progress.doing(f"{STAGES[stage]} {program.name}")
+        proof = prove_job(job, machine, text, earlier=earlier, share=progress.share, **words)
+    _conclude(proof, program, asked.json_path, asked.certificate)
+
+
+def _conclude(proof: Proof | FileProof, program: Path, json_path: Path | None, certificate: Path | None) -> NoReturn:
+    """Show what was found, write what was asked for, and end the command."""
+    show_findings(proof.findings)
+    if json_path:
+        write_report(json_path, proof.report)
+    if certificate:
+        from CNCStepper.atomic_file import whole_file
+        from CNCStepper.cli.common.reproduce_options import made_with
+        from CNCStepper.job.certify import certificate_of
+
+        with whole_file(certificate) as file:
+            file.writelines(map(str.encode, certificate_of(proof).sending(made_with=made_with()).json_pieces()))
+    show_figures(proof.report)
+    verdict = "refused" if proof.refused else "clean"
+    click.echo(f"{program}: {verdict}; {proof.report['blocks']} blocks that move, {proof.report['time_s']:.1f} s")
+    sys.exit(1 if proof.refused else 0)
+
+
+def _check_in_pieces(prove: Callable[..., FileProof], file: Path, start: Start | None, asked: _Asked) -> NoReturn:
+    """Check a program without holding it whole, and end the command; start: with which its lines are read."""
+    program, certificate = asked.program, asked.certificate
+    with TemporaryDirectory(prefix="cncstepper-check-") as folder:
+        try:
+            with Progress(f"checking {program.name}") as progress:
+                proof = prove(
+                    file,
+                    asked.machine,
+                    name=str(program),
+                    dialect=asked.language,
+                    start=asked.start,
+                    spool=Path(folder) / "sent" if certificate else None,
+                    share=progress.share,
+                    tell=lambda stage: progress.doing(f"{STAGES[stage]} {program.name}"),
+                )
+        except ProgramError as error:
+            _end_unread(refusals_of_file(file, start, asked.language, str(program)) or [error], program)
+        _conclude(proof, program, asked.json_path, certificate)
+
+
+def _require_readable(text: str, start: Start | None, language: str, program: Path) -> None:
+    """End the command with status 1, telling why, where lines of a program cannot be read or sent."""
+    from CNCStepper.gcode.wire.read_back import refused_lines
+
+    with Progress(f"reading {program.name}"):
+        refused = list(refused_lines(text, start, language, str(program)))
+    if refused:
+        _end_unread(refused, program)
+
+
+def refusals_of_file(program: Path, start: Start | None, language: str, name: str = "") -> list[ProgramError]:
+    """Return why lines of a long program are refused, the first of them; name: by which people know it."""
+    from CNCStepper.gcode.interpreter.program_file import FileReading
+    from CNCStepper.gcode.wire.read_back import MOST_REFUSALS
+
+    with Progress(f"reading {Path(name or program).name}") as progress:
+        reading = FileReading(program, start, language, progress=progress.share, name=name)
+        return list(islice(reading.refusals(), MOST_REFUSALS))
+
+
+def _end_unread(refused: list[ProgramError], program: Path) -> NoReturn:
+    """End the command with status 1, telling why."""
+    for error in refused:
+        click.echo(str(error))
+    click.echo(f"{program}: refused; it cannot be read")
+    add_conversion(refused[0], click.get_current_context())
+    show_hints(refused)
+    sys.exit(1)
+
+
+def earlier_parts(job: Job, machine: Machine, part: int | None) -> list[Proof]:
+    """Return the proofs of the job's programs before this one; raises a usage error where nobody says which it is."""
+    from CNCStepper.job.make import is_split, make_parts
+    from CNCStepper.job.prove import prove_parts
+
+    if not is_split(job, machine):
+        if part is not None:
+            raise click.UsageError("--part goes with a job that is split into a program a tool")
+        return []
+    parts = make_parts(job, machine)
+    if part is None or part > len(parts):
+        raise click.UsageError(f"the job is split into {len(parts)} programs: say with --part which of them this is")
+    return list(prove_parts(job, machine, parts[: part - 1], Path()))

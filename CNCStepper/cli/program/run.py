@@ -1,0 +1,109 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""`cncstepper run`: job file in; program, report, certificate and picture out."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from CNCStepper.cli.common.findings_output import save, show_figures, show_findings, write_report
+from CNCStepper.cli.common.options import FilePath
+from CNCStepper.cli.common.progress import Progress
+from CNCStepper.cli.common.reproduce_options import MadeWith, kept
+from CNCStepper.cli.common.verb import OutputFolder, Verb
+from CNCStepper.cli.job_file import job_and_machine
+from CNCStepper.output_files import MADE_BY
+
+if TYPE_CHECKING:
+    from CNCStepper.job.model import Job
+    from CNCStepper.job.prove import Proof
+    from CNCStepper.machine.profile import Machine
+
+
+def _names(parameters: Mapping[str, Any]) -> dict[str, str]:
+    """Return the names of the results, one of each or one a tool, with their kinds."""
+    part = r"(-\d+-T\d+)?"
+    return {
+        rf"program{part}\.nc": "program",
+        rf"report{part}\.json": "report",
+        rf"certificate{part}\.json": "certificate",
+        rf"part{part}\.png": "picture",
+    }
+
+
+@click.command("run", cls=Verb)
+@click.argument("job", type=FilePath)
+@click.option("-o", "--out", type=OutputFolder(_names), required=True, help="Folder for the results.")
+def command(job: Path, out: Path) -> None:
+    """Make DIR/program.nc, DIR/report.json, DIR/certificate.json and DIR/part.png from the job file JOB.
+
+    Where the machine wants a file a tool (tool_change = "split"), there is one of each for each tool: program-1-T1.nc,
+    report-1-T1.json and so on; run them in their order. Each program is read back, timed, simulated and checked, the
+    later ones against the stock that the earlier ones have cut; exit 1 when a check refuses one.
+    """
+    from CNCStepper.job.estimate import long_work
+    from CNCStepper.job.make import is_split
+
+    loaded, machine = job_and_machine(job)
+    for sentence in long_work(loaded):
+        click.echo(f"cncstepper: {sentence}; Ctrl+C ends it", err=True)
+    out.mkdir(parents=True, exist_ok=True)
+    make = _split if is_split(loaded, machine) else _whole
+    sys.exit(1 if make(loaded, machine, job, out) else 0)
+
+
+def _whole(job: Job, machine: Machine, path: Path, out: Path) -> bool:
+    """Make and prove one program; return whether it is refused."""
+    from CNCStepper.job.make import make_program
+    from CNCStepper.job.prove import prove_job
+
+    file = out / "program.nc"
+    with Progress(f"making {file.name}") as progress:
+        made = make_program(job, machine, f"{MADE_BY}: {path.stem}")
+        _write_program(file, made.program)
+        progress.doing(f"proving {file.name}")
+        proof = prove_job(job, machine, made.program, str(file), share=progress.share, answers=made.answers)
+    _conclude(proof, file, "", path.stem, job, kept({"--job": [path]}))
+    return proof.refused
+
+
+def _split(job: Job, machine: Machine, path: Path, out: Path) -> bool:
+    """Make and prove a program for each tool; return whether one is refused."""
+    from CNCStepper.job.make import make_parts
+    from CNCStepper.job.prove import prove_parts
+
+    refused = False
+    with Progress(f"making the programs of {path.name}"):
+        parts = make_parts(job, machine, f"{MADE_BY}: {path.stem}")
+    for part in parts:
+        _write_program(out / part.file_name, part.program)
+    for part, proof in zip(parts, prove_parts(job, machine, parts, out), strict=True):
+        suffix = part.file_name.removeprefix("program").removesuffix(".nc")
+        title = f"{path.stem}, {part.number} of {len(parts)}"
+        made_with = kept({"--job": [path], "--part": [part.number]})
+        _conclude(proof, out / part.file_name, suffix, title, job, made_with)
+        refused |= proof.refused
+    return refused
+
+
+def _write_program(file: Path, text: str) -> None:
+    save(file, text.encode("ascii"))
+
+
+def _conclude(proof: Proof, file: Path, suffix: str, title: str, job: Job, made_with: MadeWith) -> None:
+    """Write report, certificate and picture beside a program, and say what was found."""
+    from CNCStepper.job.certify import certificate_of
+
+    report, certificate = (file.with_name(f"{kind}{suffix}.json") for kind in ("report", "certificate"))
+    picture = file.with_name(f"part{suffix}.png")
+    write_report(report, proof.report)
+    save(certificate, certificate_of(proof).sending(made_with=made_with).to_json().encode("utf-8"))
+    proof.draw(picture, title, ", ".join(job.tools[number].words for number in proof.report["tools"] if number))
+    show_findings(proof.findings)
+    show_figures(proof.report)
+    blocks, minutes = proof.report["blocks"], proof.report["time_s"] / 60
+    click.echo(f"{file}: {blocks} blocks that move, {minutes:.1f} min; {report}; {picture}")

@@ -1,0 +1,191 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""`cncstepper simulate`: the part that a program cuts, as picture, animation, mesh and figures, at any moment."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterator
+from functools import partial
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+import numpy as np
+
+from CNCStepper.cli.common.findings_output import show_findings, write_report
+from CNCStepper.cli.common.options import (
+    check_stock,
+    dialect_name,
+    dialect_option,
+    job_option,
+    machine_option,
+    program_argument,
+    read_program,
+    stock_of,
+    stock_options,
+)
+from CNCStepper.cli.common.start_state_options import Given, start_options
+from CNCStepper.cli.common.verb import OutputPath, Verb
+from CNCStepper.cli.job_file import job_and_machine
+from CNCStepper.machine.profile import Machine, load_machine
+from CNCStepper.machine.tools.tool import Tool
+
+if TYPE_CHECKING:
+    from CNCStepper.job.prove import Proof
+    from CNCStepper.simulation.removal.heightmap import HeightMap
+    from CNCStepper.simulation.removal.timeline import Moment, Timeline
+    from CNCStepper.simulation.views.scene import Scene
+
+VIEWS = ("isometric", "xy", "zy", "depth")
+ANIMATION_S = 6.0
+
+
+@click.command("simulate", cls=Verb)
+@program_argument
+@stock_options(required=False)
+@job_option
+@click.option(
+    "-o",
+    "--out",
+    type=OutputPath("picture"),
+    required=True,
+    help="The picture, PNG or SVG; with --view also an animation: GIF, APNG, WebP, or MP4 where ffmpeg is.",
+)
+@click.option("--view", type=click.Choice(VIEWS), help="One view alone. [default: isometric and depth on one sheet]")
+@click.option("--at", "at_s", type=click.FloatRange(min=0), help="Show the part after that many seconds.")
+@click.option("--line", type=click.IntRange(min=1), help="Show the part after that line of the program.")
+@click.option("--stl", type=OutputPath("mesh"), help="Also write the part there, as STL in mm.")
+@click.option("--json", "json_path", type=OutputPath("report"), help="Also write the report there.")
+@machine_option(required=False)
+@start_options
+@dialect_option
+def command(
+    program: Path,
+    stock: tuple[float, float, float] | None,
+    origin: str,
+    tool: Tool | None,
+    job_path: Path | None,
+    out: Path,
+    view: str | None,
+    at_s: float | None,
+    line: int | None,
+    stl: Path | None,
+    json_path: Path | None,
+    machine: Machine | None,
+    dialect: str | None,
+    given: Given,
+) -> None:
+    """Draw what PROGRAM leaves of the stock, at its end or at a moment; times are the job's machine's
+    or table-a's unless told.
+
+    A PNG of the end stands there at once, plain, until the full one takes its place. With --work-zero the pictures
+    of one view show the machine's work surface. Exit 1 when a finding is an error.
+    """
+    from CNCStepper.job.prove import prove, prove_job
+
+    check_stock(stock, tool, job_path, required=True)
+    if at_s is not None and line is not None:
+        raise click.UsageError("give either --at or --line")
+    job, job_machine = job_and_machine(job_path) if job_path else (None, load_machine("table-a"))
+    machine = machine or job_machine
+    text = read_program(program)
+    words: dict[str, Any] = {"file": str(program), "start": given.start()}
+    words["dialect"] = dialect_name(dialect, machine)
+    out.parent.mkdir(parents=True, exist_ok=True)
+    if out.suffix.lower() == ".png" and view in (None, "depth") and at_s is line is None:
+        words["see"] = partial(_show_first, out)
+    if job:
+        proof = prove_job(job, machine, text, **words)
+    else:
+        proof = prove(text, machine, stock=stock_of(stock, origin), tools=tool, **words)
+    show = _Show(proof, program.stem)
+    show.draw(out, view, show.time_s(at_s, line))
+    if stl:
+        show.save_stl(stl)
+    if json_path:
+        write_report(json_path, proof.report)
+    show_findings(proof.findings)
+    click.echo(f"{out}: {show.words}")
+    sys.exit(1 if proof.refused else 0)
+
+
+def _show_first(out: Path, part: HeightMap) -> None:
+    """Write a picture of the part at once: the one that is asked for takes its place when all is known."""
+    from CNCStepper.simulation.views.quick_picture import save_first_picture
+
+    save_first_picture(out, part)
+
+
+class _Show:
+    """A proof to look at; after `draw`, the moment that was drawn."""
+
+    def __init__(self, proof: Proof, title: str):
+        assert proof.given.tools is not None
+        self._proof = proof
+        self._title = title
+        self._tools = proof.given.tools
+        self._scene = proof.scene()
+        self._moment: Moment | None = None
+
+    def time_s(self, at_s: float | None, line: int | None) -> float | None:
+        """Return the moment asked for, None for the end: a time, or when the last move of a line is done."""
+        if line is None:
+            return at_s
+        rows = np.flatnonzero(self._proof.toolpath.table().line <= line)
+        return float(self._proof.times_s[rows[-1]]) if len(rows) else 0.0
+
+    def draw(self, out: Path, view: str | None, time_s: float | None) -> None:
+        """Draw the moment (None: the end), or animate all up to it."""
+        from CNCStepper.simulation.views.picture import save_picture
+        from CNCStepper.simulation.views.single_view import is_movie, save_animation, save_view
+
+        if is_movie(out):
+            if view is None:
+                raise click.UsageError("an animation needs --view")
+            save_animation(out, view, self._frames(time_s), self._title)
+            return
+        if time_s is not None:
+            self._scene = self._at(self._timeline(), time_s)
+        if view is None:
+            save_picture(out, self._scene, self._title, self._facts())
+        else:
+            save_view(out, view, self._scene, self._title, self._facts())
+
+    def save_stl(self, path: Path) -> None:
+        """Write the part that was drawn as a mesh."""
+        from CNCStepper.simulation.meshes.stl_mesh import mesh_of
+
+        mesh_of(self._scene.part).save_stl(path)
+
+    @property
+    def words(self) -> str:
+        """What is left of the stock, in one line."""
+        time_s = self._proof.report["time_s"] if self._moment is None else self._moment.time_s
+        at = "" if self._moment is None else f", line {self._moment.line}"
+        return f"{self._scene.part.removed_volume_mm3 / 1000:.1f} cm³ removed in {time_s:.1f} s{at}"
+
+    def _frames(self, time_s: float | None) -> Iterator[tuple[Scene, list[str]]]:
+        from CNCStepper.simulation.views.single_view import FRAMES_A_S
+
+        timeline = self._timeline()
+        end_s = timeline.duration_s if time_s is None else time_s
+        for moment_s in np.linspace(0.0, end_s, int(ANIMATION_S * FRAMES_A_S)):
+            self._scene = self._at(timeline, float(moment_s))
+            yield self._scene, self._facts()
+
+    def _timeline(self) -> Timeline:
+        from CNCStepper.simulation.removal.timeline import Timeline
+
+        stock = self._scene.part.stock
+        return Timeline(self._proof.toolpath, self._proof.times_s, self._tools, stock)
+
+    def _at(self, timeline: Timeline, time_s: float) -> Scene:
+        self._moment = timeline.moment(time_s)
+        return self._proof.scene(self._moment, timeline.at(time_s))
+
+    def _facts(self) -> list[str]:
+        from CNCStepper.simulation.views.picture import facts_of
+
+        tools = [self._tools] if isinstance(self._tools, Tool) else self._tools.values()
+        words = ", ".join(tool.words for tool in tools)
+        return facts_of(self._scene, words, self._proof.report["time_s"], self._moment)

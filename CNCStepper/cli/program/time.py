@@ -1,0 +1,62 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""`cncstepper time`: how long a program takes on a machine."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from CNCStepper.cli.common.options import dialect_name, dialect_option, machine_option, program_argument, read_program
+from CNCStepper.cli.common.progress import Progress
+from CNCStepper.cli.common.start_state_options import Given, start_options
+from CNCStepper.cli.common.streamed_program import program_chunks
+from CNCStepper.cli.common.verb import Verb
+from CNCStepper.machine.profile import Machine
+
+if TYPE_CHECKING:
+    from CNCStepper.state import Start
+    from CNCStepper.toolpath import Chunk, Toolpath
+
+
+@click.command("time", cls=Verb)
+@program_argument
+@machine_option(required=True)
+@dialect_option
+@start_options
+def command(program: Path, machine: Machine, dialect: str | None, given: Given) -> None:
+    """Print the seconds that PROGRAM takes on the machine, from its planner; one number on the last line.
+
+    Unless told, the machine stands at the work zero when the program begins, as in `check` and in the report of `run`.
+    Pauses (M0) count as no time.
+    """
+    from CNCStepper.errors import ProgramError
+    from CNCStepper.state import Start
+
+    language = dialect_name(dialect, machine)
+    text = None if program.is_file() else read_program(program)  # a pipe can be read only once
+
+    def taken_s(start: Start) -> float:
+        with Progress(f"timing {program.name}") as progress:
+            return _taken_s(*program_chunks(program, start, language, progress, text), machine, language)
+
+    try:
+        seconds = taken_s(given.on(Start()))
+    except ProgramError as error:
+        if error.code != "unknown-position":
+            raise
+        seconds = taken_s(given.on(Start.at_zero()))  # it begins with an incremental move, which no check lets pass
+    click.echo(f"{seconds:.3f}")
+
+
+def _taken_s(path: Toolpath, chunks: Iterator[Chunk], machine: Machine, language: str) -> float:
+    """Return how long the way of the motors takes, s, begun as a proof begins it."""
+    from CNCStepper.gcode.wire.backlash_compensation import play_of
+    from CNCStepper.motion.planner.backlash import motor_chunks, way_duration_s
+    from CNCStepper.motion.planner.plan import begun_chunks
+
+    if play := play_of(machine, language):
+        path, chunks = motor_chunks(path, chunks, play)
+    return way_duration_s(*begun_chunks(path, chunks), machine)

@@ -1,0 +1,177 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""`cncstepper back`: leads the tool of a held job back along its cut, forward again, and lets the job go on."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+import click
+
+from CNCStepper.cli.common.options import machine_option
+from CNCStepper.cli.common.verb import Verb
+from CNCStepper.cli.job.running_job import session_file, session_option
+from CNCStepper.errors import CNCStepperError, JobError
+from CNCStepper.machine.profile import Machine
+
+if TYPE_CHECKING:
+    from CNCStepper.control.service.connection_session import DeskSession
+    from CNCStepper.control.session.client import SessionClient
+    from CNCStepper.control.session.status import SenderStatus
+    from CNCStepper.recovery.retract.client import WayBack
+    from CNCStepper.recovery.retract.path import Place
+    from CNCStepper.recovery.retract.prove import Held
+
+QUESTION = "b MM | l LINE | e | f [MM] | r | s | q"
+MEANINGS = """\
+b MM    back along the cut by MM millimetres      f [MM]  forward again, as far as it was cut at most
+l LINE  back to where LINE of the program begins  r       resume: spindle on, cut from here to the end
+e       back to the last entry into the work      s       stop the job        q  leave, the machine stands"""
+OVER = "that was not done: the job has gone on meanwhile"
+LENGTH = click.FloatRange(min=0, min_open=True)
+
+
+@click.command("back", cls=Verb)
+@click.option("--distance", "distance_mm", type=LENGTH, metavar="MM", help="Go back so far along the cut.")
+@click.option("--line", type=click.IntRange(min=1), metavar="N", help="Go back to where line N of the program begins.")
+@click.option("--entry", is_flag=True, help="Go back to where the tool last began to go down into the work.")
+@click.option(
+    "--forward",
+    "forward_mm",
+    type=LENGTH,
+    metavar="[MM]",
+    is_flag=False,
+    flag_value=math.inf,
+    help="Go forward again: by MM, or without a number to where the cut ended.",
+)
+@click.option("--resume", is_flag=True, help="Switch spindle or beam on again and cut from here to the program's end.")
+@session_option
+@machine_option(required=False)
+def command(
+    distance_mm: float | None,
+    line: int | None,
+    entry: bool,
+    forward_mm: float | None,
+    resume: bool,
+    session: str | None,
+    machine: Machine | None,
+) -> None:
+    """Go back along the cut of a job that runs, forward again, and go on.
+
+    The job is one that `cncstepper send` runs in another terminal, or that was sent from FreeCAD's window.
+
+    The machine is held first if it still moves. Then it runs the very path of the program backwards, arcs and helices
+    too; what is sent is checked before anything moves. Each way begins with a reset of the controller at standstill,
+    which switches the spindle off; it is switched on again and waited for, unless the machine profile says that outputs
+    are off on the way back ([retreat] outputs = "off"; so are those of every laser).
+
+    \b
+    cncstepper back --distance 5     hold, and 5 mm back
+    cncstepper back --forward        forward again to where it was held
+    cncstepper back --resume         go on with the job from where the tool stands now
+
+    Without --distance, --line, --entry, --forward or --resume it asks what to do, again and again.
+    """
+    wishes = [distance_mm is not None, line is not None, entry, forward_mm is not None, resume]
+    if sum(wishes) > 1:
+        raise click.UsageError("give one of --distance, --line, --entry, --forward and --resume")
+    from CNCStepper.control.service.connection_session import attach
+    from CNCStepper.control.stream.phases import RETREATED
+    from CNCStepper.recovery.retract.client import WayBack
+
+    with attach(session_file(session)) as client:
+        back = WayBack(client, machine)
+        if back.hold().phase != RETREATED or not any(wishes):
+            _show(back.hold(), back.held())
+        if not any(wishes):
+            _Dialogue(back, client).run()
+        elif resume:
+            _resume(back)
+        else:
+            held = back.held()
+            _go(back, held, _target(held, distance_mm, line, entry, forward_mm))
+
+
+def _target(held: Held, distance_mm: float | None, line: int | None, entry: bool, forward_mm: float | None) -> Place:
+    """Return the place that is asked for, by one of these."""
+    if distance_mm is not None:
+        return held.back_by(distance_mm)
+    if line is not None:
+        return held.back_to_line(line)
+    return held.back_to_entry() if entry else held.forward_by(forward_mm or math.inf)
+
+
+def _go(back: WayBack, held: Held, target: Place) -> None:
+    """Go along the cut to a place, and say where the tool stands then."""
+    if held.doubt:
+        click.echo(held.doubt, err=True)
+    back.go(held.along(target))
+    _show(back.arrive(), back.held())
+
+
+def _resume(back: WayBack) -> None:
+    back.go(back.held().rest())
+    click.echo("the job goes on from here")
+
+
+def _show(status: SenderStatus, held: Held) -> None:
+    """Say where the tool is: the line that moves there, and the work position."""
+    place = " ".join(f"{axis}{value:.3f}" for axis, value in zip("XYZ", status.wpos_mm or (), strict=False))
+    click.echo(f"{status.phase}: line {held.file_line(held.place)}  {place}")
+
+
+class _Dialogue:
+    """Asks until the job goes on, or is left."""
+
+    def __init__(self, back: WayBack, client: SessionClient | DeskSession) -> None:
+        self._back = back
+        self._client = client
+
+    def run(self) -> None:
+        """Ask and obey; what is refused is told, and asked again."""
+        click.echo(MEANINGS)
+        while True:
+            stand = self._client.status().stand
+            answer = click.prompt(QUESTION, err=True).lower().split() or [""]
+            try:
+                if self._over(stand, answer[0]):
+                    _show(self._client.status(), self._back.held())
+                elif self._obey(*answer[:2]):
+                    return
+            except CNCStepperError as error:
+                if error.code == "session-ended":
+                    raise
+                click.echo(f"cncstepper: {error}", err=True)
+
+    def _over(self, stand: int, word: str) -> bool:
+        """Return whether an answer that moves the machine was asked for at a stand that is over, and say so."""
+        if word in ("s", "q") or self._client.status().stand == stand:
+            return False
+        click.echo(OVER, err=True)
+        return True
+
+    def _obey(self, word: str, number: str = "") -> bool:
+        """Carry out one answer; return whether it was the last."""
+        if word == "s":
+            self._client.stop()
+        elif word == "r":
+            _resume(self._back)
+        elif word in ("b", "l", "e", "f"):
+            held = self._back.held()
+            _go(self._back, held, _asked(held, word, number))
+        elif word != "q":
+            click.echo(MEANINGS)
+        return word in ("s", "r", "q")
+
+
+def _asked(held: Held, word: str, number: str) -> Place:
+    """Return the place of an answer; raises JobError for one that lacks its number."""
+    try:
+        length_mm = float(number) if number else math.inf
+    except ValueError:
+        length_mm = math.nan
+    if not length_mm > 0 or (word in "bl" and length_mm == math.inf):
+        raise JobError("answer", f"'{word} {number}' says no length or line", advice="write for example: b 5")
+    if word == "l":
+        return _target(held, None, int(length_mm), False, None)
+    return _target(held, length_mm if word == "b" else None, None, word == "e", length_mm if word == "f" else None)

@@ -1,0 +1,198 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""`cncstepper restart`: a program from a place in its middle on, proven, written and sent."""
+
+from __future__ import annotations
+
+import sys
+from dataclasses import dataclass
+from functools import partial
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from CNCStepper.cli.common.findings_output import save, show_findings
+from CNCStepper.cli.common.options import (
+    check_stock,
+    dialect_name,
+    dialect_option,
+    job_option,
+    machine_option,
+    program_argument,
+    read_program,
+    stock_of,
+    stock_options,
+)
+from CNCStepper.cli.common.progress import Progress
+from CNCStepper.cli.common.reproduce_options import made_with
+from CNCStepper.cli.common.start_state_options import Given, start_options
+from CNCStepper.cli.common.verb import Verb
+from CNCStepper.cli.job_file import job_and_machine
+from CNCStepper.cli.recovery.restart_options import Sending, restart_options
+from CNCStepper.machine.profile import Machine
+from CNCStepper.machine.tools.tool import Tool
+
+if TYPE_CHECKING:
+    from CNCStepper.control.program.certificate import Certificate
+    from CNCStepper.job.model import Job
+    from CNCStepper.recovery.restart.places import Where
+    from CNCStepper.recovery.restart.prove import Entering, ProvenRestart
+    from CNCStepper.simulation.stock import Stock
+
+
+@dataclass(frozen=True)
+class _Against:
+    """What the restart program is proven against."""
+
+    machine: Machine
+    dialect: str
+    given: Given
+    stock: Stock | None
+    tool: Tool | None
+    job: Job | None
+
+    @property
+    def has_stock(self) -> bool:
+        """Whether the restart is cut on a stock, so that what its moves meet is seen."""
+        return self.job is not None or (self.stock is not None and self.tool is not None)
+
+
+@click.command("restart", cls=Verb)
+@program_argument
+@restart_options
+@machine_option(required=False)
+@stock_options(required=False)
+@job_option
+@start_options
+@dialect_option
+@click.option("--part", type=click.IntRange(1), help="Which program of the job it is, where it is split, one a tool.")
+def command(
+    program: Path,
+    where: Where,
+    entering: Entering,
+    sending: Sending,
+    machine: Machine | None,
+    stock: tuple[float, float, float] | None,
+    origin: str,
+    tool: Tool | None,
+    job_path: Path | None,
+    dialect: str | None,
+    part: int | None,
+    given: Given,
+) -> None:
+    """Go on with PROGRAM from a line, an operation, a contour or a point on.
+
+    What lies before the place is taken as cut. The tool goes up, over the place, the spindle starts, and it goes down
+    at the plunge feed; a beam is switched on down there. All offsets and modes are as in the undisturbed run, and the
+    program's own lines follow as they are. Where the place cannot be entered, an earlier one is, and you are told.
+
+    Without --port nothing is sent: you see what it would do, and with -o you get the program. Without a place you get
+    the list of the contours. --machine, or --job with its machine, is needed; with --job, or with --stock and --tool,
+    the restart is cut on the stock that the moves before it have left, and refused where a rapid meets material. What
+    is cut on no stock is sent only with --without-stock. `cncstepper resume` gives the whole command for a job that did
+    not end.
+
+    Exit 0 when it is clean (and, with --port, done), else 1.
+    """
+    from CNCStepper.control.service.port_owner import check_free, tell_closed
+    from CNCStepper.recovery.restart.prove import certificate_of_restart
+
+    check_stock(stock, tool, job_path)
+    job, machine_of_job = job_and_machine(job_path) if job_path else (None, None)
+    machine = machine or machine_of_job
+    if machine is None:
+        raise click.UsageError("give --machine, or --job whose machine counts")
+    against = _Against(machine, dialect_name(dialect, machine), given, stock_of(stock, origin), tool, job)
+    _check_stock(against, sending)
+    if sending.port:
+        check_free(sending.port)
+        tell_closed(partial(click.echo, err=True))
+    text = read_program(program)
+    if not (where.line or where.operation or where.contour or where.at_mm):
+        _list(text, program, against)
+        return
+    proven = _proven(text, program, where, entering, against, part)
+    _tell(proven, against)
+    certificate = certificate_of_restart(proven).sending(made_with=made_with())
+    _write(proven, certificate, sending)
+    if proven.proof.refused:
+        click.echo(f"{program}: this restart is refused")
+        sys.exit(1)
+    if sending.port:
+        _send(certificate, sending)
+
+
+def _check_stock(against: _Against, sending: Sending) -> None:
+    """Refuse to send what was cut on no stock without saying so, and what says both; raises a usage error."""
+    if sending.without_stock and against.has_stock:
+        raise click.UsageError("--without-stock goes without --job, --stock and --tool")
+    if sending.port and not (against.has_stock or sending.without_stock):
+        raise click.UsageError(
+            "give --job, or --stock and --tool, to have it cut on what is left of the stock first; or --without-stock"
+        )
+
+
+def _list(text: str, program: Path, against: _Against) -> None:
+    """Print the places by which a restart can be named."""
+    from CNCStepper.recovery.restart.description import contour_table
+    from CNCStepper.recovery.restart.program import read_program as read
+
+    start = against.given.start()
+    start = against.job.started(start, against.machine) if against.job else start
+    click.echo("contour   line   operation             begins at                        length")
+    for number, line, operation, place, length_mm in contour_table(read(text, against.dialect, start, str(program))):
+        click.echo(f"{number:7} {line:6}   {operation:20}  {place:32} {length_mm:.1f} mm")
+    click.echo("name one with --contour, or give --line, --operation or --at")
+
+
+def _proven(
+    text: str, program: Path, where: Where, entering: Entering, against: _Against, part: int | None
+) -> ProvenRestart:
+    from CNCStepper.cli.program.check import STAGES, earlier_parts
+    from CNCStepper.recovery.restart.prove import restart_job, restart_program
+
+    words: dict[str, Any] = {"file": str(program), "dialect": against.dialect, "start": against.given.start()}
+    with Progress(f"reading {program.name}") as progress:
+        words["tell"] = lambda stage: progress.doing(f"{STAGES[stage]} the restart of {program.name}")
+        words["share"] = progress.share
+        machine, job = against.machine, against.job
+        if job:
+            return restart_job(job, machine, text, where, entering, earlier=earlier_parts(job, machine, part), **words)
+        return restart_program(text, machine, where, entering, stock=against.stock, tools=against.tool, **words)
+
+
+def _tell(proven: ProvenRestart, against: _Against) -> None:
+    """Say what the restart does, and against what it was proven."""
+    from CNCStepper.recovery.restart.description import proven_against, words_of
+
+    show_findings(proven.proof.findings)
+    for sentence in words_of(proven.restart):
+        click.echo(sentence)
+    click.echo(proven_against(against.has_stock, against.job is not None))
+    click.echo(f"takes {proven.proof.report['time_s']:.1f} s")
+
+
+def _write(proven: ProvenRestart, certificate: Certificate, sending: Sending) -> None:
+    """Write program and certificate where they are wanted; the certificate names the program."""
+    if sending.out:
+        save(sending.out, proven.restart.text.encode("utf-8"))
+        click.echo(f"{sending.out}: written")
+    if sending.certificate:
+        save(sending.certificate, certificate.to_json().encode("utf-8"))
+        click.echo(f"{sending.certificate}: written")
+
+
+def _send(certificate: Certificate, sending: Sending) -> None:
+    """Send the proven lines as `cncstepper send` does."""
+    from CNCStepper.cli.job.send import conclude, confirmed
+    from CNCStepper.cli.job.session_watch import watch
+
+    assert sending.port
+    certificate.check_clean()
+    job = certificate.send_job(
+        port=sending.port,
+        baud=sending.baud,
+        allow_differences=sending.allow_differences,
+        home_first=sending.home_first,
+    )
+    conclude(watch(confirmed(job, sending.zero_confirmed), sending.resume_pauses))

@@ -1,0 +1,132 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""`cncstepper resume`: what the journal of a job says after a crash, and the command that restarts it safely."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from CNCStepper.cli.common.options import FilePath, read_program
+from CNCStepper.cli.common.verb import Verb
+from CNCStepper.errors import ProgramError
+
+if TYPE_CHECKING:
+    from CNCStepper.control.journal.progress_interval import Reached
+    from CNCStepper.control.journal.replay import Story
+
+
+NOTHING_CUT, NOTHING_LEFT = "restart-at-start", "restart-nothing-left"
+
+
+@click.command("resume", cls=Verb)
+@click.argument("journal", type=FilePath, required=False)
+@click.option("--all", "is_list", is_flag=True, help="List every journal that is kept, the latest first.")
+def command(journal: Path | None, is_list: bool) -> None:
+    """Say how far the job of JOURNAL came, by default the latest that was not cut to its end.
+
+    Every job that is sent has a journal, in which each line stands before it goes out. After a crash of the computer
+    or of the sender, a cut cable or a power loss, it tells which lines are certainly cut, which may be, and which
+    are certainly not, whether the machine must be homed, and the command that restarts the program. Nothing is sent
+    from here. A job that still runs is refused.
+    """
+    from CNCStepper.control.journal.summary import check_ended
+
+    if is_list:
+        _list()
+        return
+    story = _story(journal)
+    if story is None:
+        click.echo("no job is unfinished: every one whose journal is kept was cut to its end")
+        return
+    check_ended(story)
+    for name, text in _told(story):
+        click.echo(f"{name:<13}{text}")
+
+
+def _story(journal: Path | None) -> Story | None:
+    from CNCStepper.control.journal.replay import read_story
+    from CNCStepper.control.journal.store import latest_unfinished
+
+    return read_story(journal) if journal else latest_unfinished()
+
+
+def _list() -> None:
+    from CNCStepper.control.journal.store import stories
+
+    for story in stories():
+        header = story.header
+        click.echo(f"{header['begin']}  {story.end:<8} {header['file'] or 'a program'}  {story.path}")
+
+
+def _told(story: Story) -> Iterator[tuple[str, str]]:
+    from CNCStepper.control.journal.summary import begun_as, told_of
+
+    yield "journal", str(story.path)
+    yield from begun_as(story)
+    yield from told_of(story, _reached(story))
+    if not story.is_done:
+        yield from _restart(story)
+
+
+def _reached(story: Story) -> Reached | None:
+    """Return the interval as places, None where the program is not there as it was sent."""
+    from CNCStepper.control.journal.progress_interval import reached
+    from CNCStepper.control.journal.sent_program import text_sent
+
+    text = text_sent(story) if story.first_line else None
+    return None if text is None else reached(story, text)
+
+
+def _restart(story: Story) -> Iterator[tuple[str, str]]:
+    """Yield the command that restarts the program and what it lacks, or why there is none."""
+    from CNCStepper.control.journal.summary import why_no_line
+
+    name, sha256, line, _ = story.restarted
+    file = Path(name)
+    if why_not := why_no_line(story):
+        yield "restart", why_not
+    elif not file.is_file():
+        yield "restart", f"from line {line} of the program, which is not a file here any more: {name}"
+    elif _was_changed(file, sha256):
+        what = f"none: {file} was changed since, so its lines are not those of the journal; bring the old text back"
+        yield "restart", what
+    else:
+        yield from _offered(story, file, line)
+
+
+def _offered(story: Story, file: Path, line: int) -> Iterator[tuple[str, str]]:
+    """Yield the command, and before it what it lacks."""
+    from CNCStepper.cli.recovery.restart_command import RestartLine
+
+    why_not = _nothing_to_enter(story, file, line)
+    if why_not == NOTHING_LEFT:
+        yield "restart", "none is needed: from there on the program cuts nothing"
+        return
+    offered = RestartLine(story, file, 0 if why_not else line)
+    yield from offered.told
+    if why_not:
+        yield "whole", f"nothing is cut before line {line}, so the program is sent from its beginning"
+    yield "restart", str(offered)
+
+
+def _nothing_to_enter(story: Story, file: Path, line: int) -> str:
+    """Return NOTHING_CUT or NOTHING_LEFT where the program cuts nothing before a line, or from there on; else ""."""
+    from CNCStepper.recovery.restart.entry_point import entrance_of
+    from CNCStepper.recovery.restart.places import Where, place_of
+    from CNCStepper.recovery.restart.program import read_program as read
+
+    try:
+        program = read(read_program(file), story.header.get("dialect") or "grbl", None, str(file))
+        entrance_of(program, place_of(program, Where(line=line)))
+    except ProgramError as error:  # any other the command itself tells, which reads the program with all its options
+        return error.code if error.code in (NOTHING_CUT, NOTHING_LEFT) else ""
+    return ""
+
+
+def _was_changed(file: Path, sha256: str) -> bool:
+    from CNCStepper.control.program.certificate import digest_of_text
+
+    return bool(sha256) and digest_of_text(read_program(file)) != sha256

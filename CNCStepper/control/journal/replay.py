@@ -1,0 +1,132 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a journal tells of its job: how it ended, and between which lines it was when it did.
+
+lines   0 ... finished | first ... last | may_be_sent ... total
+        certainly cut  | not certain    | certainly not sent
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from CNCStepper.control.journal.entry import Group
+from CNCStepper.control.journal.records import Records, read_records
+from CNCStepper.control.journal.restart_line_map import FirstProgram
+from CNCStepper.control.processes.file_lock import is_locked
+from CNCStepper.control.session.status import DONE
+from CNCStepper.errors import JobError, Place
+
+FORMAT, VERSION = "CNCStepper journal", 1
+RUNNING, KILLED = "running", "killed"
+
+
+@dataclass(frozen=True)
+class Story:
+    """One job as its journal has it.
+
+    header: what was known before the first line (see `header.header_of`). group: the last entry. end: how the job
+    ended: one of RUNNING, KILLED, "done", "stopped", "failed". why: the words of its outcome. position_known:
+    whether the controller's position could be trusted at the end; None for a job that was killed.
+    is_end_damaged: nothing is known of the last lines sent, so that any may have been. zero: the work zero that was set
+    within the job, as the header has it, and the pause's line of the file; empty: it is the header's.
+    """
+
+    path: Path
+    header: Mapping[str, Any]
+    group: Group
+    end: str
+    why: str = ""
+    position_known: bool | None = None
+    faults: tuple[str, ...] = field(default=())
+    is_end_damaged: bool = False
+    zero: Mapping[str, Any] = field(default_factory=dict)
+
+    @property
+    def is_done(self) -> bool:
+        """Whether the job was cut to its end."""
+        return self.end == DONE
+
+    @property
+    def total(self) -> int:
+        """How many lines the job has."""
+        return int(self.header["lines"])
+
+    @property
+    def finished(self) -> int:
+        """How many lines are certainly cut."""
+        return self.group.finished
+
+    @property
+    def may_be_sent(self) -> int:
+        """How many lines may have been sent."""
+        return self.total if self.is_end_damaged else self.group.may_be_sent
+
+    @property
+    def first_line(self) -> int:
+        """The file's line of the first that is not certainly cut; 0 when all are."""
+        return self.group.first_line
+
+    @property
+    def first_program(self) -> FirstProgram | None:
+        """The program that was restarted, where the job is a restart."""
+        return FirstProgram.of(self.header.get("restart_of", {}))
+
+    @property
+    def restarted(self) -> tuple[str, str, int, bool]:
+        """What a restart begins from: file, fingerprint, line, and whether that line alone names no place."""
+        header, first = self.header, self.first_program
+        if first is None:
+            return header["file"], header["program_sha256"], self.first_line, header["goes_back"]
+        goes_back = header["goes_back"] or first.goes_back
+        return first.file, first.sha256, first.line(self.first_line), goes_back
+
+    @property
+    def position_kept(self) -> bool:
+        """Whether the position was known at the end, and is not lost when the port is opened: it greeted no opening."""
+        return self.position_known is True and not self.header.get("greeted", False)
+
+    @property
+    def last_line(self) -> int:
+        """The file's line of the last that may have been sent; 0 for none."""
+        return int(self.header["last_line"]) if self.is_end_damaged else self.group.last_line
+
+
+def read_story(path: Path) -> Story:
+    """Return what the journal of a file tells; raises JobError naming the file when it cannot be read."""
+    try:
+        is_running = is_locked(path)
+        if not path.is_file():  # of a pipe one would wait for the end
+            raise _refusal("journal-damaged", "the journal lacks its beginning, or is none", path)
+        records = read_records(path.read_bytes())
+    except OSError as error:
+        raise _refusal("journal-unreadable", f"the journal cannot be read: {error.strerror}", path) from error
+    try:
+        return _story(path, records, is_running)
+    except (KeyError, IndexError, TypeError, ValueError) as error:
+        raise _refusal("journal-damaged", "the journal lacks its beginning, or is none", path) from error
+
+
+def _story(path: Path, records: Records, is_running: bool) -> Story:
+    header = records.contents[0]
+    if (header["format"], header["version"]) != (FORMAT, VERSION):
+        raise ValueError(header["format"])
+    *_, last = (content for content in records.contents if "group" in content)
+    ended = records.contents[-1] if "end" in records.contents[-1] and not records.is_end_damaged else {}
+    return Story(
+        path,
+        header,
+        Group.from_content(last),
+        ended.get("end", RUNNING if is_running else KILLED),
+        ended.get("why", ""),
+        ended.get("position_known"),
+        records.faults,
+        records.is_end_damaged,
+        last.get("zero", {}),
+    )
+
+
+def _refusal(code: str, what: str, path: Path) -> JobError:
+    return JobError(code, what, advice="look at the machine, and restart the program by hand", place=Place(str(path)))

@@ -1,0 +1,131 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a journal tells of its job, in words for people: how it ended, what is certain of its lines and of the place."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from CNCStepper.control.journal.replay import KILLED, RUNNING, Story
+from CNCStepper.errors import MachineRefusal, Place
+
+if TYPE_CHECKING:
+    from CNCStepper.control.journal.progress_interval import Reached
+
+UNTIL_HOMED = "until then nothing but homing, jogging and setting the zero is safe"
+
+
+def check_ended(story: Story) -> None:
+    """Raise MachineRefusal where the job still runs."""
+    if story.end == RUNNING:
+        raise MachineRefusal(
+            "job-runs",
+            f"the job still runs, on {story.header['port']}",
+            advice="hold or stop it where it was started, or wait until it has ended",
+            place=Place(str(story.path)),
+        )
+
+
+def begun_as(story: Story) -> Iterator[tuple[str, str]]:
+    """Yield what the job was begun with: a short name, and the words."""
+    header, first = story.header, story.first_program
+    file, total = header["file"], story.total
+    yield "program", f"{file}, {total} lines to send" if file else f"without a file, {total} lines to send"
+    if first:
+        yield "goes on with", f"{first.file}: restart that one again, what its restart has cut counts as cut"
+    machine, port, firmware, begin = (header[name] for name in ("machine", "port", "firmware", "begin"))
+    if machine:
+        yield "machine", f"{machine} at {port}, grbl {firmware}, begun {begin}"
+    else:
+        yield "machine", f"{port}, grbl {firmware}, begun {begin}"
+
+
+def told_of(story: Story, reached: Reached | None = None) -> Iterator[tuple[str, str]]:
+    """Yield what is known of a job that has ended: a short name, and the words. reached: where on its path it was."""
+    yield story.end, why_it_ended(story)
+    if story.end == KILLED:
+        yield "outputs", "spindle, torch or beam may still be on: look, and switch them off at the machine"
+    for fault in story.faults:
+        yield "damaged", fault
+    yield from _lines(story)
+    yield from _places(story, reached)
+    if story.zero:
+        yield "work zero", _zero(story)
+    yield "position", _position(story)
+
+
+def why_it_ended(story: Story) -> str:
+    """Return why the job ended as it did."""
+    if story.end == KILLED:
+        return "the sender or its computer stopped without a word; what the controller held it may have made"
+    return story.why
+
+
+def why_no_line(story: Story) -> str:
+    """Return why the job names no line from which its program can be restarted, "" where it does."""
+    if not story.first_line:
+        return "every line is cut, only the program's end was not seen"
+    _, _, line, goes_back = story.restarted
+    if goes_back:
+        return f"choose the pass yourself: the program sends lines again, so line {line} alone is no place"
+    return ""
+
+
+def _lines(story: Story) -> Iterator[tuple[str, str]]:
+    """Yield what is certain of the program's lines, and what is not."""
+    if not story.first_line:
+        yield "certain", "every line is cut"
+        return
+    yield "certain", f"all before line {story.first_line} is cut" if story.finished else "nothing is certainly cut"
+    if story.may_be_sent > story.finished:
+        last = max(story.last_line, story.first_line)
+        yield "not certain", f"line {story.first_line} may not have been begun, line {last} may have been sent"
+    if story.may_be_sent < story.total:
+        yield "not sent", "what comes after that"
+
+
+def _places(story: Story, reached: Reached | None) -> Iterator[tuple[str, str]]:
+    """Yield the interval as places on the path, and where the machine was last seen."""
+    if reached:
+        begin, end = _place(reached.begin_mm), _place(reached.end_mm)
+        interval = f"from {begin} at line {reached.first_line}, to {end} at line {reached.last_line}"
+        yield "on the path", f"{interval} (work, mm)"
+    group = story.group
+    if group.wpos_mm and group.mpos_mm:
+        moment = time.strftime("%Y-%m-%d %H:%M:%S", time.localtime(group.time_s))
+        work, machine = _place(group.wpos_mm), _place(group.mpos_mm)
+        yield "last seen", f"{group.state} at work {work}, machine {machine} mm, {_beside(moment, reached)}"
+
+
+def _beside(moment: str, reached: Reached | None) -> str:
+    if reached is None:
+        return moment
+    if reached.seen_line:
+        return f"{moment}, on the path at line {reached.seen_line}"
+    return f"{moment}, OFF the path of these lines"
+
+
+def _zero(story: Story) -> str:
+    """Return that the work zero was set anew within the job, and where it is."""
+    before, now = story.header["offsets_mm"], story.zero["offsets_mm"]
+    changed = [f"{name} {_place(now[name])}" for name in now if now[name] and now[name] != before.get(name)]
+    places = ", ".join(changed) or "place not known"
+    return (
+        f"set again at the pause at line {story.zero['line']}: {places} (machine, mm); "
+        "what comes after counts from there, what was before from the old one"
+    )
+
+
+def _position(story: Story) -> str:
+    home = "home it" if story.header["homing"] else "set its zero again"
+    if not story.position_known:  # of a killed job nobody has seen the end
+        return f"unknown: {home} before the restart; {UNTIL_HOMED}"
+    return (
+        f"kept only if the controller has had power ever since and was not reset in motion; a greeting, an alarm or a "
+        f"place that is not right says that it was: then {home}; {UNTIL_HOMED}"
+    )
+
+
+def _place(position_mm: tuple[float, ...]) -> str:
+    return " ".join(f"{axis}{value:.3f}" for axis, value in zip("XYZABC", position_mm, strict=False))

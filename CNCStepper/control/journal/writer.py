@@ -1,0 +1,237 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The journal of a running job: a range of lines is on the disk before the first of it is sent.
+
+    sender's thread    keep ──► entry ──┐                 ┌──► permitted: the range may be sent
+    writer's thread                     └─► write, fsync ─┘    or trouble: the disk takes nothing any more
+
+One entry at most is on its way; it also says what was acknowledged and what is certainly cut. A range may be
+taken back by a smaller one: lines beyond it are not sent from the moment at which it is asked for.
+"""
+
+from __future__ import annotations
+
+import shutil
+import sys
+import time
+from collections.abc import Callable
+from concurrent.futures import Executor, Future, ThreadPoolExecutor
+from pathlib import Path
+from typing import Any
+
+from CNCStepper.control.journal.entry import Group
+from CNCStepper.control.journal.header import header_of
+from CNCStepper.control.journal.journal_file import JournalFile
+from CNCStepper.control.journal.store import JOURNAL, prune
+from CNCStepper.control.journal.write_ahead import Ahead
+from CNCStepper.control.processes.thread_priority import go_first
+from CNCStepper.control.program.send_job import SendJob
+from CNCStepper.control.protocol.grbl.connect import Found, offsets_of
+from CNCStepper.control.protocol.grbl.driver import Grbl, Received
+from CNCStepper.control.session.files import new_session
+from CNCStepper.control.session.status import Outcome
+from CNCStepper.control.stream.controller_buffer import Capacity
+from CNCStepper.control.stream.executed_lines import finished_lines, longest_step_mm
+from CNCStepper.errors import JobError
+
+ROOM_BYTES = 10_000_000  # a day's journal
+PROGRESS_S = 2.0  # between two entries that permit nothing new
+AGAIN_S = 1.0  # until the next try after one that failed
+MENDED = "the journal is written again: a job that was held for it can be resumed"
+
+
+class Journal:
+    """The journal of one job, in `folder`; `path` is its file once it has begun.
+
+    executor: writes; one thread of its own when None. clock: in s, for what is due.
+    """
+
+    def __init__(self, folder: Path, *, executor: Executor | None = None, clock: Callable[[], float] = time.monotonic):
+        self.path: Path | None = None
+        self.permitted = 0
+        self._folder = folder
+        self._executor = executor
+        self._clock = clock
+        self._capacity = Capacity()
+        self._file: JournalFile | None = None
+        self._writing: Future[None] | None = None
+        self._asked = 0  # permitted once what is being written is on the disk
+        self._written: Group | None = None
+        self._offsets_mm: dict[str, Any] = {}
+        self._zero: dict[str, Any] = {}  # what a record says of a zero that is not the header's
+        self._trouble = ""
+        self._due_s = 0.0
+        self._finished = 0
+        self._doubted = sys.maxsize  # the first line that may have been cut otherwise
+
+    def begin(self, job: SendJob, driver: Grbl, found: Found) -> None:
+        """Put the job and its first lines on the disk; raises JobError when the disk is full or cannot be written."""
+        self._job, self._driver = job, driver
+        self._step_mm = longest_step_mm(driver.settings)
+        self._ahead = Ahead(self._clock(), job.baud)
+        first = min(self._ahead.lines, len(job.lines))
+        try:
+            self._check_room()
+            prune(self._folder)
+            self.path = new_session(self._folder, JOURNAL)
+            self._file = JournalFile(self.path)
+            self._offsets_mm = offsets_of(driver, found)
+            self._file.append(header_of(job, driver, found))
+            self._file.append(self._group(first, 0, 0).to_content())
+        except OSError as error:
+            self._discard()
+            raise self._refusal(error.strerror or str(error)) from error
+        self.permitted = first
+        self._executor = self._executor or ThreadPoolExecutor(1, "journal", go_first)
+
+    def hear(self, received: list[Received]) -> None:
+        """Learn from what the controller says how much it holds."""
+        self._capacity.hear(received)
+
+    def keep(self, sent: int, acknowledged: int, is_idle: bool) -> list[str]:
+        """Write what is due, and return what people must know now. is_idle: what was acknowledged is cut."""
+        told = self._collected()
+        if self._writing is None and self._is_due(sent):
+            self._finished = max(self._finished, self._certain(acknowledged, is_idle))
+            may_be_sent = min(self._ahead.next_range(sent, self.permitted, self._clock()), len(self._job.lines))
+            self._put(self._group(may_be_sent, acknowledged, self._finished))
+        return told
+
+    def note_zero(self, found: Found, sent: int) -> None:
+        """Learn how a machine stands that a person had at a pause, all before line `sent` (from 0) being cut.
+
+        Where its work zero is another one now, no line goes out before that is on the disk.
+        """
+        offsets_mm = offsets_of(self._driver, found)
+        if offsets_mm == self._offsets_mm:
+            return
+        self._offsets_mm = offsets_mm
+        line = self._job.place(min(sent, len(self._job.lines) - 1)).line
+        self._zero = {"zero": {"line": line, "modes": found.modes, "offsets_mm": offsets_mm}}
+        self._finished = max(self._finished, sent)
+        self.permitted = self._asked = sent  # also of a range that is being written
+        self._written, self._due_s = None, self._clock()
+
+    def holds(self, sent: int) -> bool:
+        """Return whether the job must be held: no further line can be put on the disk."""
+        return bool(self._trouble) and self.permitted <= sent < len(self._job.lines)
+
+    def doubt(self, line: int) -> None:
+        """Learn that a line (from 0) or one after it was cut otherwise than the program says: none is finished."""
+        self._doubted = min(self._doubted, line)
+
+    def end(self, outcome: Outcome) -> list[str]:
+        """Write how the job ended, and return what people must know of that."""
+        if self._file is None:
+            return []
+        told = self._collected(wait=True)
+        status = outcome.status
+        done = len(self._job.lines) if outcome.done else 0
+        finished = max(self._finished, done, self._certain(status.acknowledged, False))
+        self._finished = min(finished, self._doubted)
+        group = self._group(status.sent, status.acknowledged, self._finished)
+        end = {"end": outcome.kind, "why": outcome.text, "position_known": outcome.position_known}
+        try:
+            self._file.append(end | group.to_content() | self._zero)
+        except OSError as error:
+            told.append(f"the journal could not be ended ({error.strerror or error}): it will tell of a killed job")
+        self._file.close()
+        self._file = None
+        if self._executor:
+            self._executor.shutdown()
+        return told
+
+    # --- what is due ---------------------------------------------------------------------------
+
+    def _is_due(self, sent: int) -> bool:
+        now_s = self._clock()
+        if self._trouble:
+            return now_s >= self._due_s
+        if self.permitted < len(self._job.lines) and self._ahead.is_short(sent, self.permitted):
+            return True
+        return now_s >= self._due_s
+
+    def _certain(self, acknowledged: int, is_idle: bool) -> int:
+        if is_idle:
+            return acknowledged
+        return finished_lines(self._job.lines, acknowledged, self._capacity.moves, self._step_mm)
+
+    def _group(self, may_be_sent: int, acknowledged: int, finished: int) -> Group:
+        driver, job = self._driver, self._job
+        return Group(
+            round(time.time(), 3),
+            may_be_sent,
+            acknowledged,
+            finished,
+            job.place(finished).line if finished < len(job.lines) else 0,
+            job.place(may_be_sent - 1).line if may_be_sent else 0,
+            driver.status.name if driver.status else "",
+            driver.mpos_mm,
+            driver.wpos_mm,
+        )
+
+    # --- writing -------------------------------------------------------------------------------
+
+    def _put(self, group: Group) -> None:
+        self._due_s = self._clock() + PROGRESS_S
+        if self._written and _facts(group) == _facts(self._written):
+            return
+        assert self._executor and self._file
+        self._written = group
+        self._asked = group.may_be_sent
+        self.permitted = min(self.permitted, self._asked)
+        self._writing = self._executor.submit(self._file.append, group.to_content() | self._zero)
+        self._writing.add_done_callback(lambda _: self._driver.link.wake())
+
+    def _collected(self, wait: bool = False) -> list[str]:
+        """Take the result of a write that has come to its end; return what people must know of it."""
+        if self._writing is None or not (wait or self._writing.done()):
+            return []
+        error, self._writing = self._writing.exception(), None
+        if error is None:
+            self.permitted = self._asked
+            return self._mended()
+        if not isinstance(error, OSError):
+            raise error
+        self._written = None
+        self._due_s = self._clock() + AGAIN_S
+        return self._broken(error.strerror or str(error))
+
+    def _broken(self, trouble: str) -> list[str]:
+        known, self._trouble = self._trouble, trouble
+        if known:
+            return []
+        place = self._job.place(max(self.permitted - 1, 0))
+        return [
+            f"the journal cannot be written ({trouble}): the job goes on to {place} and is held there; make room on "
+            f"the disk of {self._folder}"
+        ]
+
+    def _mended(self) -> list[str]:
+        known, self._trouble = self._trouble, ""
+        return [MENDED] if known else []
+
+    # --- a disk that takes nothing -------------------------------------------------------------
+
+    def _check_room(self) -> None:
+        free = shutil.disk_usage(self._folder).free
+        if free < ROOM_BYTES:
+            raise OSError(None, f"only {free // 1000} kB are free")
+
+    def _refusal(self, why: str) -> JobError:
+        return JobError(
+            "journal-unwritable",
+            f"the journal of the job cannot be written: {why}",
+            advice=f"make room on the disk of {self._folder}, and see that you may write there; then send again",
+        )
+
+    def _discard(self) -> None:
+        """Leave nothing of a journal whose job never began."""
+        if self._file:
+            self._file.close()
+            self._file.path.unlink(missing_ok=True)
+            self._file = None
+
+
+def _facts(group: Group) -> tuple[Any, ...]:
+    """Return what of a group is worth another entry."""
+    return (group.may_be_sent, group.acknowledged, group.finished, group.state, group.mpos_mm)

@@ -1,0 +1,99 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The lines that people type, one at a time: sent, answered, and done when the machine stands again.
+
+line ──► sent ──► what the controller says ("console") ──► ok or error:n ──► at rest ──► "answer"
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from CNCStepper.control.operator.console_line import MOVING_KINDS, SETTING, STEPS_PER_MM, check_typed, setting_of
+from CNCStepper.control.program.wire_line import dwell_s
+from CNCStepper.control.protocol.grbl.driver import Answered, Grbl, Received, Sent
+from CNCStepper.control.protocol.grbl.report import Feedback, NamedSetting, Setting, Status
+from CNCStepper.errors import MachineRefusal
+
+AT_REST = ("Idle", "Alarm", "Check")
+
+
+class Console:
+    """One line at a time; `tell` hears "console" (the controller's words) and "answer" ("ok", or why not)."""
+
+    def __init__(self, driver: Grbl, tell: Callable[[str, str], None]):
+        self._driver = driver
+        self._tell = tell
+        self._sent: Sent | None = None
+        self._kind = ""
+        self._answered_s: float | None = None
+
+    @property
+    def active(self) -> bool:
+        """Whether a line is not done yet."""
+        return self._sent is not None
+
+    @property
+    def dwell_s(self) -> float:
+        """How long the line under way may keep its answer back on purpose."""
+        return dwell_s(self._sent.text) if self._sent else 0.0
+
+    def send(self, text: str, kind: str) -> None:
+        """Send a line; raises MachineRefusal or ProgramError when it may not go now."""
+        if self.active:
+            raise MachineRefusal("console-busy", "the line before is not done yet", advice="wait, hold or stop it")
+        check_typed(text, self._driver.firmware, self._driver.window)
+        self._driver.send(text)
+        self._driver.flush()
+        self._sent, self._kind, self._answered_s = self._driver.unanswered[-1], kind, None
+
+    def takes(self, answer: Answered) -> bool:
+        """Take the answer to a typed line; return False when it is the answer to another one."""
+        if answer.sent is not self._sent:
+            return False
+        if answer.error:
+            code = self._driver.firmware.error(answer.error)
+            self._end(f"error:{answer.error} {code.meaning}; {code.advice}")
+        elif self._kind in MOVING_KINDS:
+            self._answered_s = self._driver.clock()
+        else:
+            self._end("ok")
+        return True
+
+    def changes_steps(self, answer: Answered) -> bool:
+        """Take over a setting that was stored; return whether positions mean something else from now on."""
+        if answer.error or answer.sent is not self._sent or self._kind != SETTING:
+            return False
+        number, value = setting_of(answer.sent.text)
+        self._driver.settings[number] = value
+        return number in STEPS_PER_MM
+
+    def hear(self, report: Received, unasked: bool = False) -> None:
+        """Tell what belongs to the line under way, and see when the machine stands again.
+
+        unasked: the report answers no line at all; then it is told as well.
+        """
+        if not self.active and not unasked:
+            return
+        if isinstance(report, Status) and self.active:
+            self._see(report)
+        elif isinstance(report, Setting):
+            self._tell("console", f"${report.number}={report.value:g}")
+        elif isinstance(report, NamedSetting):
+            self._tell("console", f"${report.name}={report.text}")
+        elif isinstance(report, Feedback) and report.tag != "MSG":
+            self._tell("console", f"[{report.tag}:{report.text}]")
+
+    def forget(self) -> None:
+        """The controller was reset or raised an alarm: nothing is under way any more."""
+        if self.active:
+            self._end("given up: the controller was reset or is locked")
+
+    def _see(self, status: Status) -> None:
+        if self._answered_s is None or self._driver.status_asked_s <= self._answered_s:
+            return
+        if status.state in AT_REST:
+            self._end("ok")
+
+    def _end(self, answer: str) -> None:
+        self._sent = None
+        self._tell("answer", answer)

@@ -1,0 +1,75 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A controller that restarted when its port was opened: its position is unknown, and a word for its zero seldom counts.
+
+It counts from where it stands: that place is its machine position 0, wherever it was before, while its work offsets are
+the stored ones. So the work zero is where it was set only if the tool stands on it and all offsets are 0, as they are
+when it was set right after a restart like this one (`cncstepper zero`). That nothing has moved the machine since only a
+person can say; whether the numbers fit that word is seen here.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator
+from itertools import filterfalse
+
+from CNCStepper.control.program.wire_line import is_move
+from CNCStepper.control.protocol.grbl.connect import Found
+from CNCStepper.control.protocol.grbl.driver import Grbl
+from CNCStepper.control.protocol.grbl.motion_interlock import UNKNOWN
+from CNCStepper.control.protocol.grbl.readiness import OFFSET_TOLERANCE_MM
+from CNCStepper.control.protocol.grbl.report import Vector
+from CNCStepper.errors import MachineRefusal
+from CNCStepper.state import WORK_SYSTEMS
+
+_SYSTEM = re.compile(r"G(5[4-8]|59(?:\.[123])?)(?![\d.])")
+_MACHINE_PLACE = re.compile(r"G(28|30|53)(?![\d.])")
+WHAT_TO_DO = (
+    "home the machine; or move the tool to the work zero, set the zero of all axes there, and send without moving it "
+    "in between"
+)
+
+
+def counts_from_here(driver: Grbl) -> bool:
+    """Return whether a controller that has just greeted has its machine position 0 where it stands."""
+    return driver.mpos_mm is not None and _is_zero(driver.mpos_mm)
+
+
+def check_counts_from_here(driver: Grbl) -> None:
+    """Refuse a controller that was reset without counting anew: where its zero is nobody knows; MachineRefusal."""
+    if not counts_from_here(driver):
+        raise _refusal("its machine position is not 0", _words(driver.mpos_mm or ()))
+
+
+def check_zero_here(lines: Iterable[str], driver: Grbl, found: Found) -> None:
+    """Refuse a program whose work zero was not where the machine stood at the restart; raises MachineRefusal."""
+    in_force = next((word for word in found.modes.split() if word in WORK_SYSTEMS), "G54")
+    systems = {in_force, *_systems(lines)}
+    for name in sorted(systems | {"G92", "TLO"}):
+        offset = driver.mm(found.offsets.get(name))
+        if offset is None and name in systems:
+            raise _refusal(f"{name} is not reported", "")
+        if offset and not _is_zero(offset):
+            raise _refusal(f"{name} was set before", _words(offset))
+
+
+def _systems(lines: Iterable[str]) -> Iterator[str]:
+    """Yield the work systems that a program names; raises MachineRefusal where it goes to a place of the machine."""
+    for line in filterfalse(is_move, lines):
+        plain = line.replace(" ", "").upper()
+        if place := _MACHINE_PLACE.search(plain):
+            raise _refusal(f"the program has {place[0]}, which goes by the machine's own zero", line[:40])
+        yield from (f"G{number}" for number in _SYSTEM.findall(plain))
+
+
+def _is_zero(vector: Vector) -> bool:
+    return all(abs(value) <= OFFSET_TOLERANCE_MM for value in vector)
+
+
+def _words(vector: Vector) -> str:
+    return ",".join(f"{value:.3f}" for value in vector)
+
+
+def _refusal(why: str, value: str) -> MachineRefusal:
+    what = f"the controller restarted when its port was opened, so the machine's position is unknown: {why}"
+    return MachineRefusal(UNKNOWN, what, value=value, advice=WHAT_TO_DO)

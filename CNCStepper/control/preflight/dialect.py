@@ -1,0 +1,44 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Whether the lines of a job mean to the controller what they meant to the proof: they are sent as they stand.
+
+G90 X40 Y0 F300      a cut at F300 in the language of thesis A, a rapid to grbl that has just begun
+"""
+
+from __future__ import annotations
+
+from CNCStepper.control.protocol.grbl.firmware import FIRMWARES, Firmware
+from CNCStepper.errors import MachineRefusal
+
+
+def check_spoken(dialect: str, firmware: Firmware) -> None:
+    """Refuse a program that was read in another language than a controller's; raises MachineRefusal.
+
+    dialect: "" is that of a job that nobody has read; its lines are the controller's own.
+    """
+    if dialect and dialect not in firmware.dialects:
+        what = f"the program was read as {dialect}: to {firmware.name} its lines may mean other moves, or nothing"
+        raise _refusal(dialect, what, firmware)
+
+
+def check_sendable(dialect: str, controller: str) -> None:
+    """Refuse what the controller of a machine profile does not read, or no controller to which lines are sent.
+
+    controller: as the profile names it; "" where there is none. Raises MachineRefusal.
+    """
+    named = next((firmware for firmware in FIRMWARES if firmware.key == controller), None)
+    if named:
+        check_spoken(dialect, named)
+    elif not any(dialect in firmware.dialects for firmware in FIRMWARES):
+        what = f"the program was read as {dialect}, which no controller understands that lines are sent to"
+        raise _refusal(dialect, what, FIRMWARES[0])
+
+
+def _refusal(dialect: str, what: str, firmware: Firmware) -> MachineRefusal:
+    own = firmware.dialects[0]
+    return MachineRefusal(
+        "dialect-differs",
+        what,
+        value=dialect,
+        limit=" or ".join(firmware.dialects),
+        advice=f"write it in the controller's own: cncstepper convert PROGRAM --dialect {dialect} --to {own} -o NEW",
+    )

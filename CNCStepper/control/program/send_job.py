@@ -1,0 +1,141 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a sender is given: the wire lines, where they come from, and what must hold before the first goes out."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, fields
+from typing import Any
+
+from CNCStepper.control.program.wire_line import check_length, check_line, is_plain
+from CNCStepper.control.protocol.grbl.firmware import Firmware
+from CNCStepper.errors import JobError, Place, ProgramError
+
+
+@dataclass(frozen=True)
+class SendJob:
+    """A job for one port.
+
+    lines: wire lines without line ends. file_lines: the file's line of each, from 1 (empty: they are
+    the file's own lines). messages: what to show at a pause, by index of the wire line, from 0.
+    expected: grbl settings that must hold, by number; differences are only told when
+    `allow_differences`. zero_confirmed: somebody said that the work zero is right. work_offsets_mm, work_system:
+    where the program was proven to begin (G54..G59.3 and G92 by name); empty: nobody knows, so nothing is compared.
+    dialect: in which the lines were read; empty: nobody has read them, so that it is not compared.
+    machine, program_sha256, certificate_sha256: for the journal, empty where there is none.
+    retrace: what a way back along the cut is proven with (dialect, start, machine: `job.certify`); empty: not known.
+    plan: lines of the file in rising order, each with the planned time by its end, s; empty: not known.
+    by_line: wait before each line until somebody resumes. inputs: the machine's own buttons, as
+    `machine.input_pins.Input`
+    has them. home_first: let the machine find its own zero before.
+    restart_of: the program that a restart goes on with, as `journal.first_program` has it; empty: it is none.
+    lift: where a restart goes first, straight up (`control.preflight.restart_height`); empty: it is none, or has no Z.
+    made_with: the options of the command line that made it, for the journal; empty: not known
+    (`cli.common.reproduce_options`).
+    """
+
+    port: str
+    lines: Sequence[str]
+    file: str = ""
+    file_lines: Sequence[int] = ()
+    messages: Mapping[int, str] = field(default_factory=dict)
+    zero_confirmed: bool = False
+    expected: Mapping[int, float] = field(default_factory=dict)
+    allow_differences: bool = False
+    baud: int = 115_200
+    work_offsets_mm: Mapping[str, Sequence[float]] = field(default_factory=dict)
+    work_system: str = ""
+    dialect: str = ""
+    machine: str = ""
+    program_sha256: str = ""
+    certificate_sha256: str = ""
+    retrace: Mapping[str, Any] = field(default_factory=dict)
+    plan: Sequence[Sequence[float]] = ()
+    by_line: bool = False
+    inputs: Sequence[Mapping[str, Any]] = ()
+    restart_of: Mapping[str, Any] = field(default_factory=dict)
+    home_first: bool = False
+    lift: Mapping[str, Any] = field(default_factory=dict)
+    made_with: Mapping[str, Any] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        if len(self.file_lines) not in (0, len(self.lines)):
+            raise JobError(
+                "line-map",
+                "the line map does not fit the lines",
+                value=f"{len(self.file_lines)} entries",
+                limit=f"{len(self.lines)} lines",
+                advice="prepare the program again",
+            )
+
+    def place(self, index: int) -> Place:
+        """Return where wire line `index` (from 0) stands in the file."""
+        return Place(self.file, int(self.file_lines[index]) if len(self.file_lines) else index + 1)
+
+    def last_line(self, count: int) -> int:
+        """Return the file's line of the last of so many wire lines, 0 for none."""
+        return self.place(count - 1).line if count else 0
+
+    def check(self) -> None:
+        """Check every line before any is sent; raises ProgramError naming the file's line and column."""
+        if not self.lines:
+            raise ProgramError(
+                "program-empty", "the program has no line to send", advice="choose another", place=Place(self.file)
+            )
+        for index, text in enumerate(self.lines):
+            if not is_plain(text):
+                check_line(text, self.place(index))
+
+    def check_lengths(self, firmware: Firmware, window_bytes: int) -> None:
+        """Check that the controller can read every line; raises ProgramError as `check` does."""
+        surely_fits = min(firmware.line_characters, window_bytes - 1)
+        for index, text in enumerate(self.lines):
+            if len(text) > surely_fits:
+                check_length(text, firmware, window_bytes, self.place(index))
+
+    def to_content(self) -> dict[str, Any]:
+        """Return the job as plain data."""
+        return {entry.name: getattr(self, entry.name) for entry in fields(self)} | {
+            "lines": list(self.lines),
+            "file_lines": [int(line) for line in self.file_lines],
+            "messages": {str(index): text for index, text in self.messages.items()},
+            "expected": {str(number): value for number, value in self.expected.items()},
+            "work_offsets_mm": {name: list(offset) for name, offset in self.work_offsets_mm.items()},
+            "inputs": [dict(entry) for entry in self.inputs],
+        }
+
+    def to_json(self) -> str:
+        """Return the job as one line of JSON."""
+        return json.dumps(self.to_content())
+
+    @classmethod
+    def from_json(cls, text: str, **instead: Any) -> SendJob:
+        """Return the job of `to_json`, with other values for some fields; raises JobError when it is not one."""
+        try:
+            return cls.from_content(json.loads(text) | instead)
+        except (ValueError, TypeError) as error:
+            if isinstance(error, JobError):
+                raise
+            raise _no_job(error) from error
+
+    @classmethod
+    def from_content(cls, content: Mapping[str, Any]) -> SendJob:
+        """Return the job of `to_content`, after its way through JSON; raises JobError when it is not one."""
+        try:
+            unknown = set(content) - {entry.name for entry in fields(cls)}
+            if unknown:
+                raise ValueError(f"unknown keys {sorted(unknown)}")
+            known = dict(content)
+            known["messages"] = {int(key): str(value) for key, value in content.get("messages", {}).items()}
+            known["expected"] = {int(key): float(value) for key, value in content.get("expected", {}).items()}
+            known["plan"] = tuple((int(line), float(end_s)) for line, end_s in content.get("plan", ()))
+            return cls(**known)
+        except (ValueError, TypeError, AttributeError) as error:
+            if isinstance(error, JobError):
+                raise
+            raise _no_job(error) from error
+
+
+def _no_job(error: Exception) -> JobError:
+    return JobError("send-job", f"not a job to send: {error}", advice="start it with cncstepper send")

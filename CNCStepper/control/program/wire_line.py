@@ -1,0 +1,103 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a sender must know of a wire line before it is sent: whether it may be, and how to wait for it."""
+
+from __future__ import annotations
+
+import re
+
+from CNCStepper.control.protocol.grbl.firmware import Firmware
+from CNCStepper.errors import Place, ProgramError
+
+ARCS = ("G2", "G3")  # a line of no more than that is refused
+# Bytes that act at once wherever they stand: ! ? ~, controls, all above 0x7e.
+_ACTING = re.compile(r"[^ \"->@-}]")
+_MOVE = re.compile(r"(?:N\d+)?(?:G0?[0-3](?![\d.]))?[XYZIJKRF\d.+-]*")
+_STORING = re.compile(r"G0*(?:10(?:\.0*)?|28\.10*|30\.10*)(?![\d.])")
+_PAUSE = re.compile(r"M0*[06](?![\d.])")
+_TOOL_CHANGE = re.compile(r"M0*6(?![\d.])")
+_ONLY_PAUSE = re.compile(r"(?:N\d+)?M0+")
+_DWELL = re.compile(r"G0*4(?![\d.])")
+_SECONDS = re.compile(r"P(\d*\.?\d*)")
+
+
+def is_plain(text: str) -> bool:
+    """Return whether a line passes `check_line`."""
+    return _ACTING.search(text) is None
+
+
+def check_line(text: str, place: Place | None = None) -> None:
+    """Refuse a line that is not plain ASCII or holds a byte that acts at once.
+
+    Raises ProgramError naming `place` and the column.
+    """
+    if found := _ACTING.search(text):
+        where = Place(place.file, place.line, found.start() + 1) if place else None
+        raise ProgramError(
+            "acting-byte",
+            f"the character {found[0]!a} would act as a command of its own or is not ASCII",
+            advice="remove it; only plain ASCII without ? ! ~ may be sent",
+            place=where,
+        )
+
+
+def check_length(text: str, firmware: Firmware, window_bytes: int, place: Place | None = None) -> None:
+    """Refuse a line that is longer than the firmware can read, or than its receive buffer with the line end.
+
+    Raises ProgramError naming `place`.
+    """
+    length = len(text) if firmware.blanks_count else len(text) - text.count(" ")
+    if length > firmware.line_characters or len(text) >= window_bytes:
+        raise ProgramError(
+            "line-too-long",
+            f"the line is longer than {firmware.name} can read",
+            value=f"{length} characters, {len(text)} with spaces",
+            limit=f"{firmware.line_characters} characters, {window_bytes - 1} with spaces",
+            advice="shorten or split that line",
+            place=place,
+        )
+
+
+def is_move(text: str) -> bool:
+    """Return whether a line is surely a plain move, which need not be waited for: told at once, for nearly all are."""
+    return _MOVE.fullmatch(text) is not None
+
+
+def stores(text: str) -> bool:
+    """Return whether a line writes the controller's permanent memory, and so must be sent alone."""
+    plain = _plain(text)
+    if plain.startswith("$"):
+        return "=" in plain and not plain.startswith("$J=")
+    return bool(_STORING.search(plain))
+
+
+def needs_idle(text: str) -> bool:
+    """Return whether a line is a `$` command, which grbl takes only while it is idle."""
+    return _plain(text).startswith("$")
+
+
+def pauses(text: str) -> bool:
+    """Return whether a line holds M0, or M6, at which grblHAL waits for a new tool."""
+    return bool(_PAUSE.search(_plain(text)))
+
+
+def changes_tool(text: str) -> bool:
+    """Return whether a line holds M6."""
+    return "6" in text and bool(_TOOL_CHANGE.search(_plain(text)))
+
+
+def only_pauses(text: str) -> bool:
+    """Return whether a line is an M0 and nothing else, so that a sender can make the pause itself."""
+    return bool(_ONLY_PAUSE.fullmatch(_plain(text)))
+
+
+def dwell_s(text: str) -> float:
+    """Return how long a G4 line keeps its answer back, in s; 0 for any other line."""
+    plain = _plain(text)
+    seconds = _SECONDS.search(plain)
+    if seconds is None or not seconds[1].strip(".") or not _DWELL.search(plain):
+        return 0.0
+    return float(seconds[1])
+
+
+def _plain(text: str) -> str:
+    return text.replace(" ", "").upper()

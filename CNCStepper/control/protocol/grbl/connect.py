@@ -1,0 +1,249 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Meeting a controller: wait until it is awake, learn what it is and how it is set, change nothing."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+from CNCStepper.control.protocol.grbl.driver import REPORT_INCHES, Answered, Grbl, Received
+from CNCStepper.control.protocol.grbl.firmware import GRBL, Firmware
+from CNCStepper.control.protocol.grbl.readiness import check_state
+from CNCStepper.control.protocol.grbl.report import Alarm, Feedback, Greeting, NamedSetting, Unknown, Vector
+from CNCStepper.control.protocol.grbl.report_numbers import vector
+from CNCStepper.control.protocol.grbl.timeouts import Timing
+from CNCStepper.errors import LinkError, MachineRefusal
+
+ASK_AGAIN_S = 0.25
+OFFSETS = ("G54", "G55", "G56", "G57", "G58", "G59", "G59.1", "G59.2", "G59.3", "G28", "G30", "G92", "TLO")
+MODE = re.compile(r"[A-Z](?:[0-9]{1,9}\.?[0-9]{0,9}|\.[0-9]{1,9})")
+RESTARTED = "controller-restarted"
+OLD_VERSIONS = ("0.", "1.0")
+
+
+@dataclass(frozen=True)
+class Found:
+    """What answered: firmware, version ("1.1h.20190830"), settings by number, offsets by name, `$G` words.
+
+    greeted: it restarted when the port was opened, so its position counts from where it stood then, and nobody has
+    homed it or set its zero since.
+    """
+
+    version: str
+    firmware: Firmware = GRBL
+    settings: dict[int, float] = field(default_factory=dict)
+    offsets: dict[str, Vector] = field(default_factory=dict)
+    modes: str = ""
+    greeted: bool = False
+
+
+def meet(driver: Grbl, timing: Timing) -> Found:
+    """Wake the controller up, refuse it unless it is idle, and read what it is (`$I $$ $# $G`).
+
+    Raises LinkError when nothing there speaks grbl 1.1, MachineRefusal when it is not idle.
+    """
+    woken = wake_up(driver, timing)
+    check_state(driver.status)
+    return learn(driver, timing, greeted(woken))
+
+
+def learn(driver: Grbl, timing: Timing, greeted: bool = False) -> Found:
+    """Ask a controller that is idle or locked what it is and how it is set."""
+    discard_half_line(driver, timing)
+    version = _version(driver, ask(driver, "$I", timing))
+    ask(driver, "$$", timing)
+    learn_units(driver, timing)
+    offsets, modes = read_offsets(driver, timing), read_modes(driver, timing)
+    return Found(version, driver.firmware, dict(driver.settings), offsets, modes, greeted)
+
+
+def look_again(driver: Grbl, timing: Timing) -> Found:
+    """Ask a controller that is idle what may have changed since it was met: its offsets and modes."""
+    offsets, modes = read_offsets(driver, timing), read_modes(driver, timing)
+    return Found("", driver.firmware, dict(driver.settings), offsets, modes)
+
+
+def offsets_of(driver: Grbl, found: Found) -> dict[str, Vector | None]:
+    """Return the offsets of `$#` by name, in mm; None while the units are not known."""
+    return {name: driver.mm(offset) for name, offset in found.offsets.items()}
+
+
+def learn_units(driver: Grbl, timing: Timing) -> None:
+    """Learn whether a firmware without $13 reports in inches; raises MachineRefusal when it does not say."""
+    question = driver.firmware.inches_question
+    if not question or REPORT_INCHES in driver.settings:
+        return
+    driver.send(question)
+    said = {report.text.lower() for report in _answer(driver, timing) if isinstance(report, NamedSetting)}
+    if not said & {"true", "false"}:
+        raise _units_unknown()
+    driver.settings[REPORT_INCHES] = float("true" in said)
+
+
+def check_units(driver: Grbl) -> None:
+    """Refuse a controller whose positions mean nothing, as its $13 was not reported; raises MachineRefusal."""
+    if REPORT_INCHES not in driver.settings:
+        raise _units_unknown()
+
+
+def read_offsets(driver: Grbl, timing: Timing) -> dict[str, Vector]:
+    """Return the offsets of `$#` by name, in the controller's own units; raises LinkError on a damaged one."""
+    said = ask(driver, "$#", timing)
+    try:
+        _check_whole(said)
+        return {report.tag: vector(report.text) for report in _feedback(said) if report.tag in OFFSETS}
+    except ValueError as error:
+        raise LinkError("link-noise", f"an offset came damaged: {error}", advice="check cable and baud rate") from error
+
+
+def read_modes(driver: Grbl, timing: Timing) -> str:
+    """Return the words of `$G`: "G0 G54 G17 ..."; raises LinkError where they do not come, or come damaged."""
+    modes = " ".join(report.text for report in _feedback(ask(driver, "$G", timing)) if report.tag == "GC")
+    if not modes or not all(map(MODE.fullmatch, modes.split())):
+        raise LinkError(
+            "modes-unknown",
+            f"{driver.link.name} does not say its modes: question or answer was damaged",
+            advice="check the cable, and look that the controller is not in check mode ($C leaves it); then send again",
+        )
+    return modes
+
+
+def greeted(said: Sequence[Received]) -> bool:
+    """Return whether a greeting is in what was said."""
+    return any(isinstance(report, Greeting) for report in said)
+
+
+def wake_up(driver: Grbl, timing: Timing, locked: bool = False) -> list[Received]:
+    """Ask `?` until a status comes and the chatter after it ends; return all that was said.
+
+    Nothing but `?` is sent: a controller that still moves must not be disturbed. An alarm is refused
+    unless `locked` says that it may be.
+    """
+    checked = (lambda driver, received: received) if locked else _checked
+    said: list[Received] = []
+    end_s = driver.clock() + timing.wake_s
+    next_s = driver.clock()
+    while driver.status is None:
+        if driver.clock() >= next_s:
+            driver.ask_status()
+            next_s = driver.clock() + ASK_AGAIN_S
+        said += checked(driver, driver.receive(ASK_AGAIN_S / 5))
+        if driver.clock() > end_s and driver.status is None:
+            raise _not_grbl(driver, timing, said)
+    while received := driver.receive(timing.quiet_s):
+        said += checked(driver, received)
+        if driver.clock() > end_s:
+            break
+    return said
+
+
+def discard_half_line(driver: Grbl, timing: Timing) -> None:
+    """Make a line refused that an earlier sender left unfinished in the controller.
+
+    A `$` at its end spoils the whole line, so that nothing of it is run; alone it asks for help.
+    """
+    driver.send("$")
+    _answer(driver, timing)
+
+
+def ask(driver: Grbl, line: str, timing: Timing) -> list[Received]:
+    """Send one line alone and return what was said until its `ok`; an error is a MachineRefusal."""
+    driver.send(line)
+    said = _answer(driver, timing)
+    error = next(report.error for report in said if isinstance(report, Answered))
+    if error:
+        code = driver.firmware.error(error)
+        raise MachineRefusal(
+            f"{driver.firmware.key}-error-{error}",
+            f"the controller refused {line}: {code.meaning} (error:{error})",
+            advice=code.advice,
+        )
+    return said
+
+
+def alarm_refusal(alarm: Alarm, firmware: Firmware) -> MachineRefusal:
+    """Return the refusal that ALARM:n stands for, in words; -1 is an alarm without a number."""
+    code = firmware.alarm(alarm.code)
+    number = str(alarm.code) if alarm.code >= 0 else "?"
+    return MachineRefusal(f"{firmware.key}-alarm-{number}", f"{code.meaning} (ALARM:{number})", advice=code.advice)
+
+
+def restart_refusal(greeting: Greeting) -> MachineRefusal:
+    """Return what a greeting in the middle of a job means."""
+    return MachineRefusal(
+        RESTARTED,
+        "the controller restarted in the middle of the job",
+        value=greeting.text,
+        advice="check its supply and the reset button; home the machine or set its zero before the next cut",
+    )
+
+
+def _answer(driver: Grbl, timing: Timing) -> list[Received]:
+    """Return what was said until the one line under way was answered."""
+    driver.flush()
+    said: list[Received] = []
+    end_s = driver.clock() + timing.answer_s
+    while not any(isinstance(report, Answered) for report in said):
+        if driver.clock() > end_s:
+            line = driver.unanswered[0].text
+            raise LinkError(
+                "answer-missing",
+                f"{driver.link.name} does not answer {line}",
+                value=f"{timing.answer_s:g} s",
+                advice="check that it is a grbl 1.1 controller and that the baud rate is right",
+            )
+        received = _checked(driver, driver.receive(ASK_AGAIN_S / 5))
+        if any(isinstance(report, Greeting) for report in received):
+            raise LinkError(
+                RESTARTED,
+                f"{driver.link.name} restarted while it was asked",
+                advice="check its supply and cable, then send again",
+            )
+        said += received
+    return said
+
+
+def _checked(driver: Grbl, received: Sequence[Received]) -> Sequence[Received]:
+    """Return `received` unless an alarm is in it, which is refused in words."""
+    for report in received:
+        if isinstance(report, Alarm):
+            raise alarm_refusal(report, driver.firmware)
+    return received
+
+
+def _not_grbl(driver: Grbl, timing: Timing, said: list[Received]) -> LinkError:
+    heard = "something else than grbl answers" if said else "nothing answers"
+    return LinkError(
+        "not-grbl",
+        f"{heard} at {driver.link.name}",
+        value=f"{timing.wake_s:g} s",
+        advice="check power, cable, port and baud rate of the controller",
+    )
+
+
+def _units_unknown() -> MachineRefusal:
+    return MachineRefusal(
+        "units-unknown",
+        "the controller does not say whether it reports in mm or in inches",
+        advice="update its firmware",
+    )
+
+
+def _check_whole(said: Sequence[Received]) -> None:
+    """Raise ValueError where a line `[...` has lost its end: an offset that is not read would count as not reported."""
+    if broken := [report.text for report in said if isinstance(report, Unknown) and report.text.startswith("[")]:
+        raise ValueError(broken[0][:80])
+
+
+def _feedback(said: Sequence[Received]) -> list[Feedback]:
+    return [report for report in said if isinstance(report, Feedback)]
+
+
+def _version(driver: Grbl, said: Sequence[Received]) -> str:
+    version = next((report.text.rstrip(" :") for report in _feedback(said) if report.tag == "VER"), "")
+    if version.startswith(OLD_VERSIONS):
+        raise LinkError(
+            "grbl-too-old", f"{driver.link.name} runs grbl {version}", limit="1.1", advice="update its firmware"
+        )
+    return version

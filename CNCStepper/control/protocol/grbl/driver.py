@@ -1,0 +1,342 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The protocol driver of grbl 1.1: what is written, what is answered, and how much may be under way.
+
+Character counting: the controller keeps `window` bytes of lines that it has not read. Every line
+sent is remembered with its length until its answer comes; answers come in the order of the lines.
+
+    unanswered   | G1X10 | G1X20Y5 | G1X30 |            sum of (length + 1) <= window
+                   ^ the next answer is for this one
+
+Of these at most the link's `queue_bytes` wait in this computer; the others are kept here until there is room.
+
+Real-time bytes are no lines: they are written at once, are never counted and may pass lines by.
+"""
+
+from __future__ import annotations
+
+import time
+from collections import deque
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from CNCStepper.control.protocol.grbl import report as grbl_report
+from CNCStepper.control.protocol.grbl.firmware import GRBL, Firmware, greeted_by, told_by
+from CNCStepper.control.protocol.grbl.flood_limit import Flood
+from CNCStepper.control.protocol.grbl.motion_interlock import MotionInterlock
+from CNCStepper.control.protocol.grbl.report import Answer, Damaged, Feedback, Greeting, Report, Setting, Status, Vector
+from CNCStepper.control.protocol.grbl.report_numbers import sizes
+from CNCStepper.control.transport.link import Link
+from CNCStepper.errors import LinkError
+from CNCStepper.safe_text import printable
+from CNCStepper.units import mm_from_inch
+
+HOLD, RESUME, RESET, STATUS, JOG_CANCEL = b"!", b"~", b"\x18", b"?", b"\x85"
+WINDOW_BYTES = 127  # of grbl's 128 one stays free; larger buffers say so themselves ($I, Bf)
+LONGEST_REST_S = 0.01
+PLANNER_BLOCKS = 32  # of one that does not say it
+NOISE_LIMIT_BYTES = 4096  # without a line end
+MOST_ECHOES = 200  # that are waited for: no buffer holds more lines
+REPORT_INCHES = 13  # the setting that switches reports to inches
+
+
+@dataclass(slots=True)
+class Sent:
+    """A line under way; index: its place in the job from 0, or -1."""
+
+    text: str
+    index: int
+
+
+@dataclass(slots=True)
+class Answered:
+    """The answer to one line; error 0 is `ok`."""
+
+    sent: Sent
+    error: int
+
+
+Received = Report | Answered
+
+
+class Grbl:
+    """A conversation with one controller over `link`.
+
+    listen: called after every `receive` with what came, on the same thread.
+    interlock: asked before whatever may move the machine is written; the one of the default lets nothing pass.
+    firmware: what answers there, grbl until it is known better; window: of its receive buffer one byte stays free.
+    status: the last answer to `?`. status_asked_s: when it was asked for, by `clock`; a status may
+    have been on its way before whatever was written later. mpos_mm, wpos_mm: None until reported, and
+    until the controller has said whether it reports in mm or in inches.
+    overrides: feed, rapid and spindle in percent, as last reported since the controller started.
+    outputs: what was on then, as `Status` has it. planner_blocks: moves that it plans ahead.
+    is_stopping: noise, floods and stray answers raise nothing, since they must not disturb the stopping.
+    """
+
+    def __init__(
+        self,
+        link: Link,
+        clock: Callable[[], float] = time.monotonic,
+        listen: Callable[[list[Received]], None] = lambda received: None,
+        interlock: MotionInterlock | None = None,
+    ):
+        self.link = link
+        self.clock = clock
+        self.firmware: Firmware = GRBL
+        self.window = WINDOW_BYTES
+        self.planner_blocks = PLANNER_BLOCKS
+        self.unanswered: deque[Sent] = deque()
+        self.status: Status | None = None
+        self.status_asked_s = float("-inf")
+        self.settings: dict[int, float] = {}
+        self.overrides: tuple[int, ...] | None = None
+        self.outputs: str | None = None
+        self.is_stopping = False
+        self._listen = listen
+        self._flood = Flood(clock)
+        self._questions = 0  # `?` written and not answered
+        self._echoes = 0  # lines written that a firmware built with REPORT_ECHO_LINE_RECEIVED has yet to repeat
+        self._damaged_s: float | None = None  # when the first status came damaged of which no whole one followed
+        self._interlock = interlock or MotionInterlock()
+        self._bytes_under_way = 0
+        self._to_write = bytearray()
+        self._tail = b""
+        self._asked_s: float | None = None
+        self._spoken = False
+        self._free_bytes = 0  # with nothing under way: what the controller says of its whole buffer
+        self._mpos: Vector | None = None
+        self._wpos: Vector | None = None
+        self._wco: Vector | None = None
+
+    # --- writing -------------------------------------------------------------------------------
+
+    def fits(self, text: str) -> bool:
+        """Return whether the receive buffer has room for one more line."""
+        return self._bytes_under_way + len(text) + 1 <= self.window
+
+    def send(self, text: str, index: int = -1) -> None:
+        """Count a line and queue it for `flush`; the caller has asked `fits`.
+
+        Raises MachineRefusal for one that moves a machine whose position is lost.
+        """
+        self._interlock.check_line(text)
+        self._spoken = True
+        self.unanswered.append(Sent(text, index))
+        self._bytes_under_way += len(text) + 1
+        self._to_write += text.encode("ascii") + b"\n"
+        self._echoes = min(self._echoes + 1, MOST_ECHOES)
+
+    def flush(self) -> None:
+        """Write of the queued lines what may wait before the line; `receive` writes the rest in time."""
+        if self._to_write and (room := self.link.queue_bytes - self._waiting_bytes()) > 0:
+            self.link.write(bytes(self._to_write[:room]))
+            del self._to_write[:room]
+
+    def realtime(self, byte: bytes) -> None:
+        """Write a real-time byte now, before anything queued.
+
+        Raises MachineRefusal for a cycle start of a machine whose position is lost.
+        """
+        self._interlock.check_realtime(byte)
+        self.link.write(byte)
+
+    def reset(self) -> None:
+        """Soft reset: the controller forgets its lines, so nothing is under way any more."""
+        self.realtime(RESET)
+        self._forget_lines()
+        self._spoken = False  # answers may be on their way still
+
+    def ask_status(self) -> None:
+        """Write `?`."""
+        self.realtime(STATUS)
+        self._questions += 1
+        if self._asked_s is None:
+            self._asked_s = self.clock()
+
+    def question_age_s(self) -> float | None:
+        """Return how long a `?` has been without answer, or None."""
+        return None if self._asked_s is None else self.clock() - self._asked_s
+
+    # --- reading -------------------------------------------------------------------------------
+
+    def receive(self, wait_s: float) -> list[Received]:
+        """Return what the controller said, waiting up to `wait_s` for the first byte of it.
+
+        Raises LinkError when the link broke, an answer comes to which there is no line, or nobody asked for so much.
+        """
+        questions = self._questions
+        received = [self._taken(report) for report in map(grbl_report.parse, self._lines(self._read(wait_s)))]
+        self._listen(received)
+        self._check_flood(received, questions - self._questions)
+        return received
+
+    def damaged_s(self) -> float:
+        """Return how long every status that came was damaged, in s; 0 where the last one was whole."""
+        return 0.0 if self._damaged_s is None else self.clock() - self._damaged_s
+
+    @property
+    def mpos_mm(self) -> Vector | None:
+        """The machine position last reported."""
+        return self.mm(self._mpos or _sum(self._wpos, self._wco, 1))
+
+    @property
+    def wpos_mm(self) -> Vector | None:
+        """The work position last reported: machine position minus the offset last reported."""
+        return self.mm(self._wpos or _sum(self._mpos, self._wco, -1))
+
+    @property
+    def wco_mm(self) -> Vector | None:
+        """The offset of the work zero last reported."""
+        return self.mm(self._wco)
+
+    @property
+    def feed_mm_min(self) -> float | None:
+        """The speed last reported."""
+        feed = self.status.feed if self.status else None
+        return None if feed is None or REPORT_INCHES not in self.settings else self._length_mm(feed)
+
+    def mm(self, position: Vector | None) -> Vector | None:
+        """Return a position in the controller's own units ($13) in mm; None before these units are known."""
+        if position is None or REPORT_INCHES not in self.settings:
+            return None
+        return tuple(map(self._length_mm, position))
+
+    def _waiting_bytes(self) -> int:
+        """Return how many bytes wait before the line; what was answered does not."""
+        return min(self.link.waiting_bytes(), self._bytes_under_way - len(self._to_write))
+
+    def _read(self, wait_s: float) -> bytes:
+        """Return what came, and write what is queued as the line takes it."""
+        end_s = self.clock() + wait_s
+        if self._bytes_under_way > self._rest_bytes():
+            if not self._rested(min(self.link.leaving_s(self._rest_bytes()), LONGEST_REST_S, wait_s)):
+                return b""
+            if data := self.link.read(0.0):
+                return data
+        while self._to_write and (left_s := end_s - self.clock()) > 0:
+            if (data := self.link.read(min(self._filled_s(), left_s))) or self.link.woken:
+                return data
+        return self.link.read(max(end_s - self.clock(), 0.0))
+
+    def _rested(self, wait_s: float) -> bool:
+        """Let answers gather, so that they are taken together; return False when `wake` was called."""
+        end_s = self.clock() + wait_s
+        while (left_s := end_s - self.clock()) > 0:
+            self.link.rest(min(self._filled_s(), left_s) if self._to_write else left_s)
+            if self.link.woken:
+                return False
+        return True
+
+    def _filled_s(self) -> float:
+        """Fill the queue before the line; return when it must be filled again."""
+        self.flush()
+        most = self.link.queue_bytes
+        unread = self._bytes_under_way - len(self._to_write) - most
+        return self.link.leaving_s(most if 2 * unread > self.window else self.link.filling_bytes)
+
+    def _rest_bytes(self) -> int:
+        """Return how many bytes go out while answers gather: two fillings, the second of them with the next lines."""
+        return 2 * self.link.filling_bytes
+
+    def _lines(self, data: bytes) -> list[str]:
+        """Return the whole lines that have come, safe to show: nothing behind this needs to know what came."""
+        *lines, self._tail = (self._tail + data).replace(b"\r", b"\n").split(b"\n")
+        if len(self._tail) > NOISE_LIMIT_BYTES:
+            self._tail = b""
+            if not self.is_stopping:
+                advice = "check the baud rate and what is connected"
+                raise LinkError("link-noise", f"{self.link.name} sends no line ends", advice=advice)
+        texts = b"\n".join(lines).decode("ascii", "replace").split("\n")
+        return [printable(text) for text in (text.strip(" \t") for text in texts) if text]
+
+    def _taken(self, report: Report) -> Received:
+        if isinstance(report, Answer):
+            return self._answered(report)
+        if isinstance(report, Status):
+            self._take_status(report)
+        elif isinstance(report, Setting):
+            self.settings[report.number] = report.value
+        elif isinstance(report, Greeting):
+            self._forget_lines()
+            self._spoken = False  # what was under way may still be answered in part
+            self.overrides = None
+            self._recognise(greeted_by(report.text))
+        elif isinstance(report, Feedback):
+            self._take_feedback(report)
+        elif isinstance(report, Damaged) and self._damaged_s is None:
+            self._damaged_s = self.clock()
+        return report
+
+    def _check_flood(self, received: list[Received], asked: int) -> None:
+        """Raise LinkError where much more comes than the answers to lines and questions."""
+        echoes = min(self._echoes, sum(isinstance(report, Feedback) and report.tag == "echo" for report in received))
+        self._echoes -= echoes
+        unasked = len(received) - asked - echoes - sum(isinstance(report, Answered) for report in received)
+        if unasked > 0 and not self.is_stopping:
+            is_asked = bool(self.unanswered) and self.unanswered[0].text.startswith("$")
+            self._flood.check(unasked, is_asked, self.link.name)
+
+    def _take_feedback(self, report: Feedback) -> None:
+        if firmware := told_by(report.tag, report.text):
+            self._recognise(firmware)
+        elif report.tag == "OPT":
+            self._take_options(report.text)
+
+    def _recognise(self, firmware: Firmware) -> None:
+        """Take over what answers there; a greeting that grblHAL or FluidNC shares with grbl changes nothing."""
+        if firmware not in (self.firmware, GRBL):
+            self.firmware = firmware
+
+    def _answered(self, answer: Answer) -> Received:
+        if not self._spoken:  # to a line of an earlier sender, or of before a reset
+            return answer
+        if not self.unanswered:
+            self._spoken = False  # said once
+            if self.is_stopping:
+                return answer
+            raise LinkError(
+                "answer-stray",
+                f"{self.link.name} answered '{answer.text}' to no line",
+                advice="close other programs on this port and check the cable; then set the zero again",
+            )
+        sent = self.unanswered.popleft()
+        self._bytes_under_way -= len(sent.text) + 1
+        error = self.firmware.error_number(answer.text) if answer.error < 0 else answer.error
+        return Answered(sent, error)
+
+    def _take_status(self, status: Status) -> None:
+        self.status, self._damaged_s = status, None
+        self._questions = max(0, self._questions - 1)
+        if self._asked_s is not None:
+            self.status_asked_s, self._asked_s = self._asked_s, None
+        self._mpos, self._wpos = status.mpos, status.wpos
+        self._wco = status.wco or self._wco
+        self.overrides = status.overrides or self.overrides
+        self.outputs = self.outputs if status.outputs is None else status.outputs
+        if status.buffer:
+            self.planner_blocks = max(self.planner_blocks, status.buffer[0])
+        if status.buffer and not self.unanswered:
+            self._free_bytes = status.buffer[1]
+            widest = 0 if self.firmware.small_receive else self.window
+            self.window = max(widest, self._free_bytes - 1)
+
+    def _take_options(self, text: str) -> None:
+        """Take the sizes of planner and receive buffer from `[OPT:letters,blocks,bytes]`."""
+        blocks, size = sizes(text)
+        self.planner_blocks = blocks or self.planner_blocks
+        if size > 1:
+            self.window = max(size, self._free_bytes) - 1
+
+    def _forget_lines(self) -> None:
+        self.unanswered.clear()
+        self._to_write.clear()
+        self._bytes_under_way = self._questions = 0
+        self._asked_s = None
+
+    def _length_mm(self, length: float) -> float:
+        return mm_from_inch(length) if self.settings.get(REPORT_INCHES) else length
+
+
+def _sum(first: Vector | None, second: Vector | None, sign: int) -> Vector | None:
+    if first is None or second is None or len(first) != len(second):
+        return None
+    return tuple(a + sign * b for a, b in zip(first, second, strict=True))

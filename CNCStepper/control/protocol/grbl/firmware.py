@@ -1,0 +1,103 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The firmwares that a sender can talk to: how much each takes, what its codes mean, and how it is recognised.
+
+    Grbl 1.1h ['$' for help]                        grbl
+    GrblHAL 1.1f ['$' or '$HELP' for help]          grblHAL    ($I: [FIRMWARE:grblHAL], [NEWOPT:...], [AXS:3:XYZ])
+    Grbl 3.7 [FluidNC v3.7.8 (wifi) '$' for help]   FluidNC    ($I: [VER:3.7 FluidNC v3.7.8:])
+
+A greeting can be set by its owner, and grblHAL can be built to greet as grbl does: so `$I` has the last word.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+from CNCStepper.control.protocol.grbl.codes import HOME_AGAIN, Code, lost
+from CNCStepper.control.protocol.grbl.codes_fluidnc import FLUIDNC_ALARMS, FLUIDNC_ERROR_NAMES, FLUIDNC_ERRORS
+from CNCStepper.control.protocol.grbl.codes_grbl import GRBL_ALARMS, GRBL_ERRORS
+from CNCStepper.control.protocol.grbl.codes_grblhal import GRBLHAL_ALARMS, GRBLHAL_ERRORS
+
+TOOL = "Tool"  # the state in which grblHAL waits for a person at its M6
+TOOL_CHANGED = b"\xa3"  # to grblHAL in that state: nothing else comes, so that it takes jogs and a new zero
+LOOK_UP = "look the number up in the documentation of the controller's version"
+GRBLHAL_TAGS = ("NEWOPT", "AXS")  # of `$I`, which grbl does not have
+
+
+@dataclass(frozen=True)
+class Firmware:
+    """What differs from one firmware to the next; `key` begins its error codes ("grbl-error-20"), `name` is for people.
+
+    dialects: the languages of which it reads every line as it is meant, its own first.
+    small_receive: its receive buffer may be smaller than grbl's, so what it says of it holds. line_characters: of its
+    longest line, without blanks where these do not count. error_names: what it may answer in place of a number.
+    inches_question: how it tells whether it reports in inches, where no setting $13 does.
+    """
+
+    key: str
+    name: str
+    errors: Mapping[int, Code]
+    alarms: Mapping[int, Code]
+    dialects: tuple[str, ...]
+    small_receive: bool = False
+    line_characters: int = 79
+    blanks_count: bool = False
+    error_names: Mapping[str, int] = field(default_factory=dict)
+    inches_question: str = ""
+
+    def error(self, number: int) -> Code:
+        """Return what `error:number` means here."""
+        if number < 0:
+            return Code("the controller refused the line", "look at what it says, and correct that line")
+        return self.errors.get(number) or Code(f"{self.name} lists no such error", LOOK_UP)
+
+    def alarm(self, number: int) -> Code:
+        """Return what `ALARM:number` means here; one that is not listed, or has no number (-1), loses the position."""
+        if number < 0:
+            return lost("the controller raised an alarm")
+        return self.alarms.get(number) or lost(f"{self.name} lists no such alarm", f"{LOOK_UP}; {HOME_AGAIN}")
+
+    def error_number(self, text: str) -> int:
+        """Return the number of an error that was answered by its name ("error:Bad GCode number format"), or -1."""
+        return self.error_names.get(text.removeprefix("error:").strip(), -1)
+
+
+# The parsers of grblHAL and FluidNC are grbl's with words added: no line that grbl accepts means another move there.
+GRBL = Firmware("grbl", "grbl 1.1", GRBL_ERRORS, GRBL_ALARMS, ("grbl",))
+GRBLHAL = Firmware(
+    "grblhal",
+    "grblHAL",
+    GRBLHAL_ERRORS,
+    GRBLHAL_ALARMS,
+    ("grblhal", "grbl"),
+    line_characters=255,
+)
+FLUIDNC = Firmware(
+    "fluidnc",
+    "FluidNC",
+    FLUIDNC_ERRORS,
+    FLUIDNC_ALARMS,
+    ("fluidnc", "grbl"),
+    small_receive=True,
+    line_characters=254,
+    blanks_count=True,
+    error_names=FLUIDNC_ERROR_NAMES,
+    inches_question="$/report_inches",
+)
+FIRMWARES = (GRBL, GRBLHAL, FLUIDNC)
+
+
+def greeted_by(greeting: str) -> Firmware:
+    """Return the firmware that a greeting names; grbl where it names no other."""
+    if "fluidnc" in greeting.lower():
+        return FLUIDNC
+    return GRBLHAL if greeting.lower().startswith("grblhal") else GRBL
+
+
+def told_by(tag: str, text: str) -> Firmware | None:
+    """Return the firmware that a line `[tag:text]` of `$I` names, or None where it names none."""
+    if tag == "VER" and "fluidnc" in text.lower():
+        return FLUIDNC
+    if tag in GRBLHAL_TAGS or (tag == "FIRMWARE" and text.lower() == "grblhal"):
+        return GRBLHAL
+    return None

@@ -1,0 +1,148 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Writes to a port at given moments, by waiting on the processor's clock, and how late each write was.
+
+    due      |     |     |     |        a write is never early, and no nearer to the one before than it is to be, so
+    written   |    |       | |   |      that pulses keep their width; lateness of less than a pulse is made good
+    stall    |     |                    later than that: a motor has stood still, and would be asked to go on at full
+                         ^ the end      rate. Nothing more is written: steps may be lost already
+
+The difference is the jitter. The trial before the start paces writes that change nothing: where one of them comes as
+late as a stall, or all together take longer than they should, this computer cannot keep the rate.
+"""
+
+from __future__ import annotations
+
+import os
+import time
+from collections.abc import Iterable
+from dataclasses import asdict, dataclass
+from pathlib import Path
+from typing import Any
+
+from CNCStepper.control.pulses.ports import Port
+from CNCStepper.errors import LinkError, MachineRefusal
+
+TRIAL_S = 3.0  # what comes between pulses once a second comes in it
+MOST_LONGER = 1.02  # of the time that a trial should take
+WRITES_A_PULSE = 2
+BIN_NS = 1000
+BINS = 10_000  # the last one holds all that is later
+NS_PER_S = 1_000_000_000
+NEVER_NS = 2**62
+THROTTLE = Path("/proc/sys/kernel/sched_rt_runtime_us")
+UNTHROTTLED = "-1"
+FIRST_NICENESS = -20
+HOME = "home the machine before its next move"
+Write = tuple[int, int, int]  # due in ns from the begin, data, control
+
+
+@dataclass(frozen=True)
+class Jitter:
+    """How late the writes were: their number, the time they took, and lateness in microseconds."""
+
+    writes: int
+    taken_s: float
+    mean_us: float
+    p99_us: float
+    worst_us: float
+
+    def as_dict(self) -> dict[str, Any]:
+        """Return it as plain data."""
+        return asdict(self)
+
+
+def stall_ns(writes_per_s: float) -> int:
+    """Return by how much a write may be late: as long as a pulse takes at the fastest rate."""
+    return round(WRITES_A_PULSE * NS_PER_S / writes_per_s)
+
+
+def pace(writes: Iterable[Write], port: Port, keep_ns: int, most_late_ns: int = NEVER_NS) -> Jitter:
+    """Write each when it is due, busy meanwhile.
+
+    keep_ns: two writes that are due no farther apart are kept as far apart, however late the first is; they are the
+    edges of a pulse. Lateness is counted until the port has been written. Raises LinkError where it is more than
+    most_late_ns.
+    """
+    clock, write = time.perf_counter_ns, port.write
+    bins = [0] * (BINS + 1)
+    total = worst = count = 0
+    begin = now = before = 0
+    for at, data, control in writes:
+        if not count:
+            begin = now = clock() - at
+            before = at
+        due = begin + at
+        apart = at - before
+        earliest = max(due, now + (apart if apart < keep_ns else keep_ns))
+        while (now := clock()) < earliest:
+            pass
+        if now - due <= most_late_ns:
+            write(data, control)
+            now = clock()  # not before: what comes between the clock and the port must not narrow a pulse
+        late = now - due
+        if late > most_late_ns:
+            raise _stalled(late, most_late_ns, count, at)
+        before = at
+        count += 1
+        total += late
+        if late > worst:
+            worst = late
+        bins[late // BIN_NS if late < BINS * BIN_NS else BINS] += 1
+    taken_s = (clock() - begin) / NS_PER_S if count else 0.0
+    return Jitter(count, taken_s, total / max(count, 1) / 1000, _percentile_us(bins, count), worst / 1000)
+
+
+def _stalled(late_ns: int, most_ns: int, written: int, at_ns: int) -> LinkError:
+    return LinkError(
+        "pulses-late",
+        f"the computer came too late with a pulse and stopped after {written} writes in time, "
+        f"{at_ns / NS_PER_S:.3f} s from the begin; spindle, beam and drives are off, and steps may be lost",
+        value=f"{late_ns / 1000:.0f} µs late",
+        limit=f"{most_ns / 1000:.0f} µs",
+        advice=f"{HOME}, and end other programs before the next try",
+    )
+
+
+def _percentile_us(bins: list[int], count: int) -> float:
+    """Return the lateness that 99 of 100 writes do not pass."""
+    left = count * 0.99
+    for number, some in enumerate(bins):
+        left -= some
+        if left <= 0:
+            return (number + 1) * BIN_NS / 1000
+    return 0.0
+
+
+def require_rate(
+    port: Port, writes_per_s: float, idle: tuple[int, int], keep_ns: int, trial_s: float = TRIAL_S
+) -> Jitter:
+    """Return the jitter of a trial at a rate, with the port at rest; raises MachineRefusal where it cannot be kept."""
+    interval_ns = NS_PER_S / writes_per_s
+    number = int(trial_s * writes_per_s) + 1
+    trial = pace(((int(place * interval_ns), *idle) for place in range(number)), port, keep_ns)
+    wanted_s = number / writes_per_s
+    if trial.taken_s > wanted_s * MOST_LONGER or trial.worst_us * 1000 > stall_ns(writes_per_s):
+        raise MachineRefusal(
+            "pulse-rate",
+            "this computer cannot keep the rate of the program's pulses",
+            value=f"{number / trial.taken_s:.0f} writes/s, the worst {trial.worst_us:.0f} µs late",
+            limit=f"{writes_per_s:.0f} writes/s, {stall_ns(writes_per_s) / 1000:.0f} µs",
+            advice="end other programs, or lower max_rate_mm_min in the machine's profile",
+        )
+    return trial
+
+
+def come_first() -> bool:
+    """Keep other processes from coming between two pulses, as far as this one may; return whether it may.
+
+    Linux takes 50 ms of every second from a busy process of real-time rank, unless its throttle is off: with the
+    throttle on, this one asks for the least niceness only.
+    """
+    try:
+        if THROTTLE.read_text("ascii").strip() == UNTHROTTLED:
+            os.sched_setscheduler(0, os.SCHED_FIFO, os.sched_param(50))
+        else:
+            os.setpriority(os.PRIO_PROCESS, 0, FIRST_NICENESS)
+    except (AttributeError, OSError):  # no such system, or not allowed: the trial tells whether it does without
+        return False
+    return True

@@ -1,0 +1,134 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Where pulses go out: a parallel port through its device file (Linux), or a file that records what it would get.
+
+A recording is MAGIC, and behind it a RECORD for each write. Nothing else is opened for writing: no other device, and
+no file that is something else.
+"""
+
+from __future__ import annotations
+
+import os
+import stat
+import struct
+import time
+from pathlib import Path
+from typing import BinaryIO, Protocol
+
+from CNCStepper.atomic_file import followed
+from CNCStepper.errors import LinkError
+
+WRITE_DATA, WRITE_CONTROL, DATA_DIRECTION = 0x40017086, 0x40017084, 0x40047090  # of Linux's ppdev.h
+CLAIM, RELEASE = 0x0000708B, 0x0000708C
+OUTPUT = struct.pack("i", 0)  # the direction of the data pins
+PARALLEL_PORTS = 99  # the major number of Linux's /dev/parport*
+MAGIC = b"CNCStepper pulses 1\n"
+FIELDS = (("ns", "q"), ("data", "B"), ("control", "B"))  # of a RECORD, little-endian
+RECORD = struct.Struct("<" + "".join(code for _, code in FIELDS))
+
+
+class Port(Protocol):
+    """Two registers that are written together."""
+
+    def write(self, data: int, control: int) -> None:
+        """Set both registers."""
+
+    def close(self) -> None:
+        """Let go of the port."""
+
+
+class ParallelPort:
+    """A parallel port by its device file, such as /dev/parport0; raises LinkError where it cannot be had."""
+
+    def __init__(self, path: Path):
+        from fcntl import ioctl
+
+        self._ioctl = ioctl
+        try:
+            self._file = os.open(path, os.O_RDWR)
+        except OSError as error:
+            raise no_port(path, error) from error
+        try:
+            ioctl(self._file, CLAIM)
+            ioctl(self._file, DATA_DIRECTION, OUTPUT)
+        except OSError as error:
+            os.close(self._file)
+            raise no_port(path, error) from error
+
+    def write(self, data: int, control: int) -> None:
+        """Set both registers, also where they do not change: a trial takes as long as pulses do."""
+        self._ioctl(self._file, WRITE_DATA, bytes((data,)))
+        self._ioctl(self._file, WRITE_CONTROL, bytes((control,)))
+
+    def close(self) -> None:
+        """Give the port back."""
+        self._ioctl(self._file, RELEASE)
+        os.close(self._file)
+
+
+class RecordingPort:
+    """A file that gets a RECORD for each write: when it was, and both registers."""
+
+    def __init__(self, file: BinaryIO):
+        self._file = file
+        file.write(MAGIC)
+
+    def write(self, data: int, control: int) -> None:
+        """Note a write."""
+        self._file.write(RECORD.pack(time.perf_counter_ns(), data, control))
+
+    def close(self) -> None:
+        """Write what is still held back."""
+        self._file.close()
+
+
+def is_parallel_port(path: Path) -> bool:
+    """Return whether a path is the device file of a parallel port; nothing is opened."""
+    if not path.is_char_device():
+        return False
+    return os.major(path.stat().st_rdev) == PARALLEL_PORTS
+
+
+def open_port(path: Path) -> Port:
+    """Return the port of a parallel port's device file, else one that records in a file that is new or a recording.
+
+    Raises LinkError for any other device, for a file that is something else, and where it cannot be had.
+    """
+    if is_parallel_port(path):
+        return ParallelPort(path)
+    if path.parent == Path("/dev") or (path.exists() and not path.is_file()):
+        advice = "name the device file of a parallel port, such as /dev/parport0, or a file to record in"
+        raise LinkError("pulse-port", f"{path} is no parallel port", advice=advice)
+    return RecordingPort(_recording(path))
+
+
+def read_recording(path: Path) -> list[tuple[int, int, int]]:
+    """Return the writes of a recording: time in ns on the clock of its process, data, control.
+
+    A process that was killed may have left a part of its last record, which is left out.
+    """
+    records = path.read_bytes()[len(MAGIC) :]
+    return list(RECORD.iter_unpack(records[: len(records) // RECORD.size * RECORD.size]))
+
+
+def _recording(path: Path) -> BinaryIO:
+    """Open a file to record in, empty; raises LinkError where it holds something else, which is left as it is."""
+    try:
+        target = followed(path)
+        target.touch()
+        file = target.open("r+b", buffering=1 << 20)
+    except OSError as error:
+        raise LinkError("pulse-port", f"{path} cannot be written: {error}") from error
+    begin = file.read(len(MAGIC))
+    if not stat.S_ISREG(os.fstat(file.fileno()).st_mode) or begin not in (b"", MAGIC):
+        file.close()
+        advice = "name a new file, or one that pulses were recorded in"
+        raise LinkError("pulse-port", f"{path} is no recording of pulses, and is not written over", advice=advice)
+    file.seek(0)
+    file.truncate()
+    return file
+
+
+def no_port(path: Path, error: OSError) -> LinkError:
+    """Return the refusal of a parallel port that the system does not let us have."""
+    advice = "load the module ppdev, and let your user use the device"
+    return LinkError("pulse-port", f"{path} is no parallel port that can be had: {error}", advice=advice)

@@ -1,0 +1,311 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A window's side of a desk: launch or attach, look at it from a timer, ask. Nothing here ever waits.
+
+    client = DeskClient.launch("socket://127.0.0.1:2217")
+    ... from a timer, about 20 times a second:
+    for event in client.poll(): ...
+    client.phase, client.status, client.outcome, client.error
+
+What is asked is asked: whether it was done shows in the status and the events, a refusal is an event.
+"""
+
+from __future__ import annotations
+
+import secrets
+import subprocess
+import time
+from concurrent.futures import Future
+from pathlib import Path
+from typing import Any
+
+from CNCStepper.control.processes.process_file import is_alive, is_closed
+from CNCStepper.control.service import connection_launch
+from CNCStepper.control.service.connection_launch import Launched
+from CNCStepper.control.session.files import LOG, OUTCOME, read_private, running_desks
+from CNCStepper.control.session.local_socket import Address
+from CNCStepper.control.session.nonblocking_socket import LineSocket
+from CNCStepper.control.session.status import Outcome, SenderStatus, error_from_json, take_refusal
+from CNCStepper.control.session.unreachable import closed, garbled, silent, unreadable
+from CNCStepper.errors import CNCStepperError, LinkError
+
+__all__ = ["DeskClient", "running_desks"]
+
+START_LIMIT_S = 30.0
+JOG_RENEW_S = 0.1  # how often `jog_on` wants to be called; the desk stops after 0.3 s without it
+JOG_FEED_MM_MIN = 1000.0
+
+
+class DeskClient:
+    """One client of one desk; it may vanish and another attach at any time, a running job goes on.
+
+    phase: "starting", "connecting", "connected" or "gone": then `error` says why, None when it was left.
+    status: the last one heard. outcome: of the last job, None while one runs. Not for several threads.
+    """
+
+    def __init__(self, port: str, launched: Future[Launched] | None = None, session_file: Path | None = None):
+        self.port = port
+        self.session_file = session_file
+        self.phase = "starting"
+        self.status = SenderStatus()
+        self.outcome: Outcome | None = None
+        self.error: CNCStepperError | None = None
+        self._launched = launched
+        self._begin_s = time.monotonic()  # of the way to a connection
+        self._process: subprocess.Popen | None = None
+        self._socket: LineSocket | None = None
+        self._token = ""
+        self._caught_up = False
+        self._press = secrets.token_hex(4)
+        self._waiting: list[dict[str, Any]] = []  # asked before the desk has let this client in
+        self._told_phase = "starting"
+
+    @classmethod
+    def launch(cls, port: str, baud: int = 115_200, folder: Path | None = None) -> DeskClient:
+        """Start a desk for a port and return at once; where one runs at that port already, attach to it."""
+        return cls(port, connection_launch.launch(port, baud, folder))
+
+    @classmethod
+    def attach(cls, session_file: Path) -> DeskClient:
+        """Attach to a desk of `running_desks`; one that has ended meanwhile is "gone"."""
+        client = cls("", session_file=session_file)
+        client._read_address(session_file)
+        return client
+
+    @property
+    def is_caught_up(self) -> bool:
+        """Whether the desk's present has been heard since the client came."""
+        return self._caught_up
+
+    @property
+    def started_desk(self) -> bool:
+        """Whether the desk was started for this client; it ends when this one leaves and nobody else is there."""
+        return self._process is not None
+
+    def poll(self) -> list[dict[str, Any]]:
+        """Return what has happened since the last call, at once; to be called from a timer.
+
+        Events: {"event": "status"}, {"event": "phase" | "message" | "warning" | "job", "text": ...},
+        {"event": "refused", "text": ..., "command": ..., "error": CNCStepperError | None}, {"event": "outcome"};
+        and {"event": "connection", "text": phase} when `phase` has changed. What the desk had told before this
+        client came is told too, and has "past" in it.
+        """
+        events: list[dict[str, Any]] = []
+        if self._socket:
+            events = self._receive(self._socket)
+        elif self.phase == "starting":
+            self._start()
+        if self.phase != self._told_phase:
+            self._told_phase = self.phase
+            events.append({"event": "connection", "text": self.phase})
+        return events
+
+    def run(self, job_file: Path, zero_confirmed: bool, allow_differences: bool = False) -> None:
+        """Let the job of a certificate's file, or of a `SendJob` as JSON, run; its port and consents do not count."""
+        self.outcome = None
+        self.ask("run", file=str(job_file), zero_confirmed=zero_confirmed, allow_differences=allow_differences)
+
+    def hold(self) -> None:
+        """Ask for a feed hold; a jog ends."""
+        self.ask("hold")
+
+    def resume(self, stand: int | None = None) -> None:
+        """Ask to go on after a hold, a pause of the program or a closed door.
+
+        stand: the number in `SenderStatus` of the one that is meant; None: whichever there is.
+        """
+        self.ask("resume", stand=stand)
+
+    def stop(self) -> None:
+        """Ask to end the job or whatever moves: hold, standstill, reset. It is no emergency stop."""
+        self.ask("stop")
+
+    def jog(
+        self, x_mm: float = 0.0, y_mm: float = 0.0, z_mm: float = 0.0, feed_mm_min: float = JOG_FEED_MM_MIN
+    ) -> None:
+        """Ask for one step of that way."""
+        self.ask("jog", x_mm=x_mm, y_mm=y_mm, z_mm=z_mm, feed_mm_min=feed_mm_min)
+
+    def jog_on(self, x: float = 0.0, y: float = 0.0, z: float = 0.0, feed_mm_min: float = JOG_FEED_MM_MIN) -> None:
+        """Jog in a direction for as long as a button is pressed: call it every JOG_RENEW_S, `jog_cancel` at release.
+
+        The machine stops by itself when the calls stay away, and then wants the button to be pressed anew.
+        """
+        self.ask("jog_on", x_mm=x, y_mm=y, z_mm=z, feed_mm_min=feed_mm_min, press=self._press)
+
+    def jog_cancel(self) -> None:
+        """Stop jogging now."""
+        self._press = secrets.token_hex(4)
+        self.ask("jog_cancel")
+
+    def set_zero(self, axes: str = "XYZ") -> None:
+        """Make this place the work zero of these axes, in the work system in force."""
+        self.ask("set_zero", axes=axes)
+
+    def home(self) -> None:
+        """Let the machine find its own zero."""
+        self.ask("home")
+
+    def unlock(self) -> None:
+        """Take the lock of an alarm away without homing."""
+        self.ask("unlock")
+
+    def type(self, text: str) -> None:
+        """Ask for a line that somebody typed; what came of it is an event "answer", or a refusal."""
+        self.ask("line", text=text)
+
+    def override(self, kind: str, percent_step: int | str) -> None:
+        """Change "feed" or "spindle" by 10, -10, 1, -1 percent, "rapid" to 100, 50, 25; "reset" brings 100 back."""
+        self.ask("override", kind=kind, step=str(percent_step))
+
+    def leave(self) -> None:
+        """Detach for good: the desk ends as soon as no job runs and nothing moves."""
+        if self._socket:
+            self._socket.send({"token": self._token, "command": "leave"})
+        self.detach()
+
+    def detach(self) -> None:
+        """Let go of the desk; it goes on, and ends by itself when nobody comes back."""
+        if self._socket:
+            self._socket.close()
+            self._socket = None
+        self.phase = self._told_phase = "gone"
+
+    def ask(self, command: str, **values: Any) -> None:
+        """Ask for any command of the desk, or its "status"; what is refused comes as an event "refused"."""
+        request = {"command": command, **values}
+        if self._socket and self._caught_up:
+            self._socket.send({"token": self._token, **request})
+        elif self.phase in ("starting", "connecting") and not command.startswith("jog"):
+            self._waiting.append(request)
+
+    # --- inside --------------------------------------------------------------------------------
+
+    def _start(self) -> None:
+        """Go one step nearer to a connection: the launch, then the file, then the socket."""
+        if self._launched and self._launched.done():
+            self._take_launch(self._launched)
+        if self.session_file and self.phase == "starting":
+            self._connect(self.session_file)
+        if self.phase == "starting":
+            self._check_patience()
+
+    def _check_patience(self) -> None:
+        """Give up a desk that does not come up, or that lives and does not let this client in."""
+        if self._caught_up or time.monotonic() - self._begin_s < START_LIMIT_S:
+            return
+        if self._socket:
+            self._socket.close()
+            self._socket = None
+        if self.session_file and is_alive(self.session_file):
+            self._end(silent(self.session_file))
+        else:
+            self._end(LinkError("desk-start", "the desk's process does not come up", advice="see " + self._log()))
+
+    def _take_launch(self, launched: Future[Launched]) -> None:
+        self._launched = None
+        try:
+            self.session_file, self._process = launched.result()
+        except CNCStepperError as error:
+            self._end(error)
+
+    def _connect(self, path: Path) -> None:
+        if is_closed(path):
+            self._end(closed(path))
+            return
+        if self._has_ended(path):  # and whoever listens now where it did is another one
+            self._end(self._cause(path))
+            return
+        address = self._read_address(path)
+        if address is None:
+            return
+        self.phase, self._caught_up = "connecting", False
+        self._token = address.token
+        self._socket = LineSocket(address)
+        self._socket.send({"token": self._token, "command": "attach"})
+
+    def _read_address(self, path: Path) -> Address | None:
+        """Return where the desk listens, None while its file does not say so."""
+        try:
+            content = read_private(path) or {}
+            address = Address.of(content)
+        except (OSError, ValueError):  # not yet written, or damaged: a desk that lives writes it again
+            return None
+        self.port = self.port or str(content.get("machine_port", ""))
+        return address
+
+    def _receive(self, line: LineSocket) -> list[dict[str, Any]]:
+        try:
+            events = [event for event in line.receive() if self._take(event)]
+        except (ValueError, TypeError, KeyError, RecursionError):
+            line.close()
+            self._socket = None
+            self._end(garbled(self.session_file or Path()))
+            return []
+        if line.closed:
+            self._lost()
+        else:
+            self._check_patience()
+        return events
+
+    def _take(self, event: dict[str, Any]) -> bool:
+        """Take one event over; return whether the window wants to hear of it."""
+        kind = event["event"]
+        if not self._caught_up:
+            event["past"] = True
+        if kind == "status":
+            self._catch_up()
+            self.status = SenderStatus.from_json(event["status"])
+            self.phase = "connecting" if self.status.phase == "connecting" else "connected"
+        elif kind == "job":
+            self.outcome = None
+        elif kind == "outcome":
+            self.outcome = Outcome.from_json(event["outcome"])
+        elif kind == "refused":
+            take_refusal(event)
+        return kind != "accepted"
+
+    def _catch_up(self) -> None:
+        """Ask at last what was asked before the desk has let this client in: from now on it drops it no more."""
+        if self._caught_up or not self._socket:
+            return
+        self._caught_up = True
+        for request in self._waiting:
+            self._socket.send({"token": self._token, **request})
+        self._waiting.clear()
+
+    def _lost(self) -> None:
+        """The connection is over: the desk has ended, or it had no room for one more that it did not know."""
+        self._socket = None
+        path = self.session_file
+        assert path
+        if self._has_ended(path):
+            self._end(self._cause(path))
+            return
+        self.phase = "starting"
+        if self._caught_up:
+            self._caught_up, self._begin_s = False, time.monotonic()
+
+    def _has_ended(self, path: Path) -> bool:
+        runs = self._process.poll() is None if self._process else is_alive(path)
+        return not runs or path.with_suffix(OUTCOME).is_file()
+
+    def _cause(self, path: Path) -> CNCStepperError | None:
+        """Return why the desk has ended; one that left no word was killed."""
+        try:
+            content = read_private(path.with_suffix(OUTCOME))
+            if content is not None:
+                return error_from_json(content["error"]) if content["error"] else None
+        except (OSError, ValueError, KeyError) as error:
+            return unreadable(path, str(error))
+        return LinkError(
+            "desk-lost",
+            f"the desk of {self.port} is not there, or was killed",
+            advice="if it was cutting, the position is unknown: look at the machine, then see " + self._log(),
+        )
+
+    def _end(self, error: CNCStepperError | None) -> None:
+        self.phase, self.error = "gone", error
+        self._launched = None
+
+    def _log(self) -> str:
+        return str(self.session_file.with_suffix(LOG)) if self.session_file else "the session's log"

@@ -1,0 +1,55 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Starts a desk's process beside the window's thread: looking for a Python and starting it take their time."""
+
+from __future__ import annotations
+
+import subprocess
+import threading
+import time
+from concurrent.futures import Future
+from pathlib import Path
+
+from CNCStepper.control.processes.python_finder import find_python
+from CNCStepper.control.service.port_owner import check_no_job
+from CNCStepper.control.session.detached_process import start
+from CNCStepper.control.session.files import DESK, desk_at, new_session, session_folder
+from CNCStepper.errors import CNCStepperError, LinkError
+
+WORKER = "CNCStepper.workers.connection_service"
+YIELD_S = 0.005  # the thread of the window goes on first
+
+Launched = tuple[Path, subprocess.Popen | None]
+
+
+def launch(port: str, baud: int, folder: Path | None) -> Future[Launched]:
+    """Return at once what will be the file of the desk at `port` and its process, None when it runs already.
+
+    Its exception is MissingPackage when no Python can be the desk's, MachineRefusal while a job that was sent from a
+    command line has the port, or LinkError when it cannot be started.
+    """
+    answer: Future[Launched] = Future()
+
+    def work() -> None:
+        time.sleep(YIELD_S)
+        try:
+            path, process = _launched(port, baud, folder or session_folder())
+        except CNCStepperError as error:
+            answer.set_exception(error)
+            return
+        except Exception as error:  # the disk is full, the folder is gone: the window is to say so
+            answer.set_exception(LinkError("desk-start", f"the desk cannot be started: {error}", advice="try again"))
+            return
+        answer.set_result((path, process))
+        if process:
+            process.wait()  # so that nothing is left of it when it has ended
+
+    threading.Thread(target=work, name="launch-desk", daemon=True).start()
+    return answer
+
+
+def _launched(port: str, baud: int, folder: Path) -> Launched:
+    if there := desk_at(port, folder):
+        return there, None
+    check_no_job(port, folder)
+    path = new_session(folder, DESK)
+    return path, start(find_python(), WORKER, path, port, str(baud))

@@ -1,0 +1,321 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The desk: stays connected to one controller, obeys what people ask, and lets jobs run over its open link.
+
+    connecting --> idle <--> jogging, homing, alarm ...        (`Idle`)
+                    ^  `---> a job's phases ---'               (`JobRun`)
+                    `-----> ended: link lost, left alone, told to end
+
+An alarm is no refusal here: the desk is there to home and to unlock. A job is refused in it.
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+from contextlib import AbstractContextManager, nullcontext, suppress
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+from CNCStepper.control.journal.writer import Journal
+from CNCStepper.control.operator.actions import fresh_status
+from CNCStepper.control.operator.button_actions import buttons_of
+from CNCStepper.control.operator.buttons import Buttons
+from CNCStepper.control.program.send_job import SendJob
+from CNCStepper.control.protocol.grbl import connect
+from CNCStepper.control.protocol.grbl.driver import Answered, Grbl, Received
+from CNCStepper.control.protocol.grbl.motion_interlock import MotionInterlock
+from CNCStepper.control.protocol.grbl.readiness import check_state
+from CNCStepper.control.protocol.grbl.report import Vector
+from CNCStepper.control.protocol.grbl.timeouts import Timing
+from CNCStepper.control.service.idle_controller import Idle, is_fatal
+from CNCStepper.control.service.position_trust_file import BeliefFile
+from CNCStepper.control.service.spool_process import spooled
+from CNCStepper.control.session.command import VALUES, Command, Inbox
+from CNCStepper.control.session.status import REFUSED, Outcome, SenderStatus
+from CNCStepper.control.stream.job_run import MAY_HAVE_RESTARTED, JobRun, Refuse, Stopped, Tell
+from CNCStepper.control.stream.pause_id import StandCount
+from CNCStepper.control.stream.position_trust import LOST, Belief, check_program, is_lost
+from CNCStepper.control.stream.status_snapshot import tell_words
+from CNCStepper.control.transport.background_open import open_unless
+from CNCStepper.control.transport.link import Link, open_link
+from CNCStepper.errors import CNCStepperError
+from CNCStepper.state import WORK_SYSTEMS
+
+
+class Desk:
+    """One connection; `run` blocks until it ends, `ask`, `stop` and `status` may be called from any thread.
+
+    tell, refuse, ended: hear what happens, as of a `JobRun`, and how a job ended. alone_s: how long nobody has
+    been there; a desk that is alone and has nothing to do ends. journals: the folder for those of its jobs; None
+    keeps none. kept: what was held of the position before, and is from now on; None begins with nothing. during_job:
+    entered for the time of each job. spool: the file that holds the lines of the last job.
+    """
+
+    commands: tuple[str, ...] = tuple(VALUES)
+
+    def __init__(
+        self,
+        port: str,
+        baud: int = 115_200,
+        *,
+        spool: Path,
+        opener: Callable[[str, int], Link] = open_link,
+        timing: Timing | None = None,
+        clock: Callable[[], float] = time.monotonic,
+        tell: Tell = lambda kind, text: None,
+        refuse: Refuse = lambda command, error: None,
+        ended: Callable[[Outcome], None] = lambda outcome: None,
+        alone_s: Callable[[], float] = lambda: 0.0,
+        journals: Path | None = None,
+        kept: BeliefFile | None = None,
+        during_job: Callable[[], AbstractContextManager[None]] = nullcontext,
+    ):
+        self.port = port
+        self._baud = baud
+        self._spool = spool
+        self._opener = opener
+        self._timing = timing or Timing()
+        self._tell = tell
+        self._refuse = refuse
+        self._ended = ended
+        self._alone_s = alone_s
+        self._journals = journals
+        self._kept = kept or BeliefFile(None)
+        self._during_job = during_job
+        self._clock = clock
+        self._inbox = Inbox(clock)
+        self._buttons = Buttons(self._inbox.put, tell, clock, self._start)
+        self._driver: Grbl | None = None
+        self._idle: Idle | None = None
+        self._run: JobRun | None = None
+        self._belief: Belief | None = None  # with which the job began: its own resets at standstill do not change it
+        self._last_done: SendJob | None = None  # what a start button lets run again
+        self._stands = StandCount()
+        self._connected = False
+        self._learned = False
+        self._zero_is_old = False
+        self._zero: dict[str, Any] = {}  # work system and offsets, as `SenderStatus` has them
+        self._ending = False
+        self._may_stop = True  # until it comes to rest
+        self._phase = "connecting"  # last told
+
+    def ask(self, command: Command) -> None:
+        """Ask for one of `commands`."""
+        self._inbox.put(command)
+
+    def stop(self) -> None:
+        """End the desk: a job or a motion is stopped safely first."""
+        self._ending = True
+        self._inbox.put(Command("end"))
+
+    def status(self) -> SenderStatus:
+        """Return this moment."""
+        stand = self._stands.number  # before the words of that stand
+        run, idle, belief = self._run, self._idle, self._belief
+        if idle is None or not self._connected:
+            return SenderStatus()
+        if run is None or belief is None or (status := run.status()).phase == "connecting":
+            return replace(idle.status(), stand=stand, **self._zero)
+        return replace(status, position_known=belief.position_known, homed=belief.homed, **self._zero)
+
+    def run(self) -> None:
+        """Connect and serve until told to end, or left alone; raises LinkError when the link breaks."""
+        link = open_unless(lambda: self._ending, self._opener, self.port, self._baud)
+        if link is None:
+            return
+        self._inbox.link = link
+        try:
+            self._driver = driver = Grbl(link, self._clock, self._listen, MotionInterlock(self._is_lost))
+            self._idle = Idle(driver, self._timing, self._tell, self._refuse)
+            self._connect(driver, self._idle)
+            self._serve(driver, self._idle)
+        except Stopped:  # while connecting: nothing was sent
+            return
+        finally:
+            self._buttons.close()
+            link.close()
+
+    def _is_lost(self) -> bool:
+        """Return whether the position is lost now; before the machine was met nothing may move it."""
+        if self._idle is None or not self._connected:
+            return True
+        return is_lost(self._belief if self._run and self._belief else self._idle.belief)
+
+    # --- the loop ------------------------------------------------------------------------------
+
+    def _connect(self, driver: Grbl, idle: Idle) -> None:
+        greeted = connect.greeted(connect.wake_up(driver, self._timing, locked=True))
+        if greeted:
+            self._tell("warning", "the controller restarted when its port was opened; it counts from where it stands")
+        self._learn(driver, idle)
+        idle.meet(self._kept.belief, greeted)
+        self._connected = True
+
+    def _serve(self, driver: Grbl, idle: Idle) -> None:
+        """Be there until the end; a machine of which the link or this program loses sight has lost its position."""
+        try:
+            with suppress(Stopped):
+                while not self._over(idle):
+                    self._turn(driver, idle)
+                    self._keep_belief(idle)
+            self._may_stop = False
+            self._come_to_rest(driver, idle)
+        except Exception:
+            idle.lose_position()
+            raise
+        finally:
+            self._keep_belief(idle)
+
+    def _turn(self, driver: Grbl, idle: Idle) -> None:
+        idle.turn()
+        if not self._learned:
+            self._learn(driver, idle)
+        elif self._zero_is_old and idle.may_be_asked:
+            self._read_zero(driver)
+        for command in self._inbox.take():
+            self._obey(command, idle)
+        self._tell_phase(idle.phase)
+
+    def _keep_belief(self, idle: Idle) -> None:
+        """Keep what is held of the position; homing that does not come to its end costs it."""
+        self._kept.keep_or_tell(LOST if idle.phase == "homing" else idle.belief, self._tell)
+
+    def _learn(self, driver: Grbl, idle: Idle) -> None:
+        """Read what the controller is as soon as it stands; one that moves is not asked."""
+        if idle.may_be_asked:
+            found = connect.learn(driver, self._timing)
+            self._take_zero(found.offsets, found.modes)
+            self._learned = True
+
+    def _read_zero(self, driver: Grbl) -> None:
+        """Ask where the work zero is now; where that is refused it is not known."""
+        try:
+            self._take_zero(connect.read_offsets(driver, self._timing), connect.read_modes(driver, self._timing))
+        except CNCStepperError as error:
+            if is_fatal(error):
+                raise
+            self._zero, self._zero_is_old = {}, False
+
+    def _take_zero(self, offsets: dict[str, Vector], modes: str) -> None:
+        """Keep where the work zero is; what sets it anew makes this old."""
+        assert self._driver
+        driver = self._driver
+        self._zero = {
+            "work_system": next((word for word in modes.split() if word in WORK_SYSTEMS), ""),
+            "work_offsets_mm": {name: mm for name, offset in offsets.items() if (mm := driver.mm(offset)) is not None},
+        }
+        self._zero_is_old = False
+
+    def _obey(self, command: Command, idle: Idle) -> None:
+        try:
+            if command.name == "run":
+                self._run_file(idle, **command.values)
+            elif command.name == "again" and self._last_done:
+                self._tell("job", self._last_done.file)
+                self._run_job(idle, self._last_done)
+            elif command.name != "end":
+                self._stands.enter(idle.phase)
+                self._stands.check(command)
+                idle.do(command)
+                self._zero_is_old = self._zero_is_old or command.name in ("set_zero", "line")
+        except CNCStepperError as error:
+            if is_fatal(error):
+                raise
+            self._refuse(command, error)
+
+    def _listen(self, received: list[Received]) -> None:
+        said = [report for report in received if not isinstance(report, Answered)]
+        tell_words(said, self._tell)
+        if self._idle:
+            self._idle.hear(received)
+        self._buttons.hear(said)
+        if connect.greeted(said):
+            self._zero_is_old = True  # a reset takes G92 and the tool's length away
+        if self._run:
+            self._run.count(received)  # last: a stop leaves from here
+        is_stopping = self._driver is not None and self._driver.is_stopping
+        if self._ending and self._may_stop and self._run is None and not is_stopping:
+            raise Stopped
+
+    def _tell_phase(self, phase: str) -> None:
+        self._stands.enter(phase)
+        if phase != self._phase:
+            self._phase = phase
+            self._tell("phase", phase)
+
+    # --- a job ---------------------------------------------------------------------------------
+
+    def _start(self) -> Command | None:
+        """Return what a start button asks for while nothing runs: the last job again, if it was cut to its end."""
+        may_run = self._last_done and self._run is None and self._idle and self._idle.phase == "idle"
+        return Command("again") if may_run else None
+
+    def _run_file(self, idle: Idle, file: str, zero_confirmed: bool, allow_differences: bool) -> None:
+        """Let the job of a file run; however it ends, its outcome is told."""
+        self._tell("job", file)
+        own = {"port": self.port, "baud": self._baud}
+        consents = {"zero_confirmed": zero_confirmed, "allow_differences": allow_differences}
+        try:
+            job = spooled(Path(file), self._spool, **own, **consents)
+        except CNCStepperError as error:
+            known = idle.position_known is not False
+            self._ended(Outcome(REFUSED, str(error), known, replace(self.status(), phase=REFUSED), error))
+            return
+        self._run_job(idle, job)
+
+    def _run_job(self, idle: Idle, job: SendJob) -> None:
+        self._belief = belief = idle.belief
+        self._run = run = JobRun(
+            job,
+            self._inbox,
+            timing=self._timing,
+            clock=self._clock,
+            tell=self._tell,
+            refuse=self._refuse,
+            journal=Journal(self._journals) if self._journals else None,
+            stands=self._stands,
+        )
+        try:
+            with self._during_job():
+                outcome = run.run(self._ready)
+        finally:
+            self._run, self._phase = None, ""
+            self._zero_is_old = True  # a program may set it
+        if not run.has_begun:  # nothing was sent: what the machine said meanwhile it said by itself
+            if outcome.error and outcome.error.code in MAY_HAVE_RESTARTED:
+                idle.lose_position()
+            outcome = replace(outcome, position_known=outcome.position_known and idle.position_known is not False)
+        else:
+            idle.belief = belief  # the reset at the end of a job does not cost it
+            if not outcome.position_known:
+                idle.lose_position()
+        self._last_done = job if outcome.done else None
+        self._ended(outcome)
+
+    def _ready(self) -> connect.Found:
+        """Return what the machine is, read anew: somebody may have changed it since it was met."""
+        assert self._driver and self._run and self._idle
+        self._buttons.wire(buttons_of(self._run.job.inputs))
+        self._run.driver = self._driver
+        self._idle.check_no_jog()
+        check_state(fresh_status(self._driver, self._timing))
+        check_program(self._idle.belief)
+        found = connect.learn(self._driver, self._timing)
+        self._take_zero(found.offsets, found.modes)
+        self._kept.keep(LOST)  # until the job has ended well
+        return found
+
+    # --- the end -------------------------------------------------------------------------------
+
+    def _over(self, idle: Idle) -> bool:
+        return self._ending or (self._alone_s() > self._timing.alone_s and not idle.busy)
+
+    def _come_to_rest(self, driver: Grbl, idle: Idle) -> None:
+        """Stop a jog, a homing or a typed line that is still under way; a job has ended already."""
+        if idle.phase in ("jogging", "homing", "busy"):
+            idle.stop()
+        idle.turn()  # is the machine still there?
+        end_s = self._clock() + self._timing.hold_s
+        while idle.busy and self._clock() < end_s and (driver.question_age_s() or 0.0) < self._timing.silent_s:
+            idle.turn()

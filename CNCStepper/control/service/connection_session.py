@@ -1,0 +1,109 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A desk spoken to as a session is: every call waits for its answer; for processes that have nothing else to do."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+from CNCStepper.control.processes.process_file import is_alive
+from CNCStepper.control.service.connection_client import DeskClient
+from CNCStepper.control.session.client import ANSWER_LIMIT_S, LOOK_EVERY_S, SessionClient
+from CNCStepper.control.session.files import DESK, running_desks, sessions
+from CNCStepper.control.session.status import Outcome, SenderStatus
+from CNCStepper.control.session.unreachable import silent
+from CNCStepper.errors import LinkError
+
+LOOK_LIMIT_S = 3.0  # whether a job runs in a desk
+
+
+class DeskSession:
+    """One more client of a desk, as a `SessionClient` is one of a session; the desk goes on when it closes."""
+
+    def __init__(self, client: DeskClient, limit_s: float = ANSWER_LIMIT_S):
+        self._client = client
+        try:
+            self._until(lambda events: client.is_caught_up, limit_s)
+        except LinkError:
+            client.detach()
+            raise
+
+    @classmethod
+    def attach(cls, session_file: Path, limit_s: float = ANSWER_LIMIT_S) -> DeskSession:
+        """Attach to a desk that runs; raises LinkError when it has ended, or does not answer within `limit_s`."""
+        return cls(DeskClient.attach(session_file), limit_s)
+
+    @property
+    def outcome(self) -> Outcome | None:
+        """How the desk's last job ended; None while one runs, and before the first."""
+        return self._client.outcome
+
+    def status(self) -> SenderStatus:
+        """Return this moment of the desk."""
+        self._client.ask("status")
+        self._until(lambda events: any(event["event"] == "status" for event in events), ANSWER_LIMIT_S)
+        return self._client.status
+
+    def hold(self) -> None:
+        """Ask for a feed hold."""
+        self._client.hold()
+
+    def stop(self) -> None:
+        """Ask to end the job safely."""
+        self._client.stop()
+
+    def ask(self, command: str, **values: Any) -> None:
+        """Ask for any command of the desk; what is refused comes as an event "refused" with its error."""
+        self._client.ask(command, **values)
+
+    def poll(self, wait_s: float) -> list[dict[str, Any]]:
+        """Return the events that came, after `wait_s` where none has; raises the error that ended the desk."""
+        events = self._client.poll()
+        if self._client.phase == "gone":
+            raise self._client.error or LinkError("desk-gone", "the desk has ended", advice="connect again")
+        if not events:
+            time.sleep(wait_s)
+        return events
+
+    def _until(self, reached: Callable[[list[dict[str, Any]]], bool], limit_s: float) -> None:
+        """Look at the desk until its events reach something; raises LinkError where that is not so in `limit_s`."""
+        end_s = time.monotonic() + limit_s
+        while not reached(self.poll(LOOK_EVERY_S)):
+            if time.monotonic() > end_s:
+                raise silent(self._client.session_file or Path())
+
+    def close(self) -> None:
+        """Detach; the desk goes on."""
+        self._client.detach()
+
+    def __enter__(self) -> DeskSession:
+        return self
+
+    def __exit__(self, *error: object) -> None:
+        self.close()
+
+
+def attach(file: Path) -> SessionClient | DeskSession:
+    """Attach to the session or to the desk of a file; raises LinkError when it has ended."""
+    return DeskSession.attach(file) if file.suffix == DESK else SessionClient.attach(file)
+
+
+def jobs_running(folder: Path | None = None) -> list[Path]:
+    """Return the files of the sessions, and of the desks in which a job runs, oldest first.
+
+    Where there are none, those of the desks that live and do not answer: a job may run in each.
+    """
+    running, silent_desks = sessions(folder), []
+    for desk in running_desks(folder):
+        try:
+            running += [desk] if _runs_a_job(desk) else []
+        except LinkError:
+            silent_desks += [desk] if is_alive(desk) else []  # else it has ended meanwhile
+    return sorted(running or silent_desks, key=lambda path: path.name)
+
+
+def _runs_a_job(desk: Path) -> bool:
+    with DeskSession.attach(desk, LOOK_LIMIT_S) as session:
+        return session.status().total > 0

@@ -1,0 +1,344 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The ear of a sender's or a desk's process: a socket where clients that know the token watch and command.
+
+One JSON object a line, both ways:
+
+    -> {"token": ..., "command": "attach" | "status" | "leave" | one of `Served.commands`, its values...}
+    <- {"event": "status", "status": {...}}      {"event": "accepted", "command": ...}
+       {"event": "message" | "warning" | "phase" | "job", "text": ...}
+       {"event": "refused", "text": ..., "command": ..., "error": {...}}
+       {"event": "outcome", "outcome": {...}}
+
+An attached client hears everything from the session's beginning on, as far as a `Backlog` keeps it. The thread of
+this server never touches the machine's port, so that a slow or dead client cannot delay the cut.
+
+Where peers that have not shown the token fill all places, the oldest of them makes room for the next. One that has
+shown it keeps its place, also when it does not read: it gets the latest state then, not all that was before.
+"""
+
+from __future__ import annotations
+
+import hmac
+import json
+import os
+import secrets
+import selectors
+import socket
+import threading
+import time
+from collections.abc import Callable
+from contextlib import suppress
+from dataclasses import replace
+from math import inf
+from pathlib import Path
+from typing import Any, Protocol
+
+from CNCStepper.control.processes.thread_priority import go_first
+from CNCStepper.control.session.command import Command, read_command
+from CNCStepper.control.session.event_queue import Backlog, News, line_of
+from CNCStepper.control.session.local_socket import Listener
+from CNCStepper.control.session.status import Outcome, SenderStatus, error_to_json
+from CNCStepper.errors import CNCStepperError
+
+STATUS_EVERY_S = 0.1
+LOOK_AT_STATUS_S = 0.02
+LINE_LIMIT_BYTES = 4096
+SEND_BYTES = 16_384  # at once, so that what waits behind it can still be replaced by what is newer
+STRANGER_LIMIT = 64  # peers that have not shown the token
+KNOWN_LIMIT = 128  # peers that have
+ACCEPT_LIMIT = 64  # connections taken in one turn, so that a flood of them keeps no command waiting
+NO_ROOM_PAUSE_S = 0.01  # where the system gives this process no further socket
+SILENCE_LIMIT_S = 5.0  # of a peer that has not shown the token
+FAREWELL_LIMIT_S = 1.0
+
+
+class Served(Protocol):
+    """What a server serves: commands that it knows, and a status; both from any thread, at once."""
+
+    commands: tuple[str, ...]
+
+    def ask(self, command: Command) -> None:
+        """Take a command."""
+
+    def stop(self) -> None:
+        """End all work safely."""
+
+    def status(self) -> SenderStatus:
+        """Return this moment."""
+
+
+class Peer:
+    """One connection; `known` after it has shown the token, `attached` when it wants all events."""
+
+    def __init__(self, connection: socket.socket):
+        self.connection = connection
+        self.since_s = time.monotonic()
+        self.known = False
+        self.attached = False
+        self.inbox = b""
+        self.backlog = Backlog()
+        self.sending = memoryview(b"")
+        self.is_behind = False  # its socket takes no more for now
+
+    @property
+    def has_more(self) -> bool:
+        """Whether something is still to be sent to it."""
+        return bool(self.sending or self.backlog)
+
+
+class SessionServer:
+    """Listens where `Listener` says for the session of a file; `address` is for that file.
+
+    each_turn: called by the server's thread about ten times a second.
+    """
+
+    def __init__(self, session_file: Path, each_turn: Callable[[], None] = lambda: None) -> None:
+        self._token = secrets.token_urlsafe(32)
+        self._listener = Listener(session_file)
+        self._each_turn = each_turn
+        self._served: Served | None = None
+        self._news = News()
+        self._history = Backlog()
+        self._peers: dict[socket.socket, Peer] = {}  # the oldest first
+        self._alone_since_s = time.monotonic()  # of no use while a client is attached
+        self._left = False  # by the client that was attached last, for good
+        self._selector = selectors.DefaultSelector()
+        self._ended = threading.Event()
+        self._last_status: Any = None
+        self._looked_s = -inf  # at the status
+        self._thread = threading.Thread(target=self._serve, name="session", daemon=True)
+
+    def address(self, machine_port: str, file: str = "") -> dict[str, object]:
+        """Return what the session file says: how to reach this process, and what it serves."""
+        return {
+            **self._listener.address,
+            "token": self._token,
+            "process": os.getpid(),
+            "machine_port": machine_port,
+            "file": file,
+            "begin": time.strftime("%Y-%m-%d %H:%M:%S"),
+        }
+
+    def start(self, served: Served) -> None:
+        """Begin to listen for `served`."""
+        self._served = served
+        self._listener.socket.setblocking(False)
+        self._selector.register(self._listener.socket, selectors.EVENT_READ)
+        self._thread.start()
+
+    def tell(self, kind: str, text: str) -> None:
+        """Pass on what the served one tells, from any thread; never blocks."""
+        self._news.put({"event": kind, "text": text})
+
+    def refuse(self, command: Command, error: CNCStepperError) -> None:
+        """Pass on why a command was not obeyed; never blocks."""
+        why = {"text": str(error), "error": error_to_json(error)}
+        self._news.put({"event": "refused", "command": command.name, **why})
+
+    def tell_outcome(self, outcome: Outcome) -> None:
+        """Pass on how a job ended; never blocks."""
+        self._news.put({"event": "outcome", "outcome": outcome.to_json()})
+
+    def alone_s(self) -> float:
+        """Return how long no client has been attached; infinite when the last one has left for good."""
+        if self._is_attended():
+            return 0.0
+        return inf if self._left else time.monotonic() - self._alone_since_s
+
+    def _is_attended(self) -> bool:
+        return any(peer.attached for peer in list(self._peers.values()))
+
+    def finish(self) -> None:
+        """Tell all attached clients what is still to be told, then close."""
+        self._ended.set()
+        self._thread.join(2 * FAREWELL_LIMIT_S + STATUS_EVERY_S)
+
+    def _serve(self) -> None:
+        assert self._served
+        go_first()
+        try:
+            while not self._ended.is_set():
+                self._turn()
+        except BaseException:  # a machine that nobody can hold any more must not go on
+            self._served.stop()
+            raise
+        self._farewell()
+
+    def _farewell(self) -> None:
+        self._spread_news()
+        end_s = time.monotonic() + FAREWELL_LIMIT_S
+        while any(peer.has_more for peer in self._peers.values()) and time.monotonic() < end_s:
+            self._turn()
+        for peer in list(self._peers.values()):
+            self._drop(peer)
+        self._listener.close()
+        self._selector.close()
+
+    def _turn(self) -> None:
+        for key, events in self._selector.select(STATUS_EVERY_S / 2):
+            if key.fileobj is self._listener.socket:
+                self._accept()
+            elif events & selectors.EVENT_READ:
+                self._read(key.data)
+        self._spread_news()
+        self._spread_status()
+        for peer in list(self._peers.values()):
+            self._write(peer)
+            if not peer.known and time.monotonic() - peer.since_s > SILENCE_LIMIT_S:
+                self._drop(peer)
+        self._each_turn()
+
+    # --- who is let in -------------------------------------------------------------------------
+
+    def _accept(self) -> None:
+        """Take the connections that wait, and at once what each has to say."""
+        for _ in range(ACCEPT_LIMIT):
+            try:
+                connection = self._listener.accept()
+            except BlockingIOError:
+                return
+            except ConnectionError:  # another user's, or gone again
+                continue
+            except OSError:  # this process has all the sockets that it may have
+                self._drop_oldest_stranger()
+                time.sleep(NO_ROOM_PAUSE_S)
+                return
+            self._admit(connection)
+
+    def _admit(self, connection: socket.socket) -> None:
+        if self._strangers() >= STRANGER_LIMIT:
+            self._drop_oldest_stranger()
+        self._peers[connection] = peer = Peer(connection)
+        self._selector.register(connection, selectors.EVENT_READ, peer)
+        self._read(peer)
+
+    def _strangers(self) -> int:
+        return sum(not peer.known for peer in self._peers.values())
+
+    def _drop_oldest_stranger(self) -> None:
+        """Drop the oldest peer that has not shown the token, after a last look whether it just did."""
+        for peer in list(self._peers.values()):
+            if not peer.known:
+                self._read(peer)
+            if not peer.known:
+                self._drop(peer)
+                return
+
+    def _is_known(self, peer: Peer, token: str) -> bool:
+        """Return whether a peer has shown the token; one that has not is told so and dropped."""
+        why = ""
+        if not hmac.compare_digest(token.encode("utf-8", "replace"), self._token.encode("utf-8")):
+            why = "a request without the session's token"
+        elif not peer.known and len(self._peers) - self._strangers() >= KNOWN_LIMIT:
+            why = f"one more client beside {KNOWN_LIMIT}"
+        peer.known = not why
+        if why:
+            with suppress(OSError):  # it does not even read that
+                peer.connection.send(line_of({"event": "refused", "text": why}))
+            self._drop(peer)
+        return peer.known
+
+    # --- what they ask -------------------------------------------------------------------------
+
+    def _read(self, peer: Peer) -> None:
+        try:
+            data = peer.connection.recv(LINE_LIMIT_BYTES)
+        except BlockingIOError:
+            return
+        except OSError:
+            data = b""
+        *lines, peer.inbox = (peer.inbox + data).split(b"\n")
+        for line in lines:
+            if peer.connection in self._peers:
+                self._obey(peer, line)
+        if not data or len(peer.inbox) > LINE_LIMIT_BYTES:
+            self._drop(peer)
+
+    def _obey(self, peer: Peer, line: bytes) -> None:
+        try:
+            request = json.loads(line)
+            token = str(request["token"])
+        except (ValueError, KeyError, TypeError, RecursionError):
+            request, token = {}, ""
+        if self._is_known(peer, token):
+            self._answer(peer, request)
+
+    def _answer(self, peer: Peer, request: dict[str, Any]) -> None:
+        assert self._served
+        command = request.get("command")
+        if command == "leave":
+            self._drop(peer)
+            self._left = not self._is_attended()
+        elif command == "attach":
+            peer.attached, self._left = True, False
+            peer.backlog.add_all(self._history)
+            peer.backlog.add("attached", self._status_line())  # of another kind: no later status takes its place
+        elif command == "status":
+            peer.backlog.add("status", self._status_line())
+        else:
+            answer = self._asked(request)
+            peer.backlog.add(answer["event"], line_of(answer))
+
+    def _asked(self, request: dict[str, Any]) -> dict[str, Any]:
+        assert self._served
+        try:
+            command = read_command(request, self._served.commands)
+        except (ValueError, KeyError) as error:
+            return {"event": "refused", "text": str(error)}
+        self._served.ask(command)
+        return {"event": "accepted", "command": command.name}
+
+    # --- what they hear ------------------------------------------------------------------------
+
+    def _spread_news(self) -> None:
+        news = self._news.take()
+        self._history.add_all(news)
+        self._history.left_out = 0  # whoever comes later cannot have read them
+        for peer in self._peers.values():
+            if peer.attached:
+                peer.backlog.add_all(news)
+                peer.backlog.left_out += news.left_out
+
+    def _spread_status(self) -> None:
+        """Post the status to all attached clients when more than the clock has changed, else once a second."""
+        assert self._served
+        now_s = time.monotonic()
+        if now_s - self._looked_s < LOOK_AT_STATUS_S:
+            return
+        self._looked_s = now_s
+        status = self._served.status()
+        mark = (replace(status, elapsed_s=0.0), int(status.elapsed_s))
+        if mark != self._last_status:
+            self._last_status = mark
+            line = self._status_line(status)
+            for peer in self._peers.values():
+                if peer.attached:
+                    peer.backlog.add("status", line)
+
+    def _status_line(self, status: SenderStatus | None = None) -> bytes:
+        assert self._served
+        return line_of({"event": "status", "status": (status or self._served.status()).to_json()})
+
+    def _write(self, peer: Peer) -> None:
+        """Send what the peer's socket takes, and wait for more room in it where something is left."""
+        try:
+            while peer.has_more:
+                peer.sending = peer.sending or memoryview(peer.backlog.take(SEND_BYTES))
+                peer.sending = peer.sending[peer.connection.send(peer.sending) :]
+        except BlockingIOError:
+            pass
+        except OSError:
+            self._drop(peer)
+            return
+        if peer.is_behind != peer.has_more:
+            peer.is_behind = peer.has_more
+            events = selectors.EVENT_READ | (selectors.EVENT_WRITE if peer.is_behind else 0)
+            self._selector.modify(peer.connection, events, peer)
+
+    def _drop(self, peer: Peer) -> None:
+        if self._peers.pop(peer.connection, None):
+            self._selector.unregister(peer.connection)
+            peer.connection.close()
+            if peer.attached:
+                self._alone_since_s = time.monotonic()
+                self._left = False  # one that crashed may come back

@@ -1,0 +1,92 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a client says where it cannot reach a session or a desk: it has ended, was killed, is closed, or is silent."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+from CNCStepper.control.processes.process_file import is_alive, owner
+from CNCStepper.control.session.files import DESK, LOG, read_private
+from CNCStepper.control.session.local_socket import Address
+from CNCStepper.errors import LinkError
+from CNCStepper.safe_text import printable
+
+SILENT, GARBLED, CLOSED = "session-silent", "session-garbled", "session-closed"
+AT_THE_MACHINE = "stop the machine with its own buttons where it must stand now"
+NO_SIGNAL = "to end its process would not stop the machine"
+
+
+def silent(session_file: Path, why: str = "") -> LinkError:
+    """Return the error for a process that lives and does not answer; why: what the last try met."""
+    return LinkError(SILENT, _silence(session_file), value=printable(why), advice="; ".join(_what_to_do(session_file)))
+
+
+def lost(session_file: Path) -> LinkError:
+    """Return the error for a session that left no word of its end."""
+    return LinkError(
+        "session-lost", f"the session {session_file.stem} is not there, or was killed", advice=_unknown(session_file)
+    )
+
+
+def unreadable(session_file: Path, why: str) -> LinkError:
+    """Return the error for a session that has ended, and of which the outcome cannot be read."""
+    return LinkError(
+        "session-end",
+        f"the session {session_file.stem} has ended, and its outcome cannot be read: {printable(why)}",
+        advice=_unknown(session_file),
+    )
+
+
+def garbled(session_file: Path) -> LinkError:
+    """Return the error for a session of which this program does not understand the answers."""
+    return LinkError(
+        GARBLED,
+        f"the session {session_file.stem} answers what this program does not understand",
+        advice="; ".join(("use the version of CNCStepper that started it", *_what_to_do(session_file))),
+    )
+
+
+def closed(session_file: Path) -> LinkError:
+    """Return the error for a session whose file this user may not open: it may have any port, or none any more."""
+    user = owner(session_file)
+    if is_alive(session_file):
+        advice = f"end that session as {user}, or remove the file as {user} where none runs any more"
+    else:
+        advice = f"no process has it any more: remove the file as {user}"
+    return LinkError(
+        CLOSED,
+        f"a session's file belongs to {user} and cannot be opened, so that nobody can tell its port",
+        value=str(session_file),
+        advice=advice,
+    )
+
+
+def _silence(session_file: Path) -> str:
+    if session_file.suffix == DESK:
+        return f"the connection {session_file.stem} is open, but its process does not answer"
+    return f"the session {session_file.stem} runs, but its process does not answer"
+
+
+def _what_to_do(session_file: Path) -> list[str]:
+    """Return what a person can do; no signal lets a process stop its machine on Windows."""
+    process, log = _process(session_file), session_file.with_suffix(LOG)
+    if os.name == "nt":
+        signal = NO_SIGNAL
+    elif process:
+        signal = f"`kill {process}` (SIGTERM) lets its process stop the machine safely"
+    else:
+        signal = "SIGTERM lets its process stop the machine safely"
+    return [AT_THE_MACHINE, signal, f"see {log}"]
+
+
+def _unknown(session_file: Path) -> str:
+    return f"if it was cutting, the position is unknown: look at the machine, then see {session_file.with_suffix(LOG)}"
+
+
+def _process(session_file: Path) -> int:
+    """Return the number of the process of a session, 0 where its file does not say."""
+    try:
+        return Address.of(read_private(session_file) or {}).process
+    except (OSError, ValueError):
+        return 0

@@ -1,0 +1,424 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""One job's run over an open connection; it ends only when the machine stands still and why is known.
+
+    connecting --> running <--> holding --> held          `!` and `~`, asked for here or at the machine
+        |             |  `--------- leg ----> retreated   back along the cut and forward again (`path_retract.py`)
+        |             |  `--> paused (M0, or line by line: `pause.py`), door
+        |             v
+        |          finishing (all acknowledged) --> done (Idle, reported twice)
+        `-> refused   `-> stopping --> stopped, failed    hold, Hold:0, soft reset
+
+Who owns the link, a `Sender` for one job or a `Desk` that stays, brings it; one thread does it all: it
+listens, obeys, feeds and asks `?`.
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+from contextlib import suppress
+from dataclasses import replace
+from pathlib import Path
+
+from CNCStepper.control.operator.buttons import quicker
+from CNCStepper.control.preflight.checks import check_found
+from CNCStepper.control.program.send_job import SendJob
+from CNCStepper.control.protocol.grbl import connect
+from CNCStepper.control.protocol.grbl.driver import Answered, Grbl, Received
+from CNCStepper.control.protocol.grbl.motion_interlock import UNKNOWN
+from CNCStepper.control.protocol.grbl.readiness import check_zero
+from CNCStepper.control.protocol.grbl.report import Alarm, Greeting, Status
+from CNCStepper.control.protocol.grbl.status_poller import ANSWER_MISSING, Watch
+from CNCStepper.control.protocol.grbl.timeouts import Timing
+from CNCStepper.control.session.command import STOPS, Command, Inbox
+from CNCStepper.control.session.status import DONE, FAILED, REFUSED, STOPPED, Outcome, SenderStatus
+from CNCStepper.control.stream import stop_sequence
+from CNCStepper.control.stream.backlash_side import Gaps, gaps_of
+from CNCStepper.control.stream.feeder import Feeder
+from CNCStepper.control.stream.journal_protocol import Journals, Keeping, NoJournal, check_not_held
+from CNCStepper.control.stream.leg_journal import Led
+from CNCStepper.control.stream.overrides import NORMAL, override_byte, restore
+from CNCStepper.control.stream.path_retract import LAST, STANDS, Retrace, check_place, stand_reset
+from CNCStepper.control.stream.path_watch import PathWatch
+from CNCStepper.control.stream.pause import Stand
+from CNCStepper.control.stream.pause_id import StandCount
+from CNCStepper.control.stream.pending_requests import Wishes
+from CNCStepper.control.stream.phases import RETREATED, Phases, check_no_tool_change
+from CNCStepper.control.stream.position_trust import counts_steps
+from CNCStepper.control.stream.remaining_time import Remaining
+from CNCStepper.control.stream.status_snapshot import moment
+from CNCStepper.control.stream.tool_power import power_of
+from CNCStepper.errors import CNCStepperError, LinkError, MachineRefusal
+
+MAY_HAVE_RESTARTED = (connect.RESTARTED, ANSWER_MISSING)  # errors; behind a restart the place is another one
+IDLE_REPORTS = 2  # one alone may come between the last answer and the start of its motion
+KEPT = "the machine stands, spindle and outputs are off, its position is kept (the reset cleared G92 and tool length)"
+LOST = "the machine's position is unknown: look that spindle and outputs are off, then home it or set its zero again"
+
+Tell = Callable[[str, str], None]
+Refuse = Callable[[Command, CNCStepperError], None]
+
+
+class Stopped(Exception):
+    """Somebody asked to stop."""
+
+
+class JobRun:
+    """Runs one job; `run` blocks, `status` may be called from any thread.
+
+    tell(kind, text): hears what happens and must not block; kinds are "phase", "message" (the
+    program's words) and "warning". refuse(command, error): hears what cannot be obeyed now. journal: permits each
+    line before it is sent. stands: those of the connection, where it has had some before.
+    """
+
+    def __init__(
+        self,
+        job: SendJob,
+        inbox: Inbox,
+        *,
+        timing: Timing,
+        clock: Callable[[], float] = time.monotonic,
+        tell: Tell = lambda kind, text: None,
+        refuse: Refuse = lambda command, error: None,
+        journal: Journals | None = None,
+        stands: StandCount | None = None,
+    ):
+        self.job = job
+        self.driver: Grbl | None = None  # before it is connected
+        self._inbox = inbox
+        self._timing = quicker(timing, job.inputs)
+        self._clock = clock
+        self._tell = tell
+        self._refuse = refuse
+        self._new_journal = journal or NoJournal()
+        self._journal: Keeping = self._new_journal
+        self._feeder = Feeder(job, self._journal)
+        self._remaining = Remaining(job.plan)
+        self._stand_count = stands or StandCount()
+        self._phases = Phases(tell, self._stand_count)
+        self._watch = Watch(self._timing)
+        self._stand = Stand(self._timing, tell, refuse)
+        self._retrace = Retrace(job)
+        self._wishes = Wishes(clock, refuse)
+        self._by_line = job.by_line
+        self._path: PathWatch | None = None  # before the first line
+        self._gaps: Gaps | None = None  # where no play is taken up
+        self._begin_s = clock()
+        self._idle_reports = 0
+        self._done = 0  # lines that are surely cut
+        self._trouble: list[Received] = []  # the alarm or greeting that ended the job
+        self._may_stop = True  # until the machine is brought to rest
+
+    def status(self) -> SenderStatus:
+        """Return this moment."""
+        stand = self._stand_count.number  # before the words of that stand
+        before, feeder = self._retrace.lines_before, self._feeder  # a leg brings another, of lines of its own
+        return replace(
+            moment(self.driver, self._phases.name, self._phases.message),
+            sent=max(0, before + feeder.sent),
+            acknowledged=max(0, before + feeder.acknowledged),
+            total=before + feeder.total,
+            file=feeder.job.file,
+            file_line=feeder.job.last_line(min(self._done, feeder.acknowledged)),
+            file_line_sent=feeder.job.last_line(feeder.sent),
+            elapsed_s=self._clock() - self._begin_s,
+            remaining_s=self._remaining.remaining_s,
+            done=self._remaining.done,
+            stand=stand,
+            wanted_back_mm=self._wishes.back_mm,
+            wanted_rest=self._wishes.rest,
+        )
+
+    @property
+    def has_begun(self) -> bool:
+        """Whether lines may have been sent: from then on the run itself resets the controller."""
+        return self._path is not None
+
+    def count(self, received: list[Received]) -> None:
+        """Hear what came, also while the machine is brought to rest: count the answers to the job's lines."""
+        self._journal.hear(received)
+        for report in received:
+            if isinstance(report, Answered):
+                self._feeder.take(report)
+                if message := self.job.messages.get(report.sent.index):
+                    self._tell("message", message)
+            elif isinstance(report, Greeting) and self._phases.stands:
+                self._trouble.append(report)  # also one that comes while a zero is set
+            elif isinstance(report, Status) and self._path and not self._stand.is_off_path:
+                self._path.take(report, self._feeder.acknowledged, self._feeder.sent)
+        if self._may_stop and self._inbox.wants_stop:
+            self._stop_now(received)
+
+    def _stop_now(self, received: list[Received]) -> None:
+        """Leave whatever is waited for: a stop is asked for."""
+        self._may_stop = False
+        self._trouble += (report for report in received if isinstance(report, (Alarm, Greeting)))
+        for command in self._inbox.take():  # what was asked for before it does not count any more
+            if command.name in STOPS:
+                break
+        raise Stopped
+
+    def run(self, connected: Callable[[], connect.Found]) -> Outcome:
+        """Send the job and return how it ended; refusals and failures are in the outcome, not raised.
+
+        connected: sets `driver` to that of an idle machine and returns what it found; called once the job
+        itself is found good. It may raise `Stopped` or any error of ours.
+        """
+        outcome = self._begun(connected) or self._streamed()
+        self._may_stop = False
+        if self._path and (left_line := self._path.left_line) is not None:
+            self._journal.doubt(left_line)
+        self._warn(self._journal.end(outcome))
+        self._phases.set(outcome.kind)
+        return outcome
+
+    # --- before the first line -----------------------------------------------------------------
+
+    def _begun(self, connected: Callable[[], connect.Found]) -> Outcome | None:
+        found: connect.Found | None = None
+        try:
+            check_zero(self.job.zero_confirmed)
+            self.job.check()
+            self._gaps = gaps_of(self.job)
+            found = connected()
+            assert self.driver
+            check_found(self.job, self.driver, found, self._tell)
+            self._new_journal.begin(self.job, self.driver, found)
+            self._retrace.begin(self.driver, found)
+            self._feeder.power = power_of(self.job, self.driver, found.modes)
+            self._path = PathWatch(self.job, self.driver, found, self._tell, self._gaps)
+        except Stopped:
+            known = not self._trouble and (not self.job.home_first or found is not None)
+            return self._outcome(STOPPED, "stopped before the first line was sent", known)
+        except CNCStepperError as error:
+            known = self._stands(found) and error.code not in (UNKNOWN, *MAY_HAVE_RESTARTED)
+            return self._outcome(REFUSED, str(error), known, error)
+        self._phases.set("running")
+        return None
+
+    def _stands(self, found: connect.Found | None) -> bool:
+        """Return whether the machine was seen where it can be trusted; one that homes first only once it was found."""
+        return counts_steps(self.driver) and (found is not None or not self.job.home_first)
+
+    # --- streaming -----------------------------------------------------------------------------
+
+    def _streamed(self) -> Outcome:
+        assert self.driver and self._path
+        try:
+            self._obey(self.driver)  # what was asked while connecting, before the first line
+            while self._idle_reports < IDLE_REPORTS:
+                self._turn(self.driver)
+                self._path.check()
+            self._path.check_end(self._feeder.sent)
+        except Stopped:
+            return self._halted(self.driver, None)
+        except CNCStepperError as error:
+            return self._halted(self.driver, error)
+        except BaseException:  # whatever went wrong here, the machine must not go on alone
+            self._rest(self.driver)
+            raise
+        return self._outcome(DONE, f"all {self.status().total} lines are cut, the machine is idle", True)
+
+    def _turn(self, driver: Grbl) -> None:
+        """Feed, ask, listen and obey once; at most until the next `?` is due."""
+        for report in self._trouble:
+            if isinstance(report, Greeting):
+                raise connect.restart_refusal(report)
+        idle = self._watch.idle(driver, self._phases.changed_s)
+        dwell_s = self._feeder.dwell_s(driver) if idle else 0.0
+        self._watch.check(driver, idle and self._phases.feeding, dwell_s, self._feeder.place_at_work)
+        self._keep_journal(driver, idle)
+        if self._phases.feeding and self._feeder.feed(driver, idle):
+            self._watch.heard_s = self._clock()
+            if self._path:
+                self._path.read_on(self._feeder.sent)
+        every_s = self._timing.poll_s if self._phases.name == "running" else self._timing.quick_poll_s
+        received = driver.receive(min(self._watch.poll(driver, every_s), self._stand.turn()))
+        self._trouble += (report for report in received if isinstance(report, (Alarm, Greeting)))
+        for report in received:
+            self._take(driver, report)
+        self._obey(driver)
+        self._wishes.turn(self._phases.name in STANDS)
+        if self._phases.stands and self._stand.is_left(driver):
+            self._leave_stand(driver)
+
+    def _leave_stand(self, driver: Grbl) -> None:
+        if self._path and self._stand.is_off_path:
+            found = connect.look_again(driver, self._timing)
+            self._path.begin_anew(found, self._feeder.sent)
+            self._journal.note_zero(found, self._feeder.sent)
+        self._stand.end()
+        self._feeder.leave_stand()
+        self._phases.set("running")
+
+    def _keep_journal(self, driver: Grbl, idle: bool) -> None:
+        """Write what is due; a job of which no further line can be put on the disk is held."""
+        self._warn(self._journal.keep(self._feeder.sent, self._feeder.acknowledged, idle and not driver.unanswered))
+        if self._journal.holds(self._feeder.sent) and self._phases.feeding:
+            self._phases.obey("hold", driver)
+
+    def _warn(self, texts: list[str]) -> None:
+        for text in texts:
+            self._tell("warning", text)
+
+    def _take(self, driver: Grbl, report: Received) -> None:
+        if isinstance(report, Answered):
+            self._watch.heard_s = self._clock()
+            if report.sent.index < 0:
+                self._stand.answered(report)
+            elif report.error:
+                raise self._feeder.refusal(report, driver.firmware)
+        elif isinstance(report, Alarm):
+            raise connect.alarm_refusal(report, driver.firmware)
+        elif isinstance(report, Greeting):
+            raise connect.restart_refusal(report)
+        elif isinstance(report, Status):
+            if not self._stand.is_off_path:
+                self._retrace.note(driver, self._feeder, self._phases.name)
+            self._follow_state(driver)
+            self._count_idle(driver)
+            self._note_progress()
+
+    def _note_progress(self) -> None:
+        """Learn how many lines are cut and how long the others take; all acknowledged ones are where the job rests."""
+        assert self._path
+        rests = self._idle_reports >= IDLE_REPORTS or self._phases.name in ("paused", RETREATED)
+        acknowledged, elapsed_s = self._feeder.acknowledged, self._clock() - self._begin_s
+        self._done = acknowledged if rests else max(self._done, self._path.done(acknowledged))
+        line, total = self.job.last_line(self._done), self._feeder.total
+        self._remaining.take(self._phases.name, elapsed_s, line, self._done, total)
+
+    def _follow_state(self, driver: Grbl) -> None:
+        stood = self._phases.stands
+        self._phases.take(driver, self._feeder)
+        if self._phases.stands and not stood:  # at a change of tools
+            self._stand.begin(driver, self._feeder.sent, self._gaps)
+
+    def _count_idle(self, driver: Grbl) -> None:
+        if self._feeder.complete and self._phases.feeding:
+            if self._retrace.leads_to_stand:
+                self._feeder.power.stand(driver)
+            self._phases.set("finishing")
+        message = self._feeder.stand_message(driver) if self._phases.name == "running" else None
+        awaited = self._phases.name == "finishing" or message is not None
+        finished = awaited and not driver.unanswered and self._watch.idle(driver, self._phases.changed_s)
+        self._idle_reports = self._idle_reports + 1 if finished else 0
+        if self._idle_reports < IDLE_REPORTS:
+            return
+        if message is not None:
+            self._idle_reports = 0
+            self._stand.begin(driver, self._feeder.sent, self._gaps)
+            self._phases.stand(message)
+        elif self._retrace.ends_leg():
+            self._idle_reports = 0
+            self._stand_back(driver)
+
+    def _obey(self, driver: Grbl) -> None:
+        for command in self._inbox.take():
+            if command.name in STOPS:
+                raise Stopped
+            try:
+                self._do(command, driver)
+            except CNCStepperError as error:
+                if isinstance(error, LinkError):
+                    raise
+                self._refuse(command, error)
+
+    def _do(self, command: Command, driver: Grbl) -> None:
+        self._stand_count.check(command)
+        if command.name in ("tell_place", "retrace"):
+            self._go_back(driver, command)
+        elif command.name == "want_back":
+            self._phases.obey("hold", driver)
+            self._wishes.want_back(command)
+        elif command.name == "resume" and self._phases.name == RETREATED:
+            self._wishes.want_rest(command)
+        elif command.name == "by_line":
+            self._by_line = self._feeder.by_line = command.values["on"]
+        elif self._phases.stands and command.name in self._stand.commands:
+            self._stand.do(command)
+            if command.name == "set_zero":
+                self._journal.note_zero(connect.look_again(driver, self._timing), self._feeder.sent)
+        elif command.name in ("hold", "resume"):
+            self._wishes.take()
+            if command.name == "resume":
+                check_not_held(self._journal, self._feeder.sent)
+            self._phases.obey(command.name, driver)
+        elif command.name == "override":
+            driver.realtime(override_byte(**command.values))
+        elif command.name != "jog_cancel":  # a button let go has nothing to say here
+            self._phases.check_no_jog(command.name, driver)
+            raise MachineRefusal("job-runs", "a job runs", advice="wait until it has ended, or stop it")
+
+    def _go_back(self, driver: Grbl, command: Command) -> None:
+        """Tell a client where the machine stands on its path, or go along the leg that it has made of that."""
+        self._wishes.take()
+        check_no_tool_change(driver)
+        self._stand.check_way_back()
+        file = Path(command.values["file"])
+        if command.name == "retrace":
+            self._go_along(driver, file)
+        else:
+            self._retrace.tell(driver, self._phases.name, file, self._stand.is_off_path)
+            self._tell("place", str(file))
+
+    def _go_along(self, driver: Grbl, file: Path) -> None:
+        """Let a machine that stands go along a leg; what is refused after its reset leaves it there, spindle off."""
+        leg = self._retrace.read(file, self._phases.name)
+        leg.job.check()
+        self._phases.stands = False  # the greeting that comes now was asked for
+        overrides = driver.overrides or NORMAL
+        found = stand_reset(driver, self._timing)
+        self._stand_back(driver)
+        check_found(leg.job, driver, found, self._tell)
+        check_place(driver, leg)
+        restore(driver, overrides, self._timing)
+        self._stand.end()
+        self._retrace.start(leg)
+        if self._gaps:
+            self._gaps.begin(leg.ahead_mm)
+        self._path = PathWatch(leg.job, driver, found, self._tell, self._gaps)
+        rest = self._retrace.lines_before if leg.is_rest else None
+        self._journal = Led.from_now(self._journal, self._feeder.sent, self._feeder.acknowledged, rest)
+        self.job, self._feeder, self._idle_reports, self._done = leg.job, Feeder(leg.job, self._journal), 0, 0
+        self._feeder.by_line = self._by_line and leg.is_rest
+        self._feeder.power = power_of(self._retrace.program, driver, found.modes)
+        self._phases.run_anew()
+
+    def _stand_back(self, driver: Grbl) -> None:
+        """Wait for the next leg: the machine is idle, so that it can be jogged."""
+        self._phases.set(RETREATED, LAST)
+        self._stand.begin(driver, self._feeder.sent, leads_on=False)
+        self._phases.stands = True
+
+    # --- the end -------------------------------------------------------------------------------
+
+    def _halted(self, driver: Grbl, error: CNCStepperError | None) -> Outcome:
+        """Bring the machine to rest and say why and how it stands."""
+        restarted = self._may_have_restarted(error)  # before the reset, which clears what tells
+        at_rest, broken = self._rest(driver)
+        known = at_rest and not restarted and not (self._path and self._path.restarted)
+        error = error or broken or (self._path.excursion if self._path else None)
+        why = str(error) if error else f"stopped as asked after {self.status().acknowledged} lines"
+        return self._outcome(FAILED if error else STOPPED, f"{why}. Now {KEPT if known else LOST}", known, error)
+
+    def _may_have_restarted(self, error: CNCStepperError | None) -> bool:
+        """Return whether an answer is missing, perhaps since the controller restarted unheard."""
+        missing = error is not None and error.code == ANSWER_MISSING
+        return missing and self._path is not None and self._path.may_have_restarted(self._feeder.sent)
+
+    def _rest(self, driver: Grbl) -> tuple[bool, LinkError | None]:
+        """Return whether the position is kept, and the error when the link broke on the way."""
+        self._may_stop = False
+        self._phases.set("stopping")
+        try:
+            if self._trouble:
+                return stop_sequence.reset(driver, self._timing, self._trouble), None
+            return stop_sequence.hold_and_reset(driver, self._timing), None
+        except LinkError as broken:
+            with suppress(LinkError):  # a last try to switch the outputs off, if the way there still works
+                driver.reset()
+            return False, broken
+
+    def _outcome(self, kind: str, text: str, known: bool, error: CNCStepperError | None = None) -> Outcome:
+        return Outcome(kind, text, known, replace(self.status(), phase=kind), error)

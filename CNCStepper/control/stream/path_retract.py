@@ -1,0 +1,235 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a run needs for the way back along its cut: where it began, the last reports, and the legs that it was given.
+
+    held ---retrace---> reset, compare, position ---> running a leg ---> retreated ---retrace---> ...
+                                                                            `--- a leg that is the rest ---> done
+
+The run itself knows no geometry. Its client reads `told`, finds the place, proves a leg (`recovery/retract/prove.py`)
+and gives it
+back as a file: a certificate, with what the next client must know to find the place again.
+"""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from functools import cached_property
+from itertools import count
+from math import dist
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import Any
+
+from CNCStepper.control.program.certificate import Certificate
+from CNCStepper.control.program.long_json import read_long
+from CNCStepper.control.program.send_job import SendJob
+from CNCStepper.control.program.spool import read_spool, write_spool
+from CNCStepper.control.protocol.grbl import connect
+from CNCStepper.control.protocol.grbl.driver import Grbl
+from CNCStepper.control.protocol.grbl.readiness import MAX_RATE, STEPS_PER_MM
+from CNCStepper.control.protocol.grbl.report import Vector
+from CNCStepper.control.protocol.grbl.timeouts import Timing
+from CNCStepper.control.session.files import WIRE, write_private
+from CNCStepper.control.stream import stop_sequence
+from CNCStepper.control.stream.feeder import Feeder
+from CNCStepper.control.stream.phases import RETREATED
+from CNCStepper.errors import CNCStepperError, JobError, LinkError, MachineRefusal
+from CNCStepper.state import WORK_SYSTEMS
+
+STANDS = ("held", "paused", RETREATED)  # the phases in which a leg may begin
+LAST, REST = "back along the cut: go on back, forward, or resume from here", "rest"
+KEPT_REPORTS = 1000  # some minutes at the rate of a run
+SAME_PLACE_MM = 0.005  # what is reported is rounded
+ARC_TOLERANCE = 12  # the setting
+PLANNER_BLOCKS = 15  # of grbl as delivered
+
+
+@dataclass(frozen=True)
+class Leg:
+    """A way that a client has proven; wire: the file of its lines.
+
+    content: of the plain data that `recovery.retract.prove` makes, what is kept for the next client.
+    """
+
+    job: SendJob
+    content: Mapping[str, Any]
+    wire: Path
+
+    @property
+    def is_rest(self) -> bool:
+        """Whether the program ends with it."""
+        return self.content["kind"] == REST
+
+    @property
+    def begin_mm(self) -> Vector:
+        """Where the machine must stand."""
+        return tuple(self.content["certificate"]["start"]["state"]["position_mm"])
+
+    @property
+    def ahead_mm(self) -> Vector:
+        """How far the motors stand ahead of the tool there; further than their gaps after a jog."""
+        return tuple(self.content["ahead_mm"])
+
+
+class Retrace:
+    """Remembers for one run; used by its thread alone."""
+
+    def __init__(self, program: SendJob):
+        self.program = program
+        self.leg: Leg | None = None  # the last begun
+        self._is_over = False  # that leg
+        self._origin: dict[str, Any] = {}
+        self._reports: deque[tuple] = deque(maxlen=KEPT_REPORTS)
+        self._blocks = PLANNER_BLOCKS
+        self._numbers = count(1)  # of the legs
+
+    @property
+    def lines_before(self) -> int:
+        """How many of the program's lines lie before those of the leg that is its rest."""
+        return len(self.program.lines) - len(self.leg.job.lines) if self.leg and self.leg.is_rest else 0
+
+    def begin(self, driver: Grbl, found: connect.Found) -> None:
+        """Note where the machine stands before the first line, and with which offsets."""
+        offsets_mm = {name: driver.mm(offset) for name, offset in found.offsets.items()}
+        self._origin = {
+            "position_mm": driver.mpos_mm,
+            "work_system": next((word for word in found.modes.split() if word in WORK_SYSTEMS), "G54"),
+            "work_offsets_mm": {name: offsets_mm[name] for name in WORK_SYSTEMS if name in offsets_mm},
+            "g92_mm": offsets_mm.get("G92"),
+        }
+        if driver.status and driver.status.buffer:
+            self._blocks = driver.status.buffer[0]
+
+    def note(self, driver: Grbl, feeder: Feeder, phase: str) -> None:
+        """Keep the status just received, where it tells another place than the one before."""
+        status, position_mm = driver.status, driver.mpos_mm
+        if status is None or position_mm is None or phase == RETREATED:
+            return
+        blocks = self._blocks - status.buffer[0] if status.buffer else -1
+        percent = driver.overrides[0] if driver.overrides else 100
+        seen = (feeder.sent, feeder.acknowledged, position_mm, blocks, percent)
+        if not self._reports or self._reports[-1][2:] != seen:
+            self._reports.append((driver.status_asked_s, driver.clock(), *seen))
+
+    def tell(self, driver: Grbl, phase: str, file: Path, jogged: bool) -> None:
+        """Write for a client what it needs to find the place; raises MachineRefusal in motion.
+
+        jogged: since the machine stands.
+        """
+        _check_phase(phase)
+        settings = driver.settings
+        content = {
+            "program": _content_of(self.program),
+            "origin": self._origin,
+            "leg": self.leg.content if self.leg else None,
+            "leg_lines": self.leg.job.lines if self.leg else [],
+            "stands": self._is_over,
+            "reports": list(self._reports),
+            "position_mm": driver.mpos_mm,
+            "jogged": jogged,
+            "blocks": self._blocks,
+            "steps_per_mm": [settings.get(STEPS_PER_MM + axis) for axis in range(3)],
+            "max_rate_mm_min": [settings.get(MAX_RATE + axis) for axis in range(3)],
+            "arc_tolerance_mm": settings.get(ARC_TOLERANCE),
+        }
+        write_private(file, content)
+
+    def read(self, file: Path, phase: str) -> Leg:
+        """Return the leg of a file; raises JobError where it is none, or was not proven, MachineRefusal in motion."""
+        _check_phase(phase)
+        try:
+            with file.open("rb") as opened:
+                return self._leg(read_long(opened))
+        except CNCStepperError:
+            raise
+        except (OSError, ValueError, KeyError, TypeError, AttributeError) as error:
+            what = f"the way back cannot be read: {error}"
+            raise JobError("retreat-file", what, advice="ask for it again") from error
+
+    def start(self, leg: Leg) -> None:
+        """Note that a leg begins: what was reported before belongs to another text."""
+        self.leg, self._is_over = leg, False
+        self._reports.clear()
+
+    @property
+    def leads_to_stand(self) -> bool:
+        """Whether the lines are those of a leg after which the machine waits."""
+        return self.leg is not None and not self.leg.is_rest
+
+    def ends_leg(self) -> bool:
+        """Note that all lines are cut; return whether they were a leg after which the machine waits."""
+        self._is_over = self.leads_to_stand
+        return self._is_over
+
+    # --- inside --------------------------------------------------------------------------------
+
+    def _leg(self, content: Mapping[str, Any]) -> Leg:
+        """Return the leg of its content, whose lines are in an open file until then."""
+        certificate = Certificate.from_content(content["certificate"])
+        certificate.check_clean()
+        job = certificate.send_job(port=self.program.port, baud=self.program.baud, zero_confirmed=True)
+        state = content["certificate"]["start"]["state"]
+        proven = replace(
+            job,
+            file=self.program.file,
+            file_lines=content["file_lines"],
+            messages={int(index): text for index, text in content["messages"].items()},
+            expected={},  # settings were compared before the first line
+            work_offsets_mm=state["work_offsets_mm"] | {"G92": state["g92_mm"]},
+            work_system=state["work_system"],
+        )
+        wire = self._new_wire()
+        return Leg(read_spool(wire, write_spool(wire, proven)), _kept(content), wire)
+
+    def _new_wire(self) -> Path:
+        """Return the path for the lines of a new leg; of those before, the last begun is still sent from."""
+        folder = Path(self._folder.name)
+        for wire in folder.iterdir():
+            if self.leg is None or wire != self.leg.wire:
+                wire.unlink()
+        return folder / f"{next(self._numbers)}{WIRE}"
+
+    @cached_property
+    def _folder(self) -> TemporaryDirectory[str]:
+        """The folder for the lines of legs; it goes with the run."""
+        return TemporaryDirectory(prefix="cncstepper-", ignore_cleanup_errors=True)
+
+
+def _kept(content: Mapping[str, Any]) -> dict[str, Any]:
+    """Return what the next client needs of a leg beside its lines."""
+    kept = {name: value for name, value in content.items() if name not in ("file_lines", "messages")}
+    return kept | {"certificate": {"start": content["certificate"]["start"]}}
+
+
+def _content_of(job: SendJob) -> dict[str, Any]:
+    """Return a job as `to_content` does, its lines still in their spool."""
+    short = replace(job, lines=(), file_lines=()).to_content()
+    return short | {"lines": job.lines, "file_lines": job.file_lines}
+
+
+def stand_reset(driver: Grbl, timing: Timing) -> connect.Found:
+    """Reset a machine that stands, and return what it is then; raises LinkError when its position is lost by it."""
+    if not stop_sequence.reset(driver, timing):
+        what = "the controller has not kept its position through the reset at standstill"
+        raise LinkError("position-lost", what, advice="home the machine or set its zero again")
+    return connect.learn(driver, timing)
+
+
+def check_place(driver: Grbl, leg: Leg) -> None:
+    """Refuse a leg that begins elsewhere than the machine stands; raises MachineRefusal."""
+    position_mm = driver.mpos_mm
+    far_mm = dist(position_mm, leg.begin_mm) if position_mm else float("inf")
+    if far_mm > SAME_PLACE_MM:
+        raise MachineRefusal(
+            "retreat-moved",
+            "the machine does not stand where the way back begins",
+            value=f"{far_mm:.3f} mm away",
+            limit=f"{SAME_PLACE_MM:g} mm",
+            advice="ask for the way back again",
+        )
+
+
+def _check_phase(phase: str) -> None:
+    if phase not in STANDS:
+        raise MachineRefusal("not-held", "the machine does not stand", value=phase, advice="hold it first")

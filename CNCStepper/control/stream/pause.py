@@ -1,0 +1,251 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Where a sender stands between two lines of a job: the machine is idle, so that it can be jogged and its zero be set.
+
+grbl refuses jogs and keeps G10 waiting while it is held, as it is at an M0. So the sender sends no M0: it waits until
+all before it is cut, and goes on when it is told. The lines that follow were proven from where the program stood; so
+whoever jogged away is first taken back there (`control/stream/return_path.py`), in work coordinates, for a new zero
+moves the
+program with it. Where axes have play, each that was moved comes to the side of its gap on which it stood
+(`backlash_side.py`).
+
+At its M6 grblHAL waits in the state Tool, in which it takes jogs and a new zero once it was told 0xA3; a cycle start
+ends that. So a sender stands there, too.
+
+So does a sender that was led along its cut: its lines are gone with a reset, so the machine is idle. The way from there
+goes on with is its client's, who takes whoever jogged back to the cut.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+
+from CNCStepper.control.operator import actions
+from CNCStepper.control.operator.jog import MAY_JOG, Jogger, Way, check_in_time
+from CNCStepper.control.protocol.grbl.driver import RESUME, Answered, Grbl
+from CNCStepper.control.protocol.grbl.firmware import TOOL
+from CNCStepper.control.protocol.grbl.report import Vector
+from CNCStepper.control.protocol.grbl.timeouts import Timing
+from CNCStepper.control.session.command import Command
+from CNCStepper.control.stream.backlash_side import UP, Gaps
+from CNCStepper.control.stream.return_path import THERE_MM, Axes, over
+from CNCStepper.errors import CNCStepperError, MachineRefusal
+
+TOOL_ENDS_S = 0.5  # from a cycle start until the state tells of it
+AT_REST = ("Idle", TOOL)
+
+
+@dataclass(frozen=True)
+class To:
+    """A straight jog to a work position; an axis that is None stays."""
+
+    place_mm: Axes
+    feed_mm_min: float
+
+    def line(self) -> str:
+        """Return the jog command of grbl 1.1."""
+        words = zip("XYZ", self.place_mm, strict=True)
+        return f"$J=G90G21{''.join(f'{axis}{mm:.4f}' for axis, mm in words if mm is not None)}F{self.feed_mm_min:.1f}"
+
+
+def way_back(here_mm: Vector, there_mm: Vector) -> list[To]:
+    """Return the jogs from one work position to another: up, over, down; none where it is that place."""
+    return [To(place_mm, feed_mm_min) for place_mm, feed_mm_min in over(here_mm, there_mm)]
+
+
+class Stand:
+    """What a person does at one stand of a job, until it is left.
+
+    tell, refuse: hear what happens, as of a `JobRun`. commands: those that `do` takes. is_off_path: the machine may
+    have left the program's path, or its work zero be another one.
+    """
+
+    commands = ("resume", "hold", "jog", "jog_on", "jog_cancel", "set_zero")
+
+    def __init__(
+        self, timing: Timing, tell: Callable[[str, str], None], refuse: Callable[[Command, CNCStepperError], None]
+    ):
+        self.is_off_path = False
+        self._zero_set = False  # at this stand or one before
+        self._timing = timing
+        self._tell = tell
+        self._refuse = refuse
+        self._driver: Grbl | None = None
+        self._jogger: Jogger | None = None
+        self._index = -1  # of the line that is waited before
+        self._place_mm: Vector | None = None
+        self._gaps: Gaps | None = None
+        self._loose: set[int] = set()  # the axes that were moved here
+        self._resume_asked = False
+        self._going_back = False
+        self._at_tool = False  # which the controller waits for
+        self._started = False  # that wait was to end
+        self._leads_on = True
+        self._changed_s = 0.0  # what the machine said before shows another moment
+
+    def begin(self, driver: Grbl, index: int, gaps: Gaps | None = None, leads_on: bool = True) -> None:
+        """Stand before the job's line `index`; a stand that was only disturbed keeps its place.
+
+        gaps: of the motors, where the job's lines take up play. leads_on: whether the job goes on from here; else only
+        a client can lead it on, from the zero that was cut from.
+        """
+        self._leads_on, self._gaps = leads_on, gaps
+        if index != self._index:
+            self._index, self._place_mm, self._loose = index, driver.wpos_mm, set()
+        self._driver, self._resume_asked, self._going_back = driver, False, False
+        self._at_tool, self._started = driver.status is not None and driver.status.state == TOOL, False
+        self._jogger = Jogger(driver, self._give_up, self._tell, (*MAY_JOG, TOOL))
+
+    def end(self) -> None:
+        """Leave the stand: the machine is on the path."""
+        self._index, self._jogger, self.is_off_path = -1, None, False
+
+    def check_way_back(self) -> None:
+        """Raise MachineRefusal where the machine jogs, or the way back along the cut was cut from another zero."""
+        if self._zero_set:
+            what = "the work zero was set at a pause, so the way back along the cut is not known"
+            raise MachineRefusal("retreat-zero", what, advice="go on, or stop the job")
+        if self._jogger and self._jogger.active:
+            raise _busy("the machine jogs")
+
+    def turn(self) -> float:
+        """Send what is due of jogs; return how long the next turn may be away."""
+        if self._jogger is None:
+            return float("inf")
+        self._jogger.turn()
+        return self._jogger.wait_s
+
+    def answered(self, answer: Answered) -> None:
+        """Take the answer to a line that is none of the job's; raises MachineRefusal for one that was no jog."""
+        if self._driver and self._jogger:
+            self._changed_s = self._driver.clock()
+            self._jogger.answered(answer)
+        elif answer.error:
+            raise _power_refused(answer)
+
+    def do(self, command: Command) -> None:
+        """Carry out one of `commands`; raises MachineRefusal when it cannot be done now."""
+        assert self._driver and self._jogger
+        check_in_time(command, self._driver.clock())
+        if command.name in ("hold", "jog_cancel"):
+            self._cancel(self._driver, self._jogger)
+        elif not self._leads_on and command.name == "set_zero":
+            raise _zero_kept()
+        elif self._resume_asked:
+            raise _busy("the job is about to go on")
+        elif command.name == "jog":
+            self._jogger.step(self._leaving(command.values))
+        elif command.name == "jog_on":
+            values = dict(command.values)
+            self._jogger.keep(values.pop("press"), self._leaving(values))
+        elif self._jogger.active:
+            raise _busy("the machine jogs")
+        elif command.name == "set_zero":
+            self._set_zero(self._driver, **command.values)
+        else:
+            self._resume_asked = True
+
+    def is_left(self, driver: Grbl) -> bool:
+        """Take whoever resumed back to the place; return whether the machine stands there, so that the job goes on."""
+        seen = driver.status
+        if seen is None or driver.status_asked_s <= self._changed_s:
+            return False
+        self._resume_asked |= self._at_tool and seen.state == "Idle"  # started at the machine
+        if not self._resume_asked or seen.state not in AT_REST or (self._jogger and self._jogger.active):
+            return False
+        ways = self._ways(driver)
+        if not ways and seen.state == TOOL:
+            self._end_tool_change(driver)
+            return False
+        if not ways:
+            self._resume_asked = False
+        elif self._going_back:
+            self._give_up(_not_there())
+        else:
+            self._go_back(driver, ways)
+        return not ways
+
+    # --- inside --------------------------------------------------------------------------------
+
+    def _leaving(self, values: Mapping[str, float]) -> Way:
+        """Return a jog, noting that it leads off the path."""
+        way = Way(**values)
+        self.is_off_path = True
+        self._loose |= {axis for axis, far_mm in enumerate((way.x_mm, way.y_mm, way.z_mm)) if far_mm}
+        return way
+
+    def _ways(self, driver: Grbl) -> list[To]:
+        here_mm, there_mm = driver.wpos_mm, self._place_mm
+        if here_mm is None or there_mm is None:
+            return []
+        if self._gaps and not self._going_back:
+            return self._ways_to_side(driver, self._gaps, here_mm[:3], there_mm[:3])
+        return way_back(here_mm, there_mm)
+
+    def _ways_to_side(self, driver: Grbl, gaps: Gaps, here_mm: Vector, there_mm: Vector) -> list[To]:
+        """Return the jogs to the place by which each axis that was moved is on the side of its gap on which it was."""
+        pairs = zip(here_mm, there_mm, strict=True)
+        self._loose |= {axis for axis, (here, there) in enumerate(pairs) if abs(here - there) > THERE_MM}
+        if not self._loose or driver.mpos_mm is None:
+            return []
+        if self._loose - {UP}:
+            self._loose.add(UP)  # the tool goes up first
+        work_zero_mm = driver.mpos_mm[UP] - here_mm[UP]
+        return [To(place_mm, speed) for place_mm, speed in gaps.way_back(here_mm, there_mm, self._loose, work_zero_mm)]
+
+    def _go_back(self, driver: Grbl, ways: list[To]) -> None:
+        assert self._jogger
+        self._tell("message", "back to where the program paused: up, over, down")
+        self._going_back, self._changed_s = True, driver.clock()
+        self._jogger.follow(ways)
+
+    def _end_tool_change(self, driver: Grbl) -> None:
+        """Start the cycle, and give up where that was in vain."""
+        if self._started:
+            self._give_up(_tool_awaited())
+        else:
+            driver.realtime(RESUME)
+            self._changed_s = driver.clock() + TOOL_ENDS_S
+        self._started = not self._started
+
+    def _set_zero(self, driver: Grbl, axes: str) -> None:
+        self.is_off_path = self._zero_set = True
+        system = actions.set_zero(driver, axes, self._timing)
+        self._changed_s = driver.clock()
+        self._tell("message", f"zero of {axes.upper()} set in {system}")
+
+    def _cancel(self, driver: Grbl, jogger: Jogger) -> None:
+        self._resume_asked = self._going_back = False
+        self._at_tool &= not self._started
+        self._changed_s = driver.clock()
+        if jogger.active or (driver.status and driver.status.state == "Jog"):
+            jogger.cancel()
+
+    def _give_up(self, error: MachineRefusal) -> None:
+        command = Command("resume" if self._resume_asked else "jog")
+        self._resume_asked = self._going_back = False
+        self._refuse(command, error)
+
+
+def _busy(what: str) -> MachineRefusal:
+    return MachineRefusal("machine-busy", what, advice="wait until it stands, or hold it")
+
+
+def _zero_kept() -> MachineRefusal:
+    what = "the work zero cannot be set here: what lies behind was cut from another one"
+    return MachineRefusal("retreat-zero", what, advice="go on, or stop the job")
+
+
+def _not_there() -> MachineRefusal:
+    advice = "resume again, or set the zero so that the way there lies within the travel"
+    return MachineRefusal("not-there", "the machine is not where the program paused", advice=advice)
+
+
+def _tool_awaited() -> MachineRefusal:
+    advice = "resume again; where $341 is not 0, do first what the controller itself wants at a change of tools"
+    return MachineRefusal("tool-change", "the controller still waits for its new tool", advice=advice)
+
+
+def _power_refused(answer: Answered) -> MachineRefusal:
+    what = f"the controller refused '{answer.sent.text}' (error:{answer.error})"
+    return MachineRefusal("power-refused", what, advice="look that the tool is off, and start the job again")

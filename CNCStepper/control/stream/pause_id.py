@@ -1,0 +1,38 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The number of each stand of a machine, so that who answers to one does not let another one go on.
+
+held 1 ──resume 1──► running ──M0──► paused 2 ──resume 1──► refused: whoever asks this has not read of 2
+"""
+
+from __future__ import annotations
+
+from CNCStepper.control.session.command import Command
+from CNCStepper.errors import MachineRefusal
+
+WAITING = ("held", "paused", "door", "retreated")  # the phases in which somebody is asked to go on
+
+
+class StandCount:
+    """Counts the stands of one connection; `number` is that of the last, and may be read from any thread.
+
+    What is shown with a number must be read after it: then a number is never newer than the words beside it.
+    """
+
+    def __init__(self) -> None:
+        self.number = 0
+        self._phase = ""
+
+    def enter(self, phase: str) -> None:
+        """Note the present phase; a stand that begins with it gets the next number."""
+        begins = phase in WAITING and phase != self._phase
+        self._phase = phase
+        if begins:
+            self.number += 1
+
+    def check(self, command: Command) -> None:
+        """Raise MachineRefusal where a command answers to a stand that is over; one without a number answers to any."""
+        number = command.values.get("stand")
+        if number is None or (number == self.number and self._phase in WAITING):
+            return
+        what = "the stand that this answers to is over"
+        raise MachineRefusal("stand-over", what, advice="look how the machine stands now, then answer to that")

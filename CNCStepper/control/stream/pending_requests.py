@@ -1,0 +1,64 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What is wanted of whoever leads the tool along its cut, for a sender knows no geometry: shown in its status.
+
+a button `back`, or resume after a way back ──► wanted ──► a client asks for the place: taken
+                                                     `───► the machine stands, nobody has come: refused
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from CNCStepper.control.session.command import Command
+from CNCStepper.errors import CNCStepperError, MachineRefusal
+
+LAPSE_S = 5.0  # at standstill: later, a motion would surprise
+
+
+class Wishes:
+    """The wishes of one job; back_mm, rest may be read from any thread.
+
+    back_mm: so far back, None for nowhere. rest: cut from here to the end. refuse(command, error): hears of what nobody
+    has taken up.
+    """
+
+    def __init__(self, clock: Callable[[], float], refuse: Callable[[Command, CNCStepperError], None]):
+        self.back_mm: float | None = None
+        self.rest = False
+        self._clock = clock
+        self._refuse = refuse
+        self._since_s: float | None = None  # the machine has stood, with a wish
+        self._last = Command("resume")
+
+    def want_back(self, command: Command) -> None:
+        """Want to go back, farther with each time."""
+        before_mm = self.back_mm or 0.0
+        self.take()
+        self.back_mm, self._last = before_mm + command.values["distance_mm"], command
+
+    def want_rest(self, command: Command) -> None:
+        """Want to go on from here."""
+        self.take()
+        self.rest, self._last = True, command
+
+    def take(self) -> None:
+        """Forget what was wanted: somebody does it."""
+        self.back_mm, self.rest, self._since_s = None, False, None
+
+    def turn(self, stands: bool) -> None:
+        """Refuse what nobody has taken up for LAPSE_S since the machine stands."""
+        if not stands or (self.back_mm is None and not self.rest):
+            self._since_s = None
+        elif self._since_s is None:
+            self._since_s = self._clock()
+        elif self._clock() - self._since_s > LAPSE_S:
+            self.take()
+            self._refuse(self._last, _nobody())
+
+
+def _nobody() -> MachineRefusal:
+    return MachineRefusal(
+        "retreated",
+        "nobody leads the tool along its cut; the program's lines for that are not at the controller",
+        advice="go back with `cncstepper back`, and on with `cncstepper back --resume`",
+    )

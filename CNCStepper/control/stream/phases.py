@@ -1,0 +1,178 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The phases of a session, as the controller's states and the wishes of people move it along.
+
+    running --hold--> holding --Hold:0--> held --resume--> running
+    running --Hold at an M0--> paused --resume--> running
+    running --Tool--> paused (M6 of grblHAL), 0xA3 --resume, after any jogs back there--> running
+    running --Idle before a line that is waited for--> paused --resume, after any jogs back there--> running
+    running --Door--> door --closed (Door:0), resume--> running
+    held --reset, a way along the cut--> running --> retreated --another--> running
+
+A wish is only a wish until the controller's state shows it: grbl forgets `~` while it slows down, so
+resume waits for Hold:0; a status asked before the last `!` or `~` shows the time before it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from CNCStepper.control.protocol.grbl.connect import alarm_refusal
+from CNCStepper.control.protocol.grbl.driver import HOLD, RESUME, Grbl
+from CNCStepper.control.protocol.grbl.firmware import TOOL, TOOL_CHANGED
+from CNCStepper.control.protocol.grbl.readiness import CHECK, state_refusal
+from CNCStepper.control.protocol.grbl.report import Alarm, Status
+from CNCStepper.control.stream.feeder import Feeder
+from CNCStepper.control.stream.pause_id import StandCount
+from CNCStepper.errors import MachineRefusal
+
+CHANGE_TOOL = "change the tool, then resume"
+STANDING = ("held", "paused", "door")
+CUTS_NOTHING = ("Sleep", CHECK, "Starting", "ConfigAlarm", "Critical")
+MOVES_OTHERWISE = ("Jog", "Home")  # than the program says, unless the program homes, or somebody jogs at a stand
+FEEDING = ("running", "finishing")
+DOOR_RETURNS = 3  # the substate in which a machine that goes on switches its outputs on again
+RETREATED = "retreated"  # between two ways along the cut: idle, after a reset
+
+
+class Phases:
+    """Where a session stands; `message` is the program's own at a pause.
+
+    changed_s: when the last `!` or `~` was written, by the driver's clock.
+    """
+
+    def __init__(self, tell: Callable[[str, str], None], stands: StandCount):
+        self.name = "connecting"
+        self.message = ""
+        self.changed_s = float("-inf")
+        self._tell = tell
+        self._stands = stands
+        self.stands = False  # paused between two lines, at a machine that can be jogged
+        self._hold_asked = False
+        self._resume_asked = False
+
+    @property
+    def feeding(self) -> bool:
+        """Whether lines may go out."""
+        return self.name in FEEDING
+
+    def set(self, name: str, message: str = "") -> None:
+        """Enter a phase and tell it; nothing happens when it is the present one."""
+        self.stands = False
+        if name != self.name:
+            self.name, self.message = name, message
+            self._stands.enter(name)
+            self._tell("phase", f"{name}: {message}" if message else name)
+
+    def run_anew(self) -> None:
+        """Begin with other lines at a machine that was reset: no wish of before counts."""
+        self._hold_asked = self._resume_asked = False
+        self.set("running")
+
+    def stand(self, message: str) -> None:
+        """Pause between two lines, until the phase is set anew."""
+        self.set("paused", message)
+        self.stands = True
+
+    def obey(self, command: str, driver: Grbl) -> None:
+        """Carry out "hold" or "resume"; raises MachineRefusal where nothing that was held can go on."""
+        if command == "hold":
+            self._resume_asked = False
+            if self.feeding or self.name == "holding":
+                self._hold_asked = True
+                self._write(HOLD, driver)
+                self.set("holding")
+        elif self.feeding:
+            self._tell("warning", "there is nothing to resume: the machine is not held")
+        else:
+            self._resume_asked = True
+
+    def check_no_jog(self, command: str, driver: Grbl) -> None:
+        """Raise MachineRefusal for a jog in a hold, in which no controller takes one."""
+        if command in ("jog", "jog_on") and self.name in ("held", "paused"):
+            check_no_tool_change(driver)
+            advice = "jog with `cncstepper jog`: it lets the controller give up its lines first"
+            raise MachineRefusal("held-jog", "the controller takes no jog while it is held", advice=advice)
+
+    def take(self, driver: Grbl, feeder: Feeder) -> None:
+        """Follow the status just received; raises MachineRefusal on a state in which no job can go on."""
+        status = driver.status
+        assert status
+        if status.state == "Alarm":
+            raise alarm_refusal(Alarm(-1), driver.firmware)
+        if status.state in CUTS_NOTHING or (status.state in MOVES_OTHERWISE and self._cuts(driver)):
+            raise state_refusal(status)
+        if driver.status_asked_s <= self.changed_s:
+            return
+        if status.state == "Hold":
+            self._in_hold(status, driver, feeder)
+        elif status.state == "Door":
+            self._at_door(status, driver)
+        elif status.state == TOOL:
+            self._at_tool_change(driver, feeder)
+        elif not self.stands:
+            self._moving(driver)
+
+    def _cuts(self, driver: Grbl) -> bool:
+        """Return whether nothing but the program's lines can move the machine, none of which is a `$` command."""
+        under_way = bool(driver.unanswered) and driver.unanswered[0].text.startswith("$")
+        return self.feeding and not self.stands and not under_way
+
+    def _in_hold(self, status: Status, driver: Grbl, feeder: Feeder) -> None:
+        still = status.substate in (0, None)
+        message = None if self._hold_asked else feeder.pause_message(driver)
+        if still and self._resume_asked:
+            self._go_on(driver)
+        elif message is not None:
+            self.set("paused", message)
+        else:
+            self.set("held" if still else "holding")
+
+    def _at_door(self, status: Status, driver: Grbl) -> None:
+        if status.substate == DOOR_RETURNS:
+            return
+        if status.substate == 0 and self._resume_asked:
+            self._go_on(driver)
+            return
+        if self._resume_asked:  # never kept: closing the door must not start the machine
+            self._resume_asked = False
+            self._tell("warning", f"the safety door is open or the machine is parking ({status.name}): resume later")
+        self.set("door", "close the safety door, then resume")
+
+    def _at_tool_change(self, driver: Grbl, feeder: Feeder) -> None:
+        """Stand until somebody has changed the tool: told of that, grblHAL takes jogs and a zero, once M6 is answered.
+
+        Else it can only be resumed.
+        """
+        message = feeder.tool_message(driver)
+        if self._resume_asked:
+            driver.realtime(TOOL_CHANGED)
+            self._go_on(driver)
+        elif message is None:
+            self.set("paused", feeder.pause_message(driver) or CHANGE_TOOL)
+        elif not self.stands:
+            driver.realtime(TOOL_CHANGED)
+            self.stand(message or CHANGE_TOOL)
+
+    def _moving(self, driver: Grbl) -> None:
+        """The machine runs or is idle: somebody resumed it there, or it has not seen the hold yet."""
+        if self.name == "holding" and not self._resume_asked:
+            self._write(HOLD, driver)
+        elif self.name in STANDING or self.name == "holding":
+            self._hold_asked = self._resume_asked = False
+            self.set("running")
+
+    def _go_on(self, driver: Grbl) -> None:
+        self._hold_asked = self._resume_asked = False
+        self._write(RESUME, driver)
+        self.set("running")
+
+    def _write(self, byte: bytes, driver: Grbl) -> None:
+        driver.realtime(byte)
+        self.changed_s = driver.clock()
+
+
+def check_no_tool_change(driver: Grbl) -> None:
+    """Raise MachineRefusal while the controller waits for a new tool: with a reset it would forget that it does."""
+    if driver.status and driver.status.state == TOOL:
+        what = "the controller waits for its new tool"
+        raise MachineRefusal("tool-change", what, advice="resume, so that the change is over, and hold it again then")

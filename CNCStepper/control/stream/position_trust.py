@@ -1,0 +1,67 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What is held of a machine's position, and what may be done with that.
+
+nothing against it --alarm, greeting, lost link, a job that was killed--> unknown --homed, or all its zeros set--> known
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from CNCStepper.control.preflight.controller_restart import counts_from_here
+from CNCStepper.control.protocol.grbl.driver import Grbl
+from CNCStepper.control.protocol.grbl.firmware import TOOL
+from CNCStepper.control.protocol.grbl.motion_interlock import position_unknown
+from CNCStepper.control.protocol.grbl.readiness import CHECK
+
+COUNTING = ("Idle", "Run", "Hold", "Jog", "Door", CHECK, TOOL)  # states in which a controller counts its steps
+MOTORS_IN_DOUBT = ("Alarm", "Sleep")  # what brought a machine there may have cost steps
+
+
+class Belief(NamedTuple):
+    """What is held of a machine's position.
+
+    position_known: None while nothing speaks for or against it. homed: whether machine positions count from the zero
+    that the machine has found itself. counts_from_here: it restarted as it was met, and was neither homed nor zeroed
+    since. zeroed: the axes whose zeros were set since the position was lost.
+    """
+
+    position_known: bool | None = None
+    homed: bool = False
+    counts_from_here: bool = False
+    zeroed: frozenset[str] = frozenset()
+
+
+NOTHING_AGAINST = Belief()
+LOST = Belief(position_known=False)
+AT_HOME = Belief(position_known=True, homed=True)
+
+
+def met(before: Belief, driver: Grbl, greeted: bool) -> Belief:
+    """Return what is held of a machine that was just met; neither an alarm nor a restart mends what was lost before."""
+    if driver.status is not None and driver.status.state in MOTORS_IN_DOUBT:
+        return LOST
+    if not greeted:
+        return before
+    was_lost = before.position_known is False and not before.counts_from_here
+    return LOST._replace(counts_from_here=not was_lost and counts_from_here(driver))
+
+
+def counts_steps(driver: Grbl | None) -> bool:
+    """Return whether a controller was last seen in a state in which it counts its steps; None was never met."""
+    return driver is not None and driver.status is not None and driver.status.state in COUNTING
+
+
+def is_lost(belief: Belief, restart_counts: bool = False) -> bool:
+    """Return whether the position is lost, so that no program may move the machine.
+
+    restart_counts: a machine that was restarted and not moved since may be trusted, where its zero was set in an
+    earlier connection (`check_zero_here`). A connection that stays open asks for the zero instead.
+    """
+    return belief.position_known is False and not (restart_counts and belief.counts_from_here)
+
+
+def check_program(belief: Belief, restart_counts: bool = False) -> None:
+    """Raise MachineRefusal when the position is lost, as `is_lost` says."""
+    if is_lost(belief, restart_counts):
+        raise position_unknown()

@@ -1,0 +1,44 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a driver last heard of its machine, as a status to tell."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+
+from CNCStepper.control.protocol.grbl.driver import Grbl, Received
+from CNCStepper.control.protocol.grbl.report import Damaged, Feedback, Unknown
+from CNCStepper.control.session.status import SenderStatus
+
+HOMING = 22  # the setting that switches homing on
+
+
+def moment(driver: Grbl | None, phase: str, message: str = "") -> SenderStatus:
+    """Return the status of this moment; None stands for a machine that was not met yet."""
+    if driver is None or driver.status is None:
+        return SenderStatus(phase=phase, message=message)
+    seen = driver.status
+    return SenderStatus(
+        phase=phase,
+        message=message,
+        machine_state=seen.name,
+        mpos_mm=driver.mpos_mm,
+        wpos_mm=driver.wpos_mm,
+        feed_mm_min=driver.feed_mm_min,
+        spindle_rpm=seen.spindle,
+        overrides=driver.overrides,
+        outputs=driver.outputs,
+        buffer=seen.buffer,
+        pins=seen.pins,
+        homing=bool(driver.settings[HOMING]) if HOMING in driver.settings else None,
+    )
+
+
+def tell_words(received: Iterable[Received], tell: Callable[[str, str], None]) -> None:
+    """Pass on the controller's own messages, and as warnings what it cannot have said."""
+    for report in received:
+        if isinstance(report, Feedback) and report.tag in ("MSG", "echo"):
+            tell("message", report.text)
+        elif isinstance(report, Damaged):
+            tell("warning", f"a report of the controller is damaged and was not believed: {report.text}")
+        elif isinstance(report, Unknown):
+            tell("warning", f"the controller said: {report.text}")

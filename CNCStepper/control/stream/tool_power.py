@@ -1,0 +1,82 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Whether the tool has power: followed line by line, taken from it where a job stands, and given back behind that.
+
+    M3S1000 | G1 ... | M5 |  the job stands, jogs, the way back  | M3S1000 | G1 ...
+
+A beam, a torch or a jet would go on cutting where it stands, and along each jog: grbl switches a laser off in a hold,
+but here it is idle. A spindle turns on at an M0, as it does on the controller; for a new tool (M6) it is stopped.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from typing import Any
+
+from CNCStepper.control.program.send_job import SendJob
+from CNCStepper.control.protocol.grbl.driver import Grbl
+from CNCStepper.control.protocol.grbl.readiness import LASER_MODE
+
+OFF = "M5"
+_M = re.compile(r"M0*(\d+)(?:\.0*)?(?![\d.])")
+_S = re.compile(r"S[\d.]+")
+_POWER = {"3": "M3", "4": "M4", "5": "", "2": "", "30": ""}  # what is on after each of these
+
+
+class ToolPower:
+    """The power of one controller's tool.
+
+    cuts_standing: it cuts without turning. spin_up_s: how long it takes, or pierces, once it is on. modes: of `$G`.
+    """
+
+    def __init__(self, cuts_standing: bool = False, spin_up_s: float = 0.0, modes: str = ""):
+        self.is_taken = False  # although the program has it on
+        self._cuts_standing = cuts_standing
+        self._spin_up_s = spin_up_s
+        self._on = self._speed = ""
+        for word in modes.split():
+            self.follow(word)
+
+    def follow(self, text: str) -> None:
+        """Note what a line that is sent leaves on."""
+        plain = _plain(text)
+        for number in _M.findall(plain):
+            self._on = _POWER.get(number, self._on)
+        self._speed = next(iter(_S.findall(plain)), self._speed)
+
+    def stand(self, driver: Grbl) -> None:
+        """Take its power from a tool that would cut on, as soon as the lines before are cut."""
+        if self._cuts_standing:
+            self.take(driver)
+
+    def take(self, driver: Grbl) -> None:
+        """Switch the tool off, where the program has it on and the controller has room for the line."""
+        if self._on and not self.is_taken and driver.fits(OFF):
+            driver.send(OFF)
+            self.is_taken = True
+
+    def give_back(self, driver: Grbl, text: str) -> None:
+        """Switch on again what was taken, unless the line that comes next switches itself."""
+        if not self.is_taken:
+            return
+        self.is_taken = False
+        if not any(number in _POWER for number in _M.findall(_plain(text))):
+            driver.send(self._on + self._speed)
+            if self._spin_up_s:
+                driver.send(f"G4P{self._spin_up_s:g}")
+
+
+def power_of(job: SendJob, driver: Grbl, modes: str) -> ToolPower:
+    """Return that of a job's machine: a laser by the controller's $32 or its profile, a torch or a jet by the latter.
+
+    A profile says so by outputs that are off along the way back, too. A laser's power needs no time.
+    """
+    profile: Mapping[str, Any] = job.retrace.get("machine") or {}
+    spindle = profile.get("spindle") or {}
+    is_laser = driver.settings.get(LASER_MODE) == 1 or bool(spindle.get("laser"))
+    is_off_back = (profile.get("retreat") or {}).get("outputs") == "off"
+    return ToolPower(is_laser or is_off_back, 0.0 if is_laser else spindle.get("spin_up_s", 0.0), modes)
+
+
+def _plain(text: str) -> str:
+    return text.replace(" ", "").upper()

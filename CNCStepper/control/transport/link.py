@@ -1,0 +1,244 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The link: bytes to and from a controller over anything that pyserial opens by name or URL.
+
+pyserial is imported inside functions only: its backend needs termios and fcntl, which Windows lacks.
+"""
+
+from __future__ import annotations
+
+import errno
+import os
+import re
+import select
+import socket
+import sys
+import time
+from collections.abc import Callable
+from contextlib import suppress
+from typing import Any
+
+from CNCStepper.control.transport.output_queue import WireQueue
+from CNCStepper.control.transport.telnet import TelnetPort, socket_url
+from CNCStepper.errors import CNCStepperError, LinkError, MissingPackage
+from CNCStepper.safe_text import printable
+
+READ_BYTES = 4096
+WRITE_LIMIT_S = 1.0
+SLICE_S = 0.001  # how long a port that cannot be waited on sleeps between two looks
+BAUD = 115_200
+BUSY = (errno.EBUSY, errno.EAGAIN)
+FORBIDDEN = (errno.EACCES, errno.EPERM)
+NETWORK = ("socket://", "telnet://", "rfc2217://")
+
+
+class Link:
+    """An open port; reading waits at most as long as it is told and ends early when `wake` is called.
+
+    `port` is a pyserial port, or anything with its read, write and close, opened with timeout 0. baud: the rate of
+    the line that the bytes take. woken: whether `wake` ended the last `read`. queue_bytes: how many bytes may wait
+    before the line. filling_bytes: how many of them are written at a time.
+    Every failure of the port is a LinkError with code "link-lost".
+    """
+
+    def __init__(self, port: Any, name: str, baud: int = BAUD, clock: Callable[[], float] = time.monotonic):
+        self.name = name
+        self.woken = False
+        self._is_lost = False
+        self._port = port
+        self._queue = WireQueue(port, baud, clock)
+        self.queue_bytes = self._queue.most_bytes
+        self.filling_bytes = self._queue.filling_bytes
+        self._descriptor = _descriptor(port)
+        self._alarm_clock, self._bell = socket.socketpair()
+        for end in (self._alarm_clock, self._bell):
+            end.setblocking(False)
+
+    def waiting_bytes(self) -> int:
+        """Return how many bytes written wait in this computer, so that a real-time byte would go out after them."""
+        try:
+            return self._queue.waiting_bytes()
+        except (OSError, ValueError) as error:
+            raise self._lost(error) from error
+
+    def leaving_s(self, count: int) -> float:
+        """Return how long the line takes for so many bytes, in s."""
+        return self._queue.leaving_s(count)
+
+    def read(self, wait_s: float) -> bytes:
+        """Return what has arrived, waiting up to `wait_s` for the first byte; b"" when nothing came."""
+        self.woken = False
+        try:
+            if wait_s > 0.0:
+                self._wait(wait_s)
+            return self._port.read(READ_BYTES)
+        except (OSError, ValueError) as error:
+            raise self._lost(error) from error
+
+    def rest(self, wait_s: float) -> None:
+        """Wait so long whatever arrives; `wake` ends it."""
+        self.woken = False
+        if select.select([self._alarm_clock], [], [], wait_s)[0]:
+            self._hear_bell()
+
+    def write(self, data: bytes) -> None:
+        """Write all of `data`; the caller keeps within the controller's buffer, so this never waits long."""
+        self._queue.take(len(data))
+        try:
+            written = self._port.write(data)
+        except (OSError, ValueError) as error:
+            raise self._lost(error) from error
+        if written is not None and written != len(data):
+            raise self._lost(OSError(f"only {written} of {len(data)} bytes were taken"))
+
+    def wake(self) -> None:
+        """End a `read` that waits; may be called from any thread and from a signal handler."""
+        try:
+            self._bell.send(b"!")
+        except OSError:  # the bell is full (it will ring) or the link is closed (nobody waits)
+            return
+
+    def close(self) -> None:
+        """Close the port; a port that is gone already is no error."""
+        try:
+            if self._is_lost:
+                self._drop_output()
+            self._port.close()
+        except OSError:
+            pass
+        finally:
+            self._alarm_clock.close()
+            self._bell.close()
+
+    def _drop_output(self) -> None:
+        """Drop what a blocked line has not taken, which closing would wait for."""
+        drop = getattr(self._port, "reset_output_buffer", None)
+        if drop:
+            with suppress(Exception):  # termios' own errors are no OSError; the port may be gone
+                drop()
+
+    def _wait(self, wait_s: float) -> None:
+        if self._descriptor is None:
+            self._wait_in_slices(wait_s)
+            return
+        waited: list[Any] = [self._descriptor, self._alarm_clock]
+        ready, _, _ = select.select(waited, [], [], wait_s)
+        if self._alarm_clock in ready:
+            self._hear_bell()
+
+    def _wait_in_slices(self, wait_s: float) -> None:
+        """Look again and again at a port that `select` does not know (Windows' serial ports, loop://)."""
+        end_s = time.monotonic() + wait_s
+        while not getattr(self._port, "in_waiting", 1) and time.monotonic() < end_s:
+            time.sleep(SLICE_S)  # finer than `select` on Windows
+            if select.select([self._alarm_clock], [], [], 0)[0]:
+                self._hear_bell()
+                return
+
+    def _hear_bell(self) -> None:
+        self._alarm_clock.recv(READ_BYTES)
+        self.woken = True
+
+    def _lost(self, error: Exception) -> LinkError:
+        self._is_lost = True
+        return LinkError(
+            "link-lost",
+            f"the link to {self.name} broke: {printable(str(error))}",
+            advice="check cable and power; home the machine or set its zero again before the next cut",
+        )
+
+
+def open_link(name: str, baud: int = BAUD) -> Link:
+    """Open a port by device name or URL (`socket://host:port`, `telnet://host`, `rfc2217://host:port`, `loop://`).
+
+    Raises LinkError that says what to do when the port is missing, busy, forbidden or silent, and
+    MissingPackage without pyserial.
+    """
+    serial = _pyserial()
+    is_telnet = name.startswith("telnet://")
+    try:
+        port = serial.serial_for_url(
+            socket_url(name) if is_telnet else name,
+            baudrate=baud,
+            timeout=0,
+            write_timeout=None if name.startswith("rfc2217://") else WRITE_LIMIT_S,  # which that one does not know
+            exclusive=True,
+            do_not_open=True,
+        )
+        port.open()
+    except (OSError, ValueError, TypeError, AttributeError) as error:  # a bad URL ends in any of these
+        raise _refusal(name, error) from error
+    _send_at_once(port)
+    return Link(TelnetPort(port) if is_telnet else port, name, baud)
+
+
+def port_names() -> list[tuple[str, str]]:
+    """Return (device name, description) of the serial ports of this computer."""
+    _pyserial()
+    from serial.tools.list_ports import comports
+
+    return [(port.device, port.description or "") for port in sorted(comports())]
+
+
+def _pyserial() -> Any:
+    try:
+        import serial
+    except ImportError as error:
+        raise MissingPackage(
+            "pyserial-missing", "pyserial is not installed", advice="install it: python -m pip install pyserial"
+        ) from error
+    return serial
+
+
+def _descriptor(port: Any) -> int | None:
+    """Return the number that `select` can wait on, or None where there is none."""
+    try:
+        return port.fileno()
+    except (AttributeError, OSError):
+        return None
+
+
+def _send_at_once(port: Any) -> None:
+    """Switch off the gathering of small packets: a real-time byte must not wait for the last answer."""
+    connection = getattr(port, "_socket", None)
+    if connection is not None:
+        connection.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+        if (connection.gettimeout() or 0.0) > WRITE_LIMIT_S:  # rfc2217 waits longer for a far end that takes nothing
+            connection.settimeout(WRITE_LIMIT_S)
+
+
+def _refusal(name: str, error: Exception) -> CNCStepperError:
+    """Return what to do about a port that could not be opened."""
+    number, text = _error_number(error), str(error)
+    if name.startswith(("socket://", "rfc2217://")) and not re.match(r"\w+://[^/:]+:\d+", name):
+        return LinkError("port-name", f"'{name}' names no port number", advice="write socket://host:port")
+    if name.startswith(NETWORK):
+        return LinkError("port-silent", f"nothing answers at {name}: {text}", advice="start it, or correct the URL")
+    if "://" in name:
+        return LinkError("port-name", f"{name} is no port: {text}", advice="give a device name or socket://host:port")
+    if number == errno.ENOENT or "FileNotFoundError" in text:
+        return LinkError("port-missing", f"there is no port {name}", advice=_plug_in())
+    if number in FORBIDDEN and os.name == "posix":
+        return LinkError("port-forbidden", f"{name} may not be opened by this user", advice=_permission())
+    if number in BUSY or "exclusively lock" in text or "PermissionError" in text:
+        return LinkError("port-busy", f"{name} is in use", advice="close the other program that holds it")
+    return LinkError("port-unusable", f"{name} cannot be used as a serial port: {text}", advice=_plug_in())
+
+
+def _error_number(error: BaseException | None) -> int | None:
+    """Return the operating system's number, from the error or from the one that it covers."""
+    while error is not None:
+        if isinstance(error, OSError) and error.errno:
+            return error.errno
+        error = error.__context__
+    return None
+
+
+def _plug_in() -> str:
+    names = ", ".join(device for device, _ in port_names()) or "none"
+    return f"plug the controller in, or give one of the ports that are there: {names}"
+
+
+def _permission() -> str:
+    if sys.platform.startswith("linux"):
+        return "add yourself to its group (sudo usermod -aG dialout $USER) and log in again"
+    return "ask for the right to use it"

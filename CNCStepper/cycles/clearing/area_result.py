@@ -1,0 +1,94 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a cycle that clears an area answers, found when it is asked for.
+
+What stays in corners is a matter of polygons with thousands of chords: it takes longer than the cut itself.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import cached_property
+from typing import Protocol
+
+from CNCStepper.cycles.clearing.reachable_regions import Rooms
+from CNCStepper.cycles.clearing.region_stages import Part
+from CNCStepper.cycles.contours.neighbour_parts import open_edge_warnings
+from CNCStepper.cycles.cycle import Answer, Removal, RestCorner, Setup
+
+TOLD = 12  # corners in a warning's text, of those that the tool does not reach into
+
+
+class Keys(Protocol):
+    """The keys of the cycle of which an answer tells."""
+
+    @property
+    def entry(self) -> str: ...
+
+    @property
+    def depth_mm(self) -> float: ...
+
+    @property
+    def tolerance_mm(self) -> float: ...
+
+
+class AreaAnswer(Answer):
+    """The answer of a cycle with these keys, in these rooms, that has cut these parts down to these floors."""
+
+    _keys: Keys
+    _rooms: Rooms
+    _parts: Sequence[Part]
+    _floors_mm: Sequence[float]
+    _setup: Setup
+
+    def __init__(self, keys: Keys, rooms: Rooms, parts: Sequence[Part], floors_mm: Sequence[float], setup: Setup):
+        self.__dict__.update(_keys=keys, _rooms=rooms, _parts=parts, _floors_mm=floors_mm, _setup=setup)
+
+    @cached_property
+    def removals(self) -> list[Removal]:
+        """What is to be removed."""
+        return [Removal(self._rooms.wanted, 0.0, -self._keys.depth_mm, self._keys.tolerance_mm, self._rooms.reachable)]
+
+    @cached_property
+    def corners(self) -> list[RestCorner]:
+        """What the tool cannot reach, the worst first."""
+        return self._rooms.corners
+
+    @cached_property
+    def figures(self) -> dict[str, float]:
+        """What came of the keys, by name."""
+        runs = [stage.run for part in self._parts for stage in part.stages]
+        passes = sum(one.name != "link" for run in runs for one in run.passes)
+        apart_mm = max((run.apart_mm for run in runs), default=0.0)
+        floors_mm, corners = self._floors_mm, self.corners
+        figures = {"ap_mm": -floors_mm[0], "levels": len(floors_mm), "ae_mm": apart_mm, "passes": passes}
+        figures |= {"rooms": len(self._parts), "rest_corners": len(corners)}
+        figures |= {"rest_area_mm2": sum(corner.area_mm2 for corner in corners)}
+        return figures | {"rest_corner_mm": max((corner.thick_mm for corner in corners), default=0.0)}
+
+    @cached_property
+    def warnings(self) -> list[str]:
+        """What stays in corners, and where the way down is not the one asked for."""
+        edges = open_edge_warnings(self._rooms.reachable, self._setup.parts, self._keys.tolerance_mm)
+        return [*_corner_warnings(self.corners), *self._entry_warnings(), *edges]
+
+    def _entry_warnings(self) -> list[str]:
+        kinds = [stage.entry.kind for part in self._parts for stage in part.stages if stage.cut is None]
+        others = [kind for kind in kinds if kind != self._keys.entry]
+        if not others:
+            return []
+        asked = f"there is no room for a {self._keys.entry} at {len(others)} of {len(kinds)} places"
+        return [f"{asked}; a {others[0]} is used"]
+
+
+def _corner_warnings(corners: Sequence[RestCorner]) -> list[str]:
+    if not corners:
+        return []
+    told = "; ".join(_corner_words(corner) for corner in corners[:TOLD])
+    if len(corners) > TOLD:
+        told += f"; and {len(corners) - TOLD} smaller ones"
+    return [f"the tool does not reach into {len(corners)} corners or narrow places; what stays there: {told}"]
+
+
+def _corner_words(corner: RestCorner) -> str:
+    (x, y) = corner.place_mm
+    return f"{corner.thick_mm:.3f} mm ({corner.area_mm2:.3f} mm²) at X{x:.2f} Y{y:.2f}"

@@ -1,0 +1,115 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Drilling: the canned cycles G81, G82, G83 and G73 over a pattern of holes.
+
+|    |  ---- z = 0
+|    |          depth_mm goes to the tip, as in LinuxCNC and FreeCAD CAM; with tip = "diameter" it is that of
+|    |  ----    the full diameter, and the length of the point is added; so is through_mm, always
+ \\  /
+  \\/   ---- bottom
+"""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal
+
+from pydantic import BaseModel, ConfigDict
+from shapely import Polygon
+
+from CNCStepper.canned_drilling import OWN_WORD, Canned
+from CNCStepper.cycles.cycle import Answer, Removal, Setup
+from CNCStepper.cycles.holes.hole_cycle import cut_canned, discs
+from CNCStepper.cycles.holes.hole_patterns import Order, Pattern, placed
+from CNCStepper.cycles.moves import Point, require_feed
+from CNCStepper.cycles.passes import require_few_blocks
+from CNCStepper.errors import CycleError
+from CNCStepper.machine.tools.tool import Tool
+from CNCStepper.machine.tools.tool_point import Cone, cone_of
+from CNCStepper.quantities import Bounds, Coordinate, Depth, DepthOr0, ToolReference
+from CNCStepper.toolpath import TableBuilder
+
+SHAPES = ("drill", "flat", "v", "engraver")
+STEPS = 8  # that stand for the cone of a point
+
+
+class Drill(BaseModel):
+    """Parameters of drilling, named as in a job file.
+
+    style: the canned cycle; peck_mm belongs to G83 and G73, dwell_s to G82. retract: the height of the rapids between
+    holes, "clearance" (G98) or "retract" (G99). order: "short" rapids or the pattern's own.
+    """
+
+    model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False, arbitrary_types_allowed=True)
+
+    cycle: Literal["drill"] = "drill"
+    tool: ToolReference
+    pattern: Pattern
+    offset_mm: tuple[Coordinate, Coordinate] = (0.0, 0.0)
+    depth_mm: Depth
+    tip: Literal["tip", "diameter"] = "tip"
+    through_mm: DepthOr0 = 0.0
+    style: Literal["G81", "G82", "G83", "G73"] = "G81"
+    peck_mm: DepthOr0 = 0.0
+    dwell_s: Annotated[float, Bounds("time", most=600.0, zero=True)] = 0.0
+    retract: Literal["clearance", "retract"] = "clearance"
+    order: Order = "short"
+
+    def cut(self, setup: Setup, table: TableBuilder) -> Answer:
+        """Append the holes to `table`; raises CycleError before any row when they cannot be drilled."""
+        self._check(setup)
+        cone = cone_of(setup.tool)
+        bottom_mm = -(self.depth_mm + self.through_mm + (cone.height_mm if self.tip == "diameter" else 0.0))
+        holes, warnings = placed(self.pattern, self.order, self.offset_mm)
+        places = [(hole.x_mm, hole.y_mm) for hole in holes]
+        own = {"Q": self.peck_mm, "P": self.dwell_s}.get(OWN_WORD[self.style], 0.0)
+        cycle = Canned(self.style, bottom_mm, setup.retract_mm, own, self.retract == "clearance")
+        require_few_blocks(len(places) * 3 * (cycle.pecks + 1))
+        cut_canned(table, setup, cycle, places)
+        figures = {"holes": len(places), "depth_mm": -bottom_mm}
+        return Answer(removals(places, bottom_mm, cone), figures, warnings + _core_warning(setup.tool))
+
+    def _check(self, setup: Setup) -> None:
+        tool = setup.tool
+        if tool.shape not in SHAPES:
+            raise CycleError("tool-shape", f"a {tool.shape} tool does not drill", advice="use a drill or a flat mill")
+        require_feed(tool, "plunge_mm_min")
+        self._check_own_word()
+
+    def _check_own_word(self) -> None:
+        """Refuse a style without the key that it lives on, and a key that the style would pass over in silence."""
+        word = OWN_WORD[self.style]
+        if word == "Q" and not self.peck_mm:
+            what, advice = f"{self.style} drills in pecks and needs peck_mm", "give peck_mm, or use G81"
+            raise CycleError("peck-missing", what, value=f"{self.peck_mm:g} mm", limit="above 0 mm", advice=advice)
+        if word == "P" and not self.dwell_s:
+            what, advice = f"{self.style} waits at the bottom and needs dwell_s", "give dwell_s, or use G81"
+            raise CycleError("dwell-missing", what, value=f"{self.dwell_s:g} s", limit="above 0 s", advice=advice)
+        if word != "Q" and self.peck_mm:
+            what, advice = f"{self.style} does not drill in pecks", "use G83 or G73, or leave peck_mm out"
+            raise CycleError("peck-idle", what, value=f"peck_mm {self.peck_mm:g} mm", advice=advice)
+        if word != "P" and self.dwell_s:
+            what, advice = f"{self.style} does not wait at the bottom", "use G82, or leave dwell_s out"
+            raise CycleError("dwell-idle", what, value=f"dwell_s {self.dwell_s:g} s", advice=advice)
+
+
+def removals(places: list[Point], bottom_mm: float, cone: Cone) -> list[Removal]:
+    """Return what a tool with that point removes when its tip goes down to `bottom_mm` at each place.
+
+    The cone is a stair: what may be cut lies just outside it, what must be gone just inside.
+    """
+    heights = [cone.height_mm * step / STEPS for step in range(STEPS)] if cone.height_mm else []
+    heights = [height for height in heights if bottom_mm + height < 0.0]
+    stairs = []
+    for height in heights:
+        over_mm = min(height + cone.height_mm / STEPS, -bottom_mm)
+        inside_mm = cone.radius_at(height)
+        inside = discs(places, inside_mm) if inside_mm > 0 else Polygon()
+        stairs.append(Removal(discs(places, cone.radius_at(over_mm)), 0.0, bottom_mm + height, reachable=inside))
+    if bottom_mm + cone.height_mm < 0.0:
+        stairs.append(Removal(discs(places, cone.radius_mm), 0.0, bottom_mm + cone.height_mm))
+    return stairs
+
+
+def _core_warning(tool: Tool) -> list[str]:
+    if not tool.core_diameter_mm:
+        return []
+    return [f"the {tool.words} tool does not cut over its centre: it must not go straight down into full material"]

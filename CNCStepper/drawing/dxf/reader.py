@@ -1,0 +1,225 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""DXF drawings: the curves of each layer in mm, joined to chains, with the gaps left and what could not be read.
+
+ezdxf parses the file (and mends a damaged one); entities.py turns each entity into a curve. Blocks are
+taken apart where they are inserted; what they hold on layer 0 lies on the layer of the insertion. Only the model space
+is read, and of that what is visible.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from CNCStepper.cancellation import checkpoint
+from CNCStepper.drawing.dxf.entities import BROKEN, Fits, curve_of
+from CNCStepper.drawing.dxf.log_messages import collected_log
+from CNCStepper.drawing.dxf.size_limits import DEEPEST, MOST_BYTES, require_readable, require_small
+from CNCStepper.errors import GeometryError, JobError, Place, placed
+from CNCStepper.geometry.chain_joining import NEAR_MM, SAME_MM, Gap, chained
+from CNCStepper.geometry.curve import Curve
+from CNCStepper.input_file import read_input
+from CNCStepper.quantities import Bounds
+from CNCStepper.safe_text import printable
+
+MOST_WORDS = 255  # characters of a name, and of what ezdxf says
+PARSED, CURVED = 0.4, 0.95  # of the time, for a drawing of lines, when ezdxf is done, and when all are curves
+TOLD_EVERY = 256  # entities
+UNIT_NAME = b"$INSUNITS"  # where a file does not hold it, ezdxf may take it for one in metres
+
+
+@dataclass(frozen=True)
+class Layer:
+    """What one layer holds: chains of lines and arcs, mm, and where their ends nearly meet."""
+
+    name: str
+    curves: tuple[Curve, ...]
+    gaps: tuple[Gap, ...]
+
+
+@dataclass(frozen=True)
+class Skipped:
+    """An entity that is in no curve: its kind, layer and handle as the file names them, and why."""
+
+    kind: str
+    layer: str
+    handle: str
+    why: str
+
+
+@dataclass(frozen=True)
+class Drawing:
+    """The layers of a file that hold curves, in the order in which they first appear, and what was left out.
+
+    `damage` says what is wrong with a file that had to be mended, of which a part may be missing; "" for a sound one.
+    Names and sentences of the file and of ezdxf in it are printable.
+    """
+
+    layers: tuple[Layer, ...]
+    skipped: tuple[Skipped, ...]
+    unit_mm: float
+    damage: str
+
+    def layer(self, name: str) -> Layer:
+        """Return the layer of that name, capital or not; raises JobError that names those there are."""
+        for layer in self.layers:
+            if layer.name.casefold() == name.casefold():
+                return layer
+        names = ", ".join(f"'{layer.name}'" for layer in self.layers)
+        raise JobError("dxf-layer", f"the drawing has no curves on a layer '{name}'", advice=f"it has them on {names}")
+
+
+Share = Callable[[float], None]
+
+
+def read_dxf(
+    path: Path,
+    tolerance_mm: float,
+    unit_mm: float | None = None,
+    same_mm: float = SAME_MM,
+    near_mm: float = NEAR_MM,
+    share: Share = lambda share: None,
+) -> Drawing:
+    """Return the curves of a DXF file; ellipses and splines within `tolerance_mm`, all else exact.
+
+    `unit_mm` is the length of its unit where the file does not say it or is wrong; without either it is a mm. Ends
+    within `same_mm` are joined, gaps up to `near_mm` reported. `share` is called with the share that is done. Raises
+    JobError for no DXF file or no curve in it.
+    """
+    if not tolerance_mm > 0:
+        raise JobError("tolerance", "the tolerance must be above 0", value=f"{tolerance_mm:g} mm")
+    place = Place(str(path))
+    content = read_input(path, MOST_BYTES)
+    require_readable(content, place)
+    with collected_log() as log:
+        document, damage = _document(path)
+        count = require_small(document, place)
+        share(PARSED)
+        unit_mm = unit_mm or (_unit_mm(document) if UNIT_NAME in content else 1.0)
+        unit_mm = Bounds("unit").require(unit_mm, "the drawing's unit", place)
+        told = _told(_visible(document, document.modelspace(), None, 0), count, share)
+        with placed(place):
+            pieces, skipped = _pieces(told, Fits(tolerance_mm / unit_mm), unit_mm)
+    damage = damage or (log[0] if log else "")
+    if not pieces and damage:
+        raise _no_dxf(path, damage)
+    if not pieces:
+        raise JobError(
+            "dxf-empty",
+            "the drawing holds no curves",
+            value=f"{len(skipped)} other things" if skipped else "",
+            advice="draw lines, arcs, circles, polylines, ellipses or splines in its model space, on visible layers",
+            place=Place(str(path)),
+        )
+    with placed(place):
+        layers = tuple(_layers(pieces, same_mm, near_mm, share))
+    return Drawing(layers, tuple(skipped), unit_mm, printable(damage, MOST_WORDS))
+
+
+def _told(entities: Iterator[tuple[Any, str]], count: int, share: Share) -> Iterator[tuple[Any, str]]:
+    """Yield the entities, and call `share` with how far they are now and then."""
+    for number, entity in enumerate(entities):
+        checkpoint()
+        if number % TOLD_EVERY == 0:
+            share(PARSED + (CURVED - PARSED) * min(number / count, 1.0))
+        yield entity
+
+
+def _pieces(
+    entities: Iterator[tuple[Any, str]], fits: Fits, unit_mm: float
+) -> tuple[dict[str, list[Curve]], list[Skipped]]:
+    """Return the curve of each entity in mm, by layer, and the entities that have none."""
+    pieces: dict[str, list[Curve]] = {}
+    skipped = []
+    for entity, layer in entities:
+        try:
+            curve = curve_of(entity, fits)
+            curve = curve if unit_mm == 1.0 else curve.scaled(unit_mm)
+        except GeometryError as error:
+            kind, handle = printable(entity.dxftype(), MOST_WORDS), printable(str(entity.dxf.handle or ""), MOST_WORDS)
+            skipped.append(Skipped(kind, printable(layer, MOST_WORDS), handle, error.what))
+        else:
+            pieces.setdefault(printable(layer, MOST_WORDS), []).append(curve)
+    return pieces, skipped
+
+
+def _layers(pieces: dict[str, list[Curve]], same_mm: float, near_mm: float, share: Share) -> Iterator[Layer]:
+    """Yield the layers with their curves joined, and call `share` after each."""
+    for number, (name, curves) in enumerate(pieces.items(), start=1):
+        checkpoint()
+        yield Layer(name, *chained(curves, same_mm, near_mm))
+        share(CURVED + (1.0 - CURVED) * number / len(pieces))
+
+
+def _document(path: Path) -> tuple[Any, str]:
+    """Return the file as ezdxf has it, and what is damaged where it had to be mended.
+
+    On a damaged file its parser may end with any exception.
+    """
+    import ezdxf  # it takes 0.4 s
+    from ezdxf import recover
+
+    try:
+        return ezdxf.readfile(path), ""
+    except Exception as damage:
+        try:
+            return recover.readfile(path)[0], str(damage) or "it ends too early"
+        except Exception as error:
+            raise _no_dxf(path, str(error)) from error
+
+
+def _no_dxf(path: Path, why: str) -> JobError:
+    advice = "save it as DXF again, as R2000 or newer"
+    return JobError("dxf-file", f"not a DXF file: {printable(why, MOST_WORDS)}", advice=advice, place=Place(str(path)))
+
+
+def _unit_mm(document: Any) -> float:
+    """Return the length of the drawing's unit, 1 mm where it names none."""
+    from ezdxf import units
+
+    unit = units.InsertUnits(document.units)
+    return float(units.conversion_factor(unit, units.InsertUnits.Millimeters)) if unit else 1.0
+
+
+def _visible(document: Any, entities: Any, inserted_on: str | None, depth: int) -> Iterator[tuple[Any, str]]:
+    """Yield the visible entities, blocks taken apart, with the layer on which each lies."""
+    for entity in entities:
+        layer = str(_attribute(entity, "layer", "0"))
+        layer = inserted_on if inserted_on is not None and layer == "0" else layer
+        if _attribute(entity, "invisible", 0) or _is_hidden(document, layer):
+            continue
+        if entity.dxftype() == "INSERT" and depth < DEEPEST:
+            for insert in _inserts(entity):
+                yield from _visible(document, _taken_apart(insert), layer, depth + 1)
+        else:
+            yield entity, layer
+
+
+def _inserts(entity: Any) -> list[Any]:
+    """Return an insertion in rows and columns as single ones; one that ezdxf cannot place stays what it is."""
+    try:
+        return list(entity.multi_insert()) if entity.mcount > 1 else [entity]
+    except BROKEN:
+        return [entity]
+
+
+def _taken_apart(insert: Any) -> list[Any]:
+    """Return the entities of a block where it is inserted, or the insertion itself where ezdxf cannot place them."""
+    try:
+        return list(insert.virtual_entities())
+    except BROKEN:
+        return [insert]  # at the deepest level it is named among what is left out
+
+
+def _attribute(entity: Any, name: str, otherwise: Any) -> Any:
+    """Return an attribute of an entity; kinds that ezdxf does not know have none."""
+    return entity.dxf.get(name, otherwise) if entity.dxf.is_supported(name) else otherwise
+
+
+def _is_hidden(document: Any, layer: str) -> bool:
+    if not document.layers.has_entry(layer):
+        return False
+    found = document.layers.get(layer)
+    return bool(found.is_off() or found.is_frozen())

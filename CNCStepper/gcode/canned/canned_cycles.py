@@ -1,0 +1,276 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Reads blocks of canned cycles as LinuxCNC does: words that stick, repeats, and the run's first height for G98.
+
+A run lasts as long as a canned cycle is modal. Its words stick in the text's own units and in program coordinates,
+as those of LinuxCNC do: they are not converted when units or offsets change.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from functools import partial
+from typing import TYPE_CHECKING, NamedTuple
+
+from CNCStepper.canned_drilling import DWELL, FEED, OWN_WORD, PECK_BACK_MM, RAPID, Canned, Place, Stroke
+from CNCStepper.errors import ProgramError
+from CNCStepper.gcode.canned import tapping_and_boring
+from CNCStepper.gcode.canned.tapping_and_boring import OWN, SENSE, SpindleCycle
+from CNCStepper.gcode.dialects.codes import ALL_AXES, AXES, CYCLES, MOTION_NAMES
+from CNCStepper.gcode.interpreter.functions.outputs import OVERRIDE_CALLS
+from CNCStepper.gcode.interpreter.functions.spindle import STOP, need_turning, turn
+from CNCStepper.gcode.interpreter.motion.polar_coordinates import polar_end
+from CNCStepper.gcode.interpreter.state.stand_alone_position import goes_on_at
+from CNCStepper.toolpath import LINE, PLANE_AXES, PLANE_NAMES, XY
+
+if TYPE_CHECKING:
+    from CNCStepper.gcode.interpreter.execute import Execution
+    from CNCStepper.gcode.interpreter.state.model import Point
+
+MOST_STROKES = 1_000_000  # of one block
+DIGITS = 9  # of a position in the text's units: what the table's millimetres add is no height
+ORIENT_WAY = {"cw": 2, "ccw": 3}  # LinuxCNC's numbers of the senses
+EXACT_PATH = "SET_MOTION_CONTROL_MODE(CANON_EXACT_PATH)"
+
+
+class LinuxCNCCanned(Canned):
+    """A canned cycle whose pecks are summed up as LinuxCNC sums them."""
+
+    def levels(self) -> Iterator[float]:
+        """Yield where the pecks but the last end; the rounding of the sum may add one that goes no deeper."""
+        level = self.r - self.own
+        while level > self.z:
+            yield level
+            level -= self.own
+
+
+class Run(NamedTuple):
+    """What sticks: the height before the run, and the last block's Z, R and P or Q, as numbers of the text.
+
+    bore: I, J and K of a G87. dwell: the last P of any cycle.
+    """
+
+    initial: float
+    z: float
+    r: float
+    own: float
+    bore: Place = (0.0, 0.0, 0.0)
+    dwell: float = 0.0
+
+
+def run_block(block: Execution, motion: int, before: int) -> None:
+    """Execute a block of the cycle `motion`; `before`: the motion that was modal. Raises ProgramError."""
+    axes = PLANE_AXES[PLANE_NAMES.index(block.model.state.plane)]
+    name, normal = MOTION_NAMES[motion], axes[2]
+    _check_block(block, name)
+    begin = _program(block, axes)
+    run = block.model.run if before in CYCLES else None
+    sticky = run if before == motion else None
+    initial = run.initial if run else begin[2]
+    z = _word(block, AXES[normal], sticky and sticky.z, name)
+    r = _word(block, "R", sticky and sticky.r, name)
+    own = _own(block, name, sticky)
+    bore = _bore(block, name, sticky)
+    dwell = own if (OWN_WORD | OWN)[name] == "P" else _last_dwell(block)
+    block.model.run = Run(initial, z, r, own, bore, dwell)
+    if not block.model.absolute:
+        z, r = round(initial + r + z, DIGITS), round(initial + r, DIGITS)
+    cycle = _cycle(block, name, z, r, own, bore)
+    _check_heights(cycle, AXES[normal])
+    places = _places(block, axes, begin, cycle)
+    _check_strokes(cycle, len(places))
+    _execute(block, cycle, axes, begin, initial, places)
+
+
+def _execute(block: Execution, cycle: Canned, axes: tuple[int, int, int], begin: Place, initial: float, places) -> None:
+    """Move as the cycle says; what LinuxCNC tells between the moves is told too."""
+    lift = cycle.lift(begin, initial)
+    for stroke in lift:
+        _stroke(block, stroke, axes)
+    exact = block.model.path_calls[0] == EXACT_PATH
+    if not exact:
+        block.call(EXACT_PATH)
+    for place, strokes in zip(places, cycle.holes(cycle.r if lift else begin[2], initial, places), strict=True):
+        drills = axes == PLANE_AXES[XY] and cycle.name in OWN_WORD
+        if drills:
+            block.do(partial(block.table.open_span, "cycle", cycle.name, **_span_words(block, cycle, place)))
+        for stroke in strokes:
+            _stroke(block, stroke, axes)
+        if drills:
+            block.do(block.table.close_span)
+    if cycle.name == "G88" and places:  # whoever ended its pause has lifted the tool
+        goes_on_at(block.model, _machine(block, (*places[-1], cycle.clear(initial)), axes))
+    for call in () if exact else block.model.path_calls:
+        block.call(call)
+
+
+def _stroke(block: Execution, stroke: Stroke, axes: tuple[int, int, int]) -> None:
+    model, end = block.model, _machine(block, stroke.end, axes)
+    if stroke.kind == DWELL:
+        block.event("dwell", stroke.seconds)
+        block.call(f"DWELL({stroke.seconds:.4f})")
+    elif stroke.kind == RAPID:
+        block.rapid(end, row=end != model.position)
+    elif stroke.kind == FEED:
+        block.move(LINE, end, None, block.feed_of(LINE, end))
+    else:
+        _spindle_stroke(block, stroke.kind)
+
+
+def _spindle_stroke(block: Execution, kind: str) -> None:
+    """Do what a cycle does to the spindle; `block.turning` is how it turned before the hole."""
+    other = {"cw": "ccw", "ccw": "cw"}[block.turning]
+    if kind in (tapping_and_boring.TURN, tapping_and_boring.REVERSE):
+        turn(block, block.turning if kind == tapping_and_boring.TURN else other)
+    elif kind == tapping_and_boring.STOP:
+        block.model.change(spindle="off")
+        block.call(STOP)
+    elif kind == tapping_and_boring.ORIENT:
+        block.event("orient")
+        block.call(f"ORIENT_SPINDLE(0, 0.0000, {ORIENT_WAY[block.turning]})")
+    elif kind == tapping_and_boring.PAUSE:
+        block.event("pause")
+        block.call("PROGRAM_STOP()")
+    else:  # what a program has switched off stays off
+        locks, allowed = kind == tapping_and_boring.LOCK, block.model.overrides
+        for name in ("feed", "speed"):
+            if locks or name in allowed:
+                block.call(f"{'DISABLE' if locks else 'ENABLE'}_{OVERRIDE_CALLS[name]}")
+
+
+def _span_words(block: Execution, cycle: Canned, place: tuple[float, float]) -> dict[str, float]:
+    """Return the words of a hole's block in machine mm; seconds for P."""
+    model = block.model
+    x, y, z = _machine(block, (*place, cycle.z), PLANE_AXES[XY])
+    words = {"X": x, "Y": y, "Z": z, "R": cycle.r * model.scale + model.offset[2]}
+    if letter := OWN_WORD[cycle.name]:
+        words[letter] = cycle.own * (model.scale if letter == "Q" else 1.0)
+    return words | {"G": 98.0 if cycle.to_initial else 99.0}
+
+
+def _cycle(block: Execution, name: str, z: float, r: float, own: float, bore: Place) -> Canned:
+    to_initial = block.model.to_initial
+    if name in OWN:
+        middle = bore[2] if block.model.absolute else round(z + bore[2], DIGITS)
+        return SpindleCycle(name, z, r, own, to_initial, aside=bore[:2], middle=middle)
+    return LinuxCNCCanned(name, z, r, own, block.model.to_initial, PECK_BACK_MM / block.model.scale)
+
+
+def _places(block: Execution, axes: tuple[int, int, int], begin: Place, cycle: Canned) -> list[tuple[float, float]]:
+    """Return where the block's holes stand, as often as L says."""
+    slots = block.plan.slots
+    count = block.whole("L", 1, int(MOST_STROKES / (4.0 * cycle.pecks) + 1.0)) if "L" in slots else 1
+    if block.plan.polar:
+        return _polar_places(block, begin, count)
+    words = [block.value(AXES[axis]) if AXES[axis] in slots else None for axis in axes[:2]]
+    if block.model.absolute:
+        a, b = (here if word is None else word for word, here in zip(words, begin, strict=False))
+        return [(a, b)] * count
+    da, db = (word or 0.0 for word in words)
+    places, (a, b) = [], begin[:2]
+    for _ in range(count):
+        a, b = a + da, b + db
+        places.append((a, b))
+    return places
+
+
+def _polar_places(block: Execution, begin: Place, count: int) -> list[tuple[float, float]]:
+    """Return where the holes stand that @ and ^ name; under G91 each goes on from the one before."""
+    model, here = block.model.local(), complex(*begin[:2]) * block.model.scale
+    places = []
+    for _ in range(count):
+        end = polar_end(model, block.plan, block.values, here)
+        here = here if model.absolute else complex(*end)
+        places.append((round(end[0] / model.scale, DIGITS), round(end[1] / model.scale, DIGITS)))
+    return places
+
+
+def _own(block: Execution, name: str, sticky: Run | None) -> float:
+    letter = (OWN_WORD | OWN)[name]
+    if letter not in ("P", "Q"):
+        return 0.0
+    if name in ("G74", "G84"):  # their P may be left out
+        return block.value("P") if "P" in block.plan.slots else _last_dwell(block)
+    own = _word(block, letter, sticky and sticky.own, name)
+    if own < 0 or (letter == "Q" and own == 0):
+        what = f"{letter} of {name} must be {'above' if letter == 'Q' else 'at least'} 0"
+        raise ProgramError("bad-value", what, value=letter, advice=f"correct {letter}")
+    return own
+
+
+def _word(block: Execution, letter: str, sticky: float | None, name: str) -> float:
+    """Return a word's number, or the one that sticks; raises ProgramError where there is neither."""
+    if letter in block.plan.slots:
+        return block.value(letter)
+    if sticky is None:
+        what = f"{name} needs a {letter} word: none is in force"
+        raise ProgramError("missing-word", what, value=name, advice=f"add {letter}")
+    return sticky
+
+
+def _last_dwell(block: Execution) -> float:
+    return block.model.run.dwell if block.model.run else 0.0
+
+
+def _bore(block: Execution, name: str, sticky: Run | None) -> Place:
+    """Return G87's way aside in the plane, and along its normal the height to bore to."""
+    if name != "G87":
+        return 0.0, 0.0, 0.0
+    letters = ["IJK"[axis] for axis in PLANE_AXES[PLANE_NAMES.index(block.model.state.plane)]]
+    old = sticky.bore if sticky else (None, None, None)
+    a, b, c = (_word(block, letter, value, name) for letter, value in zip(letters, old, strict=True))
+    return a, b, c
+
+
+def _check_block(block: Execution, name: str) -> None:
+    """Check what no word of the cycle is."""
+    block.uncompensated("canned cycles may not be used", name)
+    for letter in ALL_AXES[3:6]:
+        if letter in block.plan.slots:
+            what = "a canned cycle moves X, Y and Z only"
+            raise ProgramError("unused-word", what, value=letter, advice=f"move {letter} on a line of its own")
+    if name in ("G74", "G84") and block.model.plane_code != "G17":  # LinuxCNC 2.9 feeds to another place then
+        what = f"{name} is read in the plane XY only: LinuxCNC moves along the wrong axes in {block.model.plane_code}"
+        raise ProgramError("plane", what, value=name, advice="write G17 before, or tap with G33.1")
+    _check_feed(block, name)
+    block.turning = need_turning(block, name, SENSE[name]) if name in SENSE else "off"
+
+
+def _check_feed(block: Execution, name: str) -> None:
+    state = block.model.state
+    if state.feed_mode == "inverse_time":
+        advice = "write G94 before"
+        raise ProgramError("feed-mode", "a canned cycle takes no inverse time feed", value=name, advice=advice)
+    if (state.feed_mm_turn if state.feed_mode == "per_turn" else state.feed_mm_min) <= 0:
+        raise ProgramError("no-feed", f"{name} has no feed", value=name, advice="write an F word above 0 before")
+
+
+def _check_heights(cycle: Canned, normal: str) -> None:
+    if cycle.r < cycle.z:
+        limit = f"at least {cycle.z:g}"
+        raise ProgramError(
+            "retract-low", f"R lies below {normal}", value="R", limit=limit, advice=f"correct R or {normal}"
+        )
+
+
+def _check_strokes(cycle: Canned, count: int) -> None:
+    if cycle.pecks * count * 4.0 > MOST_STROKES:
+        limit = f"{MOST_STROKES} moves in one block"
+        raise ProgramError("pecks-many", "Q asks for too many pecks", value="Q", limit=limit, advice="make Q larger")
+
+
+def _program(block: Execution, axes: tuple[int, int, int]) -> Place:
+    """Return the position in program coordinates and the text's units; only axes with a word may be unknown."""
+    model, slots = block.model, block.plan.slots
+    needed = [axis for axis in axes if axis == axes[2] or not model.absolute or AXES[axis] not in slots]
+    for axis in needed:
+        block.known(axis)
+    work = model.work(model.position)
+    a, b, c = (round(work[axis] / model.scale, DIGITS) for axis in axes)
+    return a, b, c
+
+
+def _machine(block: Execution, place: Place, axes: tuple[int, int, int]) -> Point:
+    model, end = block.model, [0.0, 0.0, 0.0]
+    for axis, value in zip(axes, place, strict=True):
+        end[axis] = value * model.scale
+    return model.machine((end[0], end[1], end[2]))

@@ -1,0 +1,129 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The verbs that move, scale, turn and mirror the path of a program, or write it in the other unit."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from CNCStepper.errors import CNCStepperError, Place, ProgramError
+from CNCStepper.gcode.dialects import Dialect, dialect_named
+from CNCStepper.gcode.dialects.codes import UNIT_CODES
+from CNCStepper.gcode.edit import path_transforms
+from CNCStepper.gcode.edit.edit_result import Edited
+from CNCStepper.gcode.edit.executed_lines import Source
+from CNCStepper.gcode.edit.path_transforms import Map
+from CNCStepper.gcode.edit.transform_lines import transformed
+from CNCStepper.gcode.interpreter.state.model import model_at
+from CNCStepper.gcode.syntax.words import split_line
+from CNCStepper.state import Start
+
+
+def offset(
+    text: str,
+    x_mm: float = 0.0,
+    y_mm: float = 0.0,
+    z_mm: float = 0.0,
+    dialect: str | Dialect = "grbl",
+    start: Start | None = None,
+    file: str = "",
+) -> Edited:
+    """Return the program with its path moved; raises ProgramError for a line that cannot be."""
+    return transformed(Source(text, dialect, start, file), path_transforms.moved(x_mm, y_mm, z_mm))
+
+
+def scale(
+    text: str,
+    x: float,
+    y: float | None = None,
+    z: float | None = None,
+    about_mm: tuple[float, ...] = (0.0, 0.0, 0.0),
+    dialect: str | Dialect = "grbl",
+    start: Start | None = None,
+    file: str = "",
+) -> Edited:
+    """Return the program with its path scaled about a point, all axes by `x` where the others are not given.
+
+    Feeds stay. Raises ProgramError for a line that cannot be scaled: arcs need one factor in their plane.
+    """
+    where = path_transforms.scaled(x, x if y is None else y, x if z is None else z, about_mm)
+    return transformed(Source(text, dialect, start, file), where)
+
+
+def rotate(
+    text: str,
+    angle_deg: float,
+    about_mm: tuple[float, ...] = (0.0, 0.0),
+    dialect: str | Dialect = "grbl",
+    start: Start | None = None,
+    file: str = "",
+) -> Edited:
+    """Return the program with its path turned counter-clockwise about Z; refuses arcs of G18 and G19."""
+    return transformed(Source(text, dialect, start, file), path_transforms.rotated(angle_deg, about_mm))
+
+
+def mirror(
+    text: str,
+    axis: str,
+    at_mm: float = 0.0,
+    dialect: str | Dialect = "grbl",
+    start: Start | None = None,
+    file: str = "",
+) -> Edited:
+    """Return the mirror image: X (or Y) changes its sign, seen from where it is `at_mm`; arcs turn the other way."""
+    return transformed(Source(text, dialect, start, file), path_transforms.mirrored(axis, at_mm))
+
+
+def convert_units(
+    text: str, units: str, dialect: str | Dialect = "grbl", start: Start | None = None, file: str = ""
+) -> Edited:
+    """Return the program in "mm" or "inch", with G21 or G20 before its first words where it has none there.
+
+    Raises ProgramError for a dialect that has one unit only, and for a line whose lengths cannot be told.
+    """
+    language = dialect_named(dialect)
+    if UNIT_CODES[units] not in language.codes:
+        what = f"programs of {language.title} are in one unit only"
+        raise ProgramError("edit-units", what, value=UNIT_CODES[units])
+    source = Source(text, language, start, file)
+    at = _place_of_unit_word(source)
+    if at is None:
+        return transformed(source, Map(np.eye(3), np.zeros(3), units))
+    lines = list(source.lines.lines)
+    lines.insert(at, UNIT_CODES[start_units(source)])
+    said = Source(source.lines.edited(lines).text, language, start, file)
+    try:
+        edited = transformed(said, Map(np.eye(3), np.zeros(3), units))
+    except ProgramError as error:
+        raise _without_line(error, at + 1, file) from None
+    origins = [*range(1, at + 1), at + 1, *range(at + 1, len(lines))]
+    return Edited(text, edited.text, tuple(origins))
+
+
+def _without_line(error: ProgramError, number: int, file: str) -> CNCStepperError:
+    """Return a refusal with its place in the text that lacks a line, the inserted one."""
+    place = error.place
+    if place is None or place.file != file or place.line <= number:
+        return error
+    return error.at(Place(place.file, place.line - 1, place.column))
+
+
+def start_units(source: Source) -> str:
+    """Return the units in which a program begins."""
+    return model_at(source.start or Start(), source.dialect).state.units
+
+
+def _place_of_unit_word(source: Source) -> int | None:
+    """Return before which line (from 0) a unit word must stand; None where the program says it in time."""
+    first = None
+    for number, text, _ in source:
+        code = split_line(text).code.strip()
+        if not code or code == "%":
+            continue
+        first = number - 1 if first is None else first
+        tokens = source.tokens(number)
+        says = any(token.name in UNIT_CODES.values() for token in tokens)
+        if says and not (any(token.letter == "F" for token in tokens) and not source.dialect.feed_in_new_units):
+            return None
+        if any(token.letter in "XYZUVWIJKRQDPF" for token in tokens) or not source.firsts:
+            return first
+    return None

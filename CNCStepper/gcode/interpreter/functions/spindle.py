@@ -1,0 +1,115 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The codes of the spindle: S, M3, M4, M5, M19, and the ways to command its speed, G96 and G97.
+
+A machine of this reader has one spindle, number 0; the word $ may name it, or -1 for all.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from math import inf, isnan, tau
+from typing import TYPE_CHECKING
+
+from CNCStepper.errors import ProgramError
+from CNCStepper.gcode.dialects.codes import SPINDLE, Code
+
+if TYPE_CHECKING:
+    from CNCStepper.gcode.interpreter.execute import Execution
+    from CNCStepper.gcode.interpreter.state.model import Model, Point
+
+START = {"cw": "START_SPINDLE_CLOCKWISE(0)", "ccw": "START_SPINDLE_COUNTERCLOCKWISE(0)"}
+SENSES = {"M3": "cw", "M4": "ccw", "M5": "off"}
+STOP = "STOP_SPINDLE_TURNING(0)"
+NO_LIMIT = 1e30  # turns a minute, of G96 without D
+FEET_PER_M = 1 / 0.3048
+
+
+def check_spindle(block: Execution) -> None:
+    """Refuse a $ word that names a spindle which is not there."""
+    if SPINDLE in block.plan.slots and block.value(SPINDLE) not in (0, -1):
+        what = "the machine has one spindle, number 0"
+        raise ProgramError("spindle-number", what, value=SPINDLE, limit="0 or -1", advice="drop $")
+
+
+def speed(block: Execution, code: Code) -> None:
+    """S: turns a minute, or under G96 the speed at the surface."""
+    s_word = block.not_negative("S")
+    check_spindle(block)
+    if block.model.state.surface_m_min:
+        in_metres = s_word if block.model.state.units == "mm" else s_word / FEET_PER_M
+        block.model.change(surface_m_min=in_metres)
+        block.model.change(spindle_rpm=rpm_at(block.model, block.model.position))
+    else:
+        block.model.change(spindle_rpm=s_word)
+    block.call(f"SET_SPINDLE_SPEED(0, {s_word:.4f})")
+
+
+def surface_speed(block: Execution, code: Code) -> None:
+    """G96: S, which the line must hold, is metres (or feet) a minute at the distance X; D is the highest speed."""
+    largest = abs(block.value("D")) if "D" in block.plan.slots else NO_LIMIT
+    block.model.largest_rpm = largest
+    block.model.change(surface_m_min=NO_LIMIT)  # S gives it its value
+    block.call(f"SET_SPINDLE_MODE(0 {largest:.4f})")
+
+
+def turning_speed(block: Execution, code: Code) -> None:
+    """G97: S is turns a minute from now on."""
+    block.model.change(surface_m_min=0.0)
+    block.call("SET_SPINDLE_MODE(0 0.0000)")
+
+
+def rpm_at(model: Model, end: Point) -> float:
+    """Return the speed in turns a minute at a place: the one commanded, or what the surface speed asks for there."""
+    if not model.state.surface_m_min:
+        return model.state.spindle_rpm
+    radius = abs(model.work(end)[0])
+    rpm = model.state.surface_m_min * 1000.0 / (tau * radius) if radius else inf
+    return 0.0 if isnan(rpm) else min(rpm, model.largest_rpm)
+
+
+def spindle(block: Execution, code: Code) -> None:
+    """M3, M4, M5: turn the spindle on or off."""
+    check_spindle(block)
+    turn(block, SENSES[code.name])
+
+
+def turn(block: Execution, sense: str) -> None:
+    """Let the spindle turn "cw" or "ccw", or stop ("off")."""
+    block.model.change(spindle=sense)
+    block.call(START.get(sense, STOP))
+
+
+def orient(block: Execution, code: Code) -> None:
+    """M19: stop the spindle at the angle R; Q: how long to wait for it at most, s."""
+    check_spindle(block)
+    slots = block.plan.slots
+    angle = block.between("R", 0.0, 360.0) if "R" in slots else 0.0
+    way = block.whole("P", 0, 2) if "P" in slots else 0
+    block.model.change(spindle="off")
+    if "R" in slots or "P" in slots:
+        block.event("orient", angle)
+        block.call(f"ORIENT_SPINDLE(0, {angle:.4f}, {way})")
+    if "Q" in slots:
+        if block.value("Q") <= 0:
+            raise ProgramError("bad-value", "Q of M19 must be above 0", value="Q", advice="correct Q")
+        block.call(f"SPINDLE.0.WAIT_ORIENT_COMPLETE({block.value('Q'):.4f})")
+
+
+def need_turning(block: Execution, name: str, sense: str = "") -> str:
+    """Return in which sense the spindle turns; raises ProgramError when it stands, or turns the other way."""
+    turning = block.model.state.spindle
+    if turning == "off" or (sense and turning != sense):
+        needs = {
+            "cw": f"{name} needs the spindle to turn clockwise (M3)",
+            "ccw": f"{name} needs the spindle to turn counter-clockwise (M4)",
+        }
+        what = needs.get(sense, f"{name} needs the spindle to turn")
+        raise ProgramError(
+            "spindle-stopped", what, value=name, advice=f"write {'M4' if sense == 'ccw' else 'M3'} before"
+        )
+    return turning
+
+
+SPINDLE_ACTS: dict[str, Callable[[Execution, Code], None]] = {
+    act.__name__: act for act in (speed, surface_speed, turning_speed, spindle, orient)
+}

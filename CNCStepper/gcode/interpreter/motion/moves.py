@@ -1,0 +1,244 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Where a move ends and where its arc has its centre, with all the checks that a controller makes.
+
+Nothing here changes the model: a move is worked out whole, and refused whole. Points are machine mm.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from math import hypot, isnan, sqrt
+from typing import NamedTuple
+
+from CNCStepper.errors import ProgramError
+from CNCStepper.gcode.dialects import ArcRule, Dialect
+from CNCStepper.gcode.dialects.codes import AXES, MOTION_NAMES
+from CNCStepper.gcode.interpreter.motion.arc_geometry import FULL_TURN, centre_by_radius, length, radii_agree, sweep_rad
+from CNCStepper.gcode.interpreter.motion.polar_coordinates import polar_end
+from CNCStepper.gcode.interpreter.state.model import Model, Point
+from CNCStepper.gcode.interpreter.state.stored_points import FURTHER, length_scale
+from CNCStepper.gcode.syntax.line_grammar import Plan
+from CNCStepper.state import UNKNOWN
+from CNCStepper.toolpath import ARC_CW, PLANE_AXES, PLANE_NAMES
+
+CENTRE_WORDS = "IJK"
+MOST_TURNS = 65_535
+SMALLEST_INVERSE_FEED = 0.1  # units a minute; RS274 never goes below
+Flat = tuple[float, float]  # a point in the plane of an arc
+
+
+class Arc(NamedTuple):
+    """Centre (all three axes), plane and turns of an arc; sweep_rad: the angle swept in all, positive."""
+
+    centre: Point
+    plane: int
+    turns: int
+    radius: float
+    sweep_rad: float
+
+
+def end_point(model: Model, plan: Plan, values: list[float]) -> Point:
+    """Return where the axis words lead; raises ProgramError for incremental words from an unknown position."""
+    if model.turn is not None or model.compensation is not None or plan.polar:
+        return model.machine(_work_end(model.local(), plan, values))
+    x, y, z = model.position
+    in_x, in_y, in_z = plan.axes
+    scale = model.scale
+    if model.absolute:
+        offset_x, offset_y, offset_z = model.offset
+        if in_x >= 0:
+            x = values[in_x] * scale + offset_x
+        if in_y >= 0:
+            y = values[in_y] * scale + offset_y
+        if in_z >= 0:
+            z = values[in_z] * scale + offset_z
+        return x, y, z
+    end = [x, y, z]
+    for axis, slot in enumerate(plan.axes):
+        if slot >= 0:
+            if isnan(end[axis]):
+                raise _unknown(AXES[axis], "an incremental move needs a known position")
+            end[axis] += values[slot] * scale
+    return end[0], end[1], end[2]
+
+
+def _work_end(local: Model, plan: Plan, values: list[float]) -> Point:
+    """Return the end in work coordinates; `local` has them for its machine coordinates."""
+    if not plan.polar:
+        return end_point(local, plan, values)
+    x, y, z = end_point(local, replace(plan, axes=(-1, -1, plan.axes[2]), polar=False), values)
+    return *polar_end(local, plan, values, complex(x, y)), z
+
+
+def further_end(model: Model, plan: Plan, values: list[float]) -> tuple[float, ...]:
+    """Return where A B C U V W lead, machine coordinates; nothing while none of them has been named."""
+    if not plan.further:
+        return model.further
+    end = list(model.further or (0.0,) * len(FURTHER))
+    for index, letter in enumerate(FURTHER):
+        if letter in plan.slots:
+            value = values[plan.slots[letter]] * length_scale(index + 3, model.scale)
+            base = 0.0 if plan.machine else model.further_offset[index] if model.absolute else end[index]
+            end[index] = value + base
+    return tuple(end)
+
+
+def check_feed(model: Model, motion: int, plan: Plan | None = None, values: Sequence[float] = ()) -> None:
+    """Refuse a feed move while no feed is set, or in inverse time without its own F."""
+    name, mode = MOTION_NAMES[motion], model.state.feed_mode
+    if mode == "per_minute" and model.state.feed_mm_min <= 0:
+        raise ProgramError("no-feed", f"{name} has no feed", value=name, advice="write an F word above 0 before")
+    if mode == "per_turn" and (model.state.feed_mm_turn <= 0 or model.state.spindle_rpm <= 0):
+        what = f"{name} has no feed: a feed per turn needs F and a spindle that turns"
+        raise ProgramError("no-feed", what, value=name, advice="write F and S above 0 before")
+    if mode == "inverse_time" and plan and not ("F" in plan.slots and values[plan.slots["F"]] > 0):
+        what = f"in inverse time every {name} needs its own F above 0"
+        raise ProgramError("no-feed", what, value=name, advice="add F, or write G94 before")
+
+
+def machine_end_point(model: Model, plan: Plan, values: list[float], dialect: Dialect) -> Point:
+    """Return where a G53 move ends; where the work zero is not known that is an unknown place in the table."""
+    if not (model.absolute or dialect.machine_moves_incremental):
+        raise ProgramError("machine-move", "G53 takes absolute coordinates only", value="G53", advice="write G90 first")
+    if plan.polar:
+        raise ProgramError("polar", "G53 takes X and Y only", value="G53", advice="write the end point itself")
+    end = list(model.position)
+    for axis, slot in enumerate(plan.axes):
+        if slot >= 0:
+            end[axis] = values[slot] * model.scale if model.zero_known else UNKNOWN
+    return end[0], end[1], end[2]
+
+
+def arc_of(model: Model, plan: Plan, values: list[float], end: Point, motion: int, dialect: Dialect) -> Arc:
+    """Return the arc from the model's position to `end`; raises ProgramError when its words make none."""
+    if model.turn is not None:
+        arc = arc_of(model.local(), plan, values, model.work(end), motion, dialect)
+        return arc._replace(centre=model.machine(arc.centre))
+    plane = PLANE_NAMES.index(model.state.plane)
+    first, second, normal = PLANE_AXES[plane]
+    begin, slots = model.position, plan.slots
+    check_arc_words(plan, model, dialect)
+    for axis in (first, second):
+        if isnan(begin[axis]) or isnan(end[axis]):
+            raise _unknown(AXES[axis], "an arc needs a known start point")
+    if isnan(begin[normal]) and not isnan(end[normal]):
+        raise _unknown(AXES[normal], "a helix needs a known start point")
+    turns = _turns(values[slots["P"]]) if "P" in slots else 1
+    rule = dialect.arc_rules[model.state.units].limits(model.scale)
+    flat_begin, flat_end = (begin[first], begin[second]), (end[first], end[second])
+    if "R" in slots:
+        radius = values[slots["R"]] * model.scale
+        flat = centre_from_radius(flat_begin, flat_end, radius, motion == ARC_CW, rule.radius_slack)
+    else:
+        flat = _centre_from_words(model, plan, values, plane)
+    start_radius = _check_radii(flat_begin, flat_end, flat, rule, MOTION_NAMES[motion])
+    swept = sweep(flat_begin, flat_end, flat, motion == ARC_CW)
+    if flat_begin != flat_end and min(swept, FULL_TURN - swept) < rule.smallest_angle_rad:
+        advice = "write a straight line"
+        what = "the angle of the arc is so small that the controller would run a whole circle"
+        raise ProgramError("arc-angle", what, value=MOTION_NAMES[motion], limit="1e-6 rad", advice=advice)
+    centre = [0.0, 0.0, 0.0]
+    centre[first], centre[second], centre[normal] = *flat, begin[normal] if not isnan(begin[normal]) else 0.0
+    return Arc((centre[0], centre[1], centre[2]), plane, turns, start_radius, swept + (turns - 1) * FULL_TURN)
+
+
+def sweep(begin: Flat, end: Flat, centre: Flat, clockwise: bool) -> float:
+    """Return the angle of an arc in (0, 2 pi]; equal ends make a full circle."""
+    if begin == end:
+        return FULL_TURN
+    x1, y1 = begin[0] - centre[0], begin[1] - centre[1]
+    return sweep_rad(x1, y1, end[0] - centre[0], end[1] - centre[1], clockwise)
+
+
+def way_length(begin: tuple[float, ...], end: tuple[float, ...], arc: Arc | None) -> float:
+    """Return how far a move leads: along X Y Z, or where these stand U V W, or A B C (degrees for mm)."""
+    if any(isnan(value) for value in (*begin, *end)):
+        raise _unknown("F", "an inverse-time feed needs a known position")
+    way = [there - here for here, there in zip(begin, end, strict=True)]
+    if arc is not None:
+        return hypot(arc.radius * arc.sweep_rad, way[PLANE_AXES[arc.plane][2]])
+    groups = (way[:3], way[6:], way[3:6])
+    return next((sqrt(sum(part * part for part in group)) for group in groups if any(group)), 0.0)
+
+
+def centre_from_radius(begin: Flat, end: Flat, radius: float, clockwise: bool, slack: float) -> Flat:
+    """Return the centre of the arc with this radius (R word); a negative one is more than half a circle.
+
+    `slack` is how much too short the radius may be, then the arc is a half circle.
+    """
+    chord = length(end[0] - begin[0], end[1] - begin[1])
+    if chord == 0:
+        what = "an arc by radius may not end where it starts"
+        raise ProgramError("arc-ends", what, value="R", advice="give its centre with I, J or K")
+    if chord / 2 - abs(radius) > slack:
+        what = "the radius is too small to reach the end of the arc"
+        limit = f"at least {chord / 2:.4f} mm"
+        raise ProgramError("arc-radius", what, value="R", limit=limit, advice="correct R or the end point")
+    return centre_by_radius(*begin, *end, radius, clockwise)
+
+
+def _centre_from_words(model: Model, plan: Plan, values: list[float], plane: int) -> Flat:
+    absolute = model.state.arc_centres == "absolute"
+    centre = []
+    for axis in PLANE_AXES[plane][:2]:
+        letter = CENTRE_WORDS[axis]
+        if letter in plan.slots:
+            origin = model.offset[axis] if absolute else model.position[axis]
+            centre.append(values[plan.slots[letter]] * model.scale + origin)
+        else:
+            centre.append(model.position[axis])
+    return centre[0], centre[1]
+
+
+def check_arc_words(plan: Plan, model: Model, dialect: Dialect) -> None:
+    """Refuse arc words that do not fit the plane in force, whatever their numbers."""
+    name = model.state.plane
+    first, second, normal = PLANE_AXES[PLANE_NAMES.index(name)]
+    centre = CENTRE_WORDS[first] + CENTRE_WORDS[second]
+    if CENTRE_WORDS[normal] in plan.slots:
+        what = f"{CENTRE_WORDS[normal]} is no centre word in plane {name}"
+        raise ProgramError(
+            "unused-word", what, value=CENTRE_WORDS[normal], advice="select the plane with G17, G18, G19"
+        )
+    in_plane = plan.axes[first] >= 0 or plan.axes[second] >= 0 or plan.polar
+    if not in_plane and (dialect.arc_needs_plane_axis or "R" in plan.slots):
+        what = f"the arc needs {AXES[first]} or {AXES[second]} in plane {name}"
+        raise ProgramError("arc-plane", what, value=MOTION_NAMES[plan.motion], advice="write its end point")
+    if "R" in plan.slots and plan.has(centre):
+        what = "an arc takes either R or a centre"
+        raise ProgramError("unused-word", what, value="R", advice="take out R")
+    if "R" not in plan.slots and not plan.has(centre):
+        what = f"the arc has neither {centre[0]} nor {centre[1]} nor R"
+        raise ProgramError("arc-words", what, value=MOTION_NAMES[plan.motion], advice="give its centre")
+    missing = next((letter for letter in centre if letter not in plan.slots), "")
+    if missing and "R" not in plan.slots and model.state.arc_centres == "absolute":
+        what = f"{missing} is missing: absolute arc centres need both words"
+        raise ProgramError("arc-words", what, value=MOTION_NAMES[plan.motion], advice=f"add {missing}")
+
+
+def _check_radii(begin: Flat, end: Flat, centre: Flat, rule: ArcRule, word: str) -> float:
+    """Return the radius at the start; raises ProgramError where the end does not lie on the same circle."""
+    radius = length(begin[0] - centre[0], begin[1] - centre[1])
+    at_end = length(end[0] - centre[0], end[1] - centre[1])
+    if min(radius, at_end) < rule.smallest_radius:
+        limit = f"{rule.smallest_radius:g} mm"
+        raise ProgramError("arc-radius", "the arc has no radius", value=word, limit=limit, advice="write a line")
+    if not radii_agree(radius, at_end, rule.slack, rule.gap, rule.relative):
+        what = f"the radius at the end of the arc is {at_end:.4f} mm and at its start {radius:.4f} mm"
+        limit = f"a difference of {max(rule.slack, min(rule.gap, rule.relative * radius)):.4f} mm"
+        raise ProgramError("arc-ends", what, value=word, limit=limit, advice="correct the centre or the end point")
+    return radius
+
+
+def _turns(value: float) -> int:
+    if value != int(value) or not 1 <= value <= MOST_TURNS:
+        what = "the number of turns is a whole number from 1"
+        raise ProgramError("bad-value", what, value="P", limit=f"1 to {MOST_TURNS}", advice="correct P")
+    return int(value)
+
+
+def _unknown(word: str, what: str) -> ProgramError:
+    return ProgramError(
+        "unknown-position", what, value=word, advice="move there first with absolute coordinates, or give the start"
+    )

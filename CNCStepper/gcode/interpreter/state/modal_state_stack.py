@@ -1,0 +1,155 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""M70 to M73: the modes of a level of subroutine calls are kept, and brought back by the blocks that set them.
+
+LinuxCNC writes such blocks as text and executes them; so does this module, with its rounding of F and S:
+
+    G21 | F123.5 S78 G94 G17 G49 G54 G90 M3 | M8 | M48        only what differs from the modes in force
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, NamedTuple
+
+from CNCStepper.errors import ProgramError
+from CNCStepper.gcode.dialects.codes import NO_MOTION, UNIT_CODES, Code
+from CNCStepper.gcode.syntax.line_grammar import Grammar
+from CNCStepper.gcode.syntax.words import words_of
+from CNCStepper.state import State
+
+if TYPE_CHECKING:
+    from CNCStepper.gcode.interpreter.execute import Execution
+    from CNCStepper.gcode.interpreter.state.model import Model
+
+FEED_MODES = {"inverse_time": "G93", "per_minute": "G94", "per_turn": "G95"}
+PATHS = {"CANON_EXACT_PATH": "G61", "CANON_EXACT_STOP": "G61.1"}  # by what is told of them
+SPINDLE = {"cw": "M3", "ccw": "M4", "off": "M5"}
+
+
+class Modes(NamedTuple):
+    """The modes of a moment; `on_return`: they come back when the subroutine ends (M73)."""
+
+    state: State
+    feed_number: float
+    plane: str  # its code
+    side: str  # "G40", "G41" or "G42"
+    diameter: bool
+    to_initial: bool
+    path_calls: tuple[str, ...]
+    overrides: frozenset[str]
+    has_length: bool
+    on_return: bool
+
+
+def modes_of(model: Model, on_return: bool = False) -> Modes:
+    """Return the modes in force."""
+    compensation = model.compensation
+    side = "G40" if compensation is None else "G41" if compensation.left else "G42"
+    first = (model.state, model.feed_number, model.plane_code, side, model.diameter)
+    return Modes(*first, model.to_initial, model.path_calls, model.overrides, any(model.tool_offset), on_return)
+
+
+def keep_modes(block: Execution, code: Code) -> None:
+    """M70, M73: keep the modes of this level; after M73 they come back when the subroutine ends."""
+    model = block.model
+    level = model.parameters.level
+    model.saved = {**model.saved, level: modes_of(model, on_return=code.name == "M73" and level > 0)}
+
+
+def forget_modes(block: Execution, code: Code) -> None:
+    """M71: forget what is kept on this level."""
+    block.model.saved = {level: modes for level, modes in block.model.saved.items() if level != _level(block)}
+
+
+def restore_modes(block: Execution, code: Code) -> None:
+    """M72: bring back what is kept on this level; raises ProgramError where nothing is."""
+    if _level(block) not in block.model.saved:
+        what = "no modes are kept here"
+        raise ProgramError("no-modes", what, value=code.name, advice="write M70 before, in the same subroutine")
+    restore(block, block.model.saved[_level(block)])
+
+
+def leave_level(block: Execution, level: int) -> None:
+    """End a subroutine that ran at `level`: after M73 the modes come back; what was kept there is forgotten."""
+    modes = block.model.saved.get(level)
+    block.model.saved = {kept: modes for kept, modes in block.model.saved.items() if kept < level}
+    if modes and modes.on_return:
+        restore(block, modes)
+
+
+def restore(block: Execution, modes: Modes) -> None:
+    """Execute the blocks that bring the modes back."""
+    grammar = Grammar(block.dialect)
+    now = modes_of(block.model)
+    if now.state.units != modes.state.units:
+        _execute(block, grammar, UNIT_CODES[modes.state.units])
+        now = modes_of(block.model)
+    for line in _lines(now, modes):
+        _execute(block, grammar, line)
+
+
+def _execute(block: Execution, grammar: Grammar, line: str) -> None:
+    words = words_of(line)
+    plan = grammar.plan(words, NO_MOTION)
+    values = [float(word.number) for word in words if word.letter not in "GM"]
+    outer = block.plan, block.values
+    block.block(plan, values)
+    block.plan, block.values = outer
+
+
+def _lines(now: Modes, then: Modes) -> list[str]:
+    """Return the blocks that turn the modes `now` into those of `then`."""
+    first = [f"F{then.feed_number:.1f}"] * (now.feed_number != then.feed_number)
+    first += [new for old, new in zip(_words(now), _words(then), strict=True) if old != new]
+    first += [SPINDLE[then.state.spindle]] * (now.state.spindle != then.state.spindle)
+    more = [new for old, new in zip(_switches(now), _switches(then), strict=True) if new and old != new]
+    return [line for line in (" ".join(first), *more) if line]
+
+
+def _words(modes: Modes) -> list[str]:
+    state = modes.state
+    return [
+        f"S{state.surface_m_min or state.spindle_rpm:.0f}",
+        modes.plane,
+        modes.side,
+        "G91" if state.distance == "incremental" else "G90",
+        FEED_MODES[state.feed_mode],
+        state.work_system,
+        "G43" if modes.has_length else "G49",
+        "G98" if modes.to_initial else "G99",
+        path_words(modes),
+        "G96" if state.surface_m_min else "G97",
+        "G90.1" if state.arc_centres == "absolute" else "G91.1",
+        "G7" if modes.diameter else "G8",
+    ]
+
+
+def path_words(modes: Modes) -> str:
+    """Return the words that select the path mode: "G61", "G64 P0.01 Q0"."""
+    for call, word in PATHS.items():
+        if call in modes.path_calls[0]:
+            return word
+    tolerance, naive = (call.rpartition(" ")[2].rpartition("(")[2].strip(")") for call in modes.path_calls)
+    return f"G64 P{tolerance} Q{naive}"
+
+
+def _switches(modes: Modes) -> list[str]:
+    """Return the M codes of coolant and overrides, "" where none says it."""
+    state, on = modes.state, modes.overrides
+    feed_and_speed = {(True, True): "M48", (True, False): "M50", (False, True): "M51", (False, False): "M49"}
+    return [
+        "M7" if state.mist else "" if state.flood else "M9",
+        "M8" if state.flood else "",
+        feed_and_speed["feed" in on, "speed" in on],
+        "M52" if "adaptive" in on else "",
+        "M53" if "hold" in on else "",
+    ]
+
+
+MODE_ACTS: dict[str, Callable[[Execution, Code], None]] = {
+    act.__name__: act for act in (keep_modes, forget_modes, restore_modes)
+}
+
+
+def _level(block: Execution) -> int:
+    return block.model.parameters.level

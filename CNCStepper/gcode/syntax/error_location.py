@@ -1,0 +1,34 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a refusal says beside its reason: the whole word that is to blame, its column, the controller's own answer."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from CNCStepper.errors import Place, ProgramError
+from CNCStepper.gcode.dialects import Dialect
+from CNCStepper.gcode.dialects.codes import ARC_WORDS, AXES
+from CNCStepper.gcode.syntax.words import Word
+
+
+def blamed(error: ProgramError, words: list[Word], dialect: Dialect, at: Callable[[int], Place]) -> ProgramError:
+    """Return the error of a line of `words`, complete; `at` gives the place of a column."""
+    column = error.place.column if error.place else 0
+    word = _word(error.value, words)
+    answer = dialect.errors.get(error.code)
+    answers = f"{dialect.title} answers {answer}" if answer else ""
+    return ProgramError(
+        error.code,
+        error.what,
+        advice="; ".join(part for part in (error.advice, answers) if part),
+        value=word.text if word and column == 0 else error.value,
+        limit=error.limit,
+        place=at(column or (word.column if word else 1)),
+    )
+
+
+def _word(name: str, words: list[Word]) -> Word | None:
+    """Return the last word called `name`; a modal motion is not on its line, its first coordinate is."""
+    named = [word for word in words if name and name in (word.name, word.letter)]
+    coordinates = [word for word in words if word.letter in AXES + ARC_WORDS]
+    return next(iter(named[-1:] or coordinates[:1] or words[:1]), None)

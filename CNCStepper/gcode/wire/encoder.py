@@ -1,0 +1,194 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""From a program file to the wire text: exactly the lines that are sent, and the way back to the file's lines.
+
+No comments, blank lines, "%", N words or blanks; upper case, shortest numbers, plain ASCII; each line fits the
+controller's buffer and holds no byte that acts where it stands; the first move names its motion (`first_motion.py`).
+Read by the interpreter, the wire text gives the same moves and states as the file. Line numbers and checksums of Marlin
+belong to the link, as does the "?" that ends what is sent to the mini-lathe.
+"""
+
+from __future__ import annotations
+
+from array import array
+from collections.abc import Iterable, Iterator
+
+import numpy as np
+
+from CNCStepper.errors import Place, ProgramError
+from CNCStepper.gcode.dialects import Dialect, dialect_named
+from CNCStepper.gcode.dialects.preprocessor import Piece, pieces
+from CNCStepper.gcode.interpreter.flow.o_words import is_plain
+from CNCStepper.gcode.syntax.words import Comment, Word, is_tape_mark, split_line, words_of
+from CNCStepper.gcode.wire.backlash_compensation import with_take_up
+from CNCStepper.gcode.wire.expansion import Block, expanded, is_expanded
+from CNCStepper.gcode.wire.first_motion import FirstMove, with_first_motion
+from CNCStepper.gcode.wire.line_runs import WireRun, wire_runs
+from CNCStepper.gcode.wire.wire_lines import WireLines
+from CNCStepper.gcode.wire.wire_records import Records
+from CNCStepper.gcode.wire.wire_text import WireText, check_wire_line
+from CNCStepper.machine.backlash import Play
+from CNCStepper.state import Start
+
+ENDS = frozenset(("M2", "M30"))
+Wire = tuple[int, list[Comment], str, int]  # number of a line, its comments, what is sent, its first column
+
+
+def prepare(
+    text: str,
+    dialect: str | Dialect = "grbl",
+    file: str = "",
+    start: Start | None = None,
+    play: Play | None = None,
+) -> WireText:
+    """Return the wire text of a program; raises ProgramError naming file, line, column for what cannot be sent.
+
+    Loops, subroutines and expressions are written out, where lines are sent one by one, as they run from `start`; a
+    controller that reads the file itself keeps them. play: of the axes, to be taken up from `start` on (`play_of`).
+    """
+    language = dialect_named(dialect)
+    wire = _wire_text(text, language, file, start)
+    return with_take_up(wire, play, language, start, file) if play else wire
+
+
+def _wire_text(text: str, language: Dialect, file: str, start: Start | None) -> WireText:
+    encoder = WireEncoder(language, file)
+    if is_expanded(text, language):
+        lines, file_lines = encoder.join(_expanded(text, language, start, file))
+    else:
+        lines, file_lines = encoder.encode(wire_runs(text, language))
+    return WireText(encoder.started(WireLines(lines), file_lines), file_lines, encoder.messages)
+
+
+class WireEncoder:
+    """Turns the lines of a program, in their order, into those that are sent; a long program comes in pieces.
+
+    messages: index of a line that is sent -> what to tell the operator before it runs. count: lines that were made.
+    """
+
+    def __init__(self, language: Dialect, file: str):
+        self._language, self._file = language, file
+        self._records = Records(language)
+        self._begun = self._over = False  # a word or comment was met; nothing after it is sent any more
+        self._first_move = FirstMove(language)
+        self._waiting: list[str] = []  # messages for the next line
+        self.messages: dict[int, str] = {}
+        self.count = 0
+
+    def encode(self, runs: Iterable[WireRun | tuple[int, str]]) -> tuple[bytes, np.ndarray]:
+        """Return what is sent of further lines, each with its newline, and the line of the file of each, int32[n].
+
+        Raises ProgramError naming file, line, column for what cannot be sent.
+        """
+        return self.join(self._lines(runs))
+
+    def started(self, lines: WireLines, file_lines: np.ndarray) -> WireLines:
+        """Return lines that were encoded with the motion of the program's first move named, where it is among them."""
+        index = self._first_move.without_motion(lines)
+        if index is not None:
+            lines = with_first_motion(lines, index, self._language)
+            check_wire_line(lines[index], self._language, Place(self._file, int(file_lines[index])))
+        return lines
+
+    def join(self, wires: Iterable[WireRun | Wire]) -> tuple[bytes, np.ndarray]:
+        """Return the same of lines that are written out already."""
+        lines, file_lines = bytearray(), array("i")
+        for found in wires:
+            if isinstance(found, WireRun):
+                if found.lines:
+                    self._tell_at(self.count + len(file_lines))
+                lines += found.lines
+                file_lines.frombytes(found.numbers.astype(np.intc).tobytes())
+                continue
+            number, comments, wire, column = found
+            self._waiting += [comment.text.strip() for comment in comments if comment.message]
+            if not wire:
+                continue
+            check_wire_line(wire, self._language, Place(self._file, number, column))
+            self._tell_at(self.count + len(file_lines))
+            lines += f"{wire}\n".encode("ascii")
+            file_lines.append(number)
+        self.count += len(file_lines)
+        return bytes(lines), np.array(file_lines, np.int32)
+
+    def _tell_at(self, index: int) -> None:
+        if self._waiting:
+            self.messages[index] = "\n".join(self._waiting)
+            self._waiting = []
+
+    def _lines(self, runs: Iterable[WireRun | tuple[int, str]]) -> Iterator[WireRun | Wire]:
+        """Yield the lines that a controller is to see."""
+        for run in runs:
+            if self._over:
+                return
+            if isinstance(run, WireRun):
+                self._begun = self._begun or run.begins
+                yield run
+            else:
+                yield from self._line(*run)
+
+    def _line(self, number: int, raw: str) -> Iterator[Wire]:
+        """Yield what a controller is to see of a line."""
+        language = self._language
+        comments: list[Comment] = []
+        blocks: list[list[Word]] = []
+        try:
+            found = pieces(raw, language, as_written=True)
+            if any(is_tape_mark(piece.text) for piece in found):
+                self._over, self._begun = self._begun, True
+                return
+            if language.reads_files and not is_plain(raw):
+                yield number, [], _code(raw, language), 1
+                return
+            for piece in found:
+                line = split_line(piece.text, language.strict_comments)
+                if not (line.deleted and language.skips_deleted):
+                    comments += line.comments
+                    blocks.append(_words(line.code, piece))
+            records = self._records
+            wire = records.wire(blocks) if records.are_used else "".join(map(_short, _sent(blocks)))
+        except ProgramError as error:
+            column = error.place.column if error.place else 0
+            raise error.at(Place(self._file, number, column)) from None
+        self._begun = self._begun or bool(comments) or any(blocks)
+        yield number, comments, wire, min((word.column for block in blocks for word in block), default=1)
+        if language.stops_at_end and any(word.name in ENDS for block in blocks for word in block):
+            self._over = True
+
+
+def _expanded(text: str, language: Dialect, start: Start | None, file: str) -> Iterator[Wire]:
+    """Yield the same of a program that is written out."""
+    yield from map(wire_of_block, expanded(text, language, start, file))
+
+
+def wire_of_block(block: Block) -> Wire:
+    """Return what is sent of a block that is written out, "" for nothing."""
+    column = min((word.column for word in block.words), default=1)
+    return block.line, list(block.comments), "".join(map(_short, _sent([block.words]))), column
+
+
+def _words(code: str, piece: Piece) -> list[Word]:
+    """Return the words of a piece, with their columns in the line."""
+    try:
+        words = words_of(code)
+    except ProgramError as error:
+        place = error.place or Place()
+        raise error.at(Place(place.file, place.line, piece.column(place.column))) from None
+    return [word._replace(column=piece.column(word.column)) for word in words]
+
+
+def _code(raw: str, language: Dialect) -> str:
+    """Return a line that computes or leads elsewhere as it stands, without its comments."""
+    return " ".join(split_line(raw, language.strict_comments).code.split())
+
+
+def _sent(blocks: list[list[Word]]) -> Iterator[Word]:
+    return (word for block in blocks for word in block if word.letter != "N")
+
+
+def _short(word: Word) -> str:
+    """Return a word with the shortest form of its number."""
+    sign = "-" if word.number.startswith("-") else ""
+    whole, _, rest = word.number.lstrip("+-").partition(".")
+    whole, rest = whole.lstrip("0") or "0", rest.rstrip("0")
+    number = f"{whole}.{rest}" if rest else whole
+    return word.letter + (number if number == "0" else sign + number)

@@ -1,0 +1,233 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The page that a writer fills: words in their modal order, nothing repeated, every line checked.
+
+It knows what the machine holds after each line: position in counts of the last digit, motion, feed, plane.
+"""
+
+from __future__ import annotations
+
+from CNCStepper.errors import ProgramError
+from CNCStepper.gcode.dialects import Dialect, Writing
+from CNCStepper.gcode.dialects.codes import AXES, MOTION_NAMES, PLANE_CODES
+from CNCStepper.gcode.writer.ascii_comments import COMMENT_WIDTH, ascii_text, comment_lines
+from CNCStepper.gcode.writer.decimal_grid import Grid
+from CNCStepper.gcode.writer.write_notes import Notes
+from CNCStepper.toolpath import LINE, PLANE_AXES, RAPID, XY
+
+CENTRES = "IJK"
+MOST_FEED_ERROR = 0.005  # relative
+Counts = list[int | None]
+
+
+class Page:
+    """The lines written so far and the modal words in force; `at` is None on axes never written.
+
+    notes: what was written differently. number: the last N word.
+    """
+
+    def __init__(self, dialect: Dialect, writing: Writing, grid: Grid):
+        self.dialect = dialect
+        self.writing = writing
+        self.grid = grid
+        self.notes = Notes()
+        self.lines: list[str] = []
+        self.own_comments: set[str] = set()
+        self.at: Counts = [None, None, None]
+        self._codes = [dialect.motion_code(kind) for kind in range(len(MOTION_NAMES))]
+        self._feeds: dict[float, str] = {}  # the words of feeds, mm/min, that have stood here
+        self._own_axes = [axis for axis in range(3) if AXES[axis] in dialect.letters]
+        self._number = 0
+        self._motion = ""
+        self._feed = f"F{grid.short(dialect.default_feed_mm_min)}" if dialect.default_feed_mm_min else ""
+        self._plane = XY
+        self._stale: set[int] = set()  # axes whose next word is written even where nothing changes
+        self._cycle = ""
+
+    @property
+    def in_cycle(self) -> bool:
+        """Whether the last line is a block of a canned cycle."""
+        return bool(self._cycle)
+
+    def text(self) -> str:
+        """Return the program."""
+        marks = self.writing.opens, self.writing.closes
+        return "".join(f"{line}\n" for line in (marks[0], *self.lines, marks[1]) if line)
+
+    def line(self, *words: str) -> None:
+        """Write words as one block; raises ProgramError where it is longer than the controller's buffer."""
+        spelled = words if self.writing.code_digits == 1 else map(self._spelled, words)
+        self._block(" ".join(word for word in spelled if word))
+
+    def _block(self, text: str, comment: str = "") -> None:
+        if not text:
+            return
+        self.end_cycle()
+        line = f"{self._next_number()}{text}{comment}{self.writing.block_end}"
+        limit = self.dialect.line_limit
+        if limit and len(line) >= limit:
+            what = "a line does not fit the controller's buffer"
+            raise ProgramError("line-too-long", what, value=line, limit=f"{limit - 1} characters")
+        self.lines.append(line)
+
+    def _next_number(self) -> str:
+        step = self.writing.number_step
+        if not step:
+            return ""
+        self._number = self._number + step if self._number + step <= self.dialect.largest_line_number else step
+        return f"N{self._number} "
+
+    def _spelled(self, word: str) -> str:
+        """Return a G or M word with as many digits as the dialect's codes have."""
+        if word[:1] in ("G", "M") and self.writing.code_digits == 2 and len(word.partition(".")[0]) == 2:
+            return f"{word[0]}0{word[1:]}"
+        return word
+
+    def raw(self, comment: str) -> None:
+        """Write a comment as it stands; nothing where the dialect has none."""
+        if self.writing.comment:
+            self.end_cycle()
+            end = self.writing.block_end
+            self.lines.append(self.writing.comment.format(comment.replace("#", "No.") if end else comment) + end)
+
+    def comment(self, text: str, own: bool = False) -> None:
+        """Write a comment; one that the writer itself has written is not repeated."""
+        for line in comment_lines(text):
+            if own or line not in self.own_comments:
+                self.raw(line)
+            if own:
+                self.own_comments.add(line)
+
+    def message(self, text: str) -> None:
+        """Write a message to the operator."""
+        for line in comment_lines(f"MSG, {text}"):
+            self.raw(line if line.startswith("MSG,") else f"MSG, {line}")
+
+    def stop(self, code: str, message: str = "") -> None:
+        """Write a pause with its message on the same line."""
+        text = ascii_text(message)[: COMMENT_WIDTH - 8]
+        form = self.writing.comment
+        self._block(self._spelled(code), f" {form.format(f'MSG, {text}')}" if text and form else "")
+        self.forget()
+
+    def forget(self) -> None:
+        """Let the next move write all its words, since somebody may have moved the machine."""
+        self._motion, self._feed, self._stale = "", "", set(self._own_axes)
+
+    def begin_at(self, at: Counts) -> None:
+        """The machine stands there as the program begins; the first move names its axes all the same."""
+        self.at, self._stale = list(at), {axis for axis in self._own_axes if at[axis] is not None}
+
+    def move(self, kind: int, end: Counts, feed_mm_min: float = 0.0, nowhere: bool = False) -> None:
+        """Write a straight move; where it leads nowhere only if `nowhere`."""
+        axes = self._axes(end)
+        if not axes and nowhere:
+            axes = [self._axis(axis, count) for axis, count in enumerate(end) if count is not None][:1]
+        if axes:
+            word = self._motion_word(kind)
+            self.line(word, *axes, self._feed_word(kind, feed_mm_min, opens=bool(word)))
+            self._arrive(end)
+
+    def arc(self, kind: int, end: Counts, offset: tuple[int, int], plane: int, feed_mm_min: float, turns: int) -> None:
+        """Write an arc with its centre at begin + `offset`; the words of its plane are written always."""
+        self.select_plane(plane)
+        first, second, _ = PLANE_AXES[plane]
+        self._stale |= {first, second}
+        axes = self._axes(end)
+        centre = {axis: count + self._centre_origin(axis) for axis, count in zip((first, second), offset, strict=True)}
+        words = [f"{CENTRES[axis]}{self.grid.text(centre[axis])}" for axis in sorted(centre)]
+        word = self._motion_word(kind) or self._name(kind)  # an arc always says that it is one
+        self.line(word, *axes, *words, f"P{turns}" if turns > 1 else "", self._feed_word(kind, feed_mm_min))
+        self._arrive(end)
+
+    def _centre_origin(self, axis: int) -> int:
+        """Return where I, J, K count from: the begin of the arc, or the work zero."""
+        return (self.at[axis] or 0) if self.dialect.arc_centres == "absolute" else 0
+
+    def canned(self, name: str, words: list[str], feed_mm_min: float, end: tuple[int, int, int]) -> None:
+        """Write a block of the canned cycle `name`, which leads to `end`."""
+        self.select_plane(XY)
+        self._motion, self._cycle = name, ""  # this line does not leave the cycle
+        self.line(*words, self._feed_word(LINE, feed_mm_min))
+        self._cycle = name
+        self._arrive([*end])
+
+    def end_cycle(self) -> None:
+        """Leave the canned cycle in force, if there is one; every other line does so before it is written."""
+        cycle, self._cycle = self._cycle, ""
+        if cycle:
+            self._motion = "" if self._motion == cycle else self._motion  # a move's line has its own word already
+            self.line("G80")
+
+    def select_plane(self, plane: int) -> None:
+        """Write the plane word where it is not in force."""
+        if plane != self._plane:
+            self.line(PLANE_CODES[plane])
+            self._plane = plane
+
+    def has_plane(self, plane: int) -> bool:
+        """Whether arcs can be written in this plane."""
+        return plane == XY or PLANE_CODES[plane] in self.dialect.codes
+
+    def _axes(self, end: Counts) -> list[str]:
+        """Return the coordinates that must be written; an axis that the dialect lacks stays where it is."""
+        due = [
+            axis
+            for axis, count in enumerate(end)
+            if count is not None and (count != self.at[axis] or axis in self._stale)
+            if self.at[axis] is not None or axis in self._own_axes
+        ]
+        if due and self.writing.whole_ends:
+            due = sorted({*due, *self._own_axes})
+            end = [at if count is None else count for count, at in zip(end, self.at, strict=True)]
+        return [self._axis(axis, count) for axis in due if (count := end[axis]) is not None]
+
+    def _axis(self, axis: int, count: int) -> str:
+        letter = AXES[axis]
+        if letter not in self.dialect.letters:
+            what = f"{self.dialect.title} has no axis {letter}"
+            value = f"{letter}{self.grid.text(count)}"
+            raise ProgramError("axes", what, value=value, advice="lay the work in its axes")
+        return f"{letter}{self.grid.text(count)}"
+
+    def _name(self, kind: int) -> str:
+        code = self._codes[kind]
+        return code.name if code else MOTION_NAMES[kind]
+
+    def _motion_word(self, kind: int) -> str:
+        name = self._name(kind)
+        if name == self._motion and kind in self.dialect.repeats:
+            return ""
+        self._motion = name
+        return name
+
+    def _feed_word(self, kind: int, feed_mm_min: float, opens: bool = False) -> str:
+        """Return F where it is not in force; `opens`: the block names its motion, which may need F."""
+        if kind == RAPID and not (self.writing.rapid_feed and feed_mm_min > 0):
+            return ""
+        word = self._feeds.get(feed_mm_min) or self._spelled_feed(feed_mm_min)
+        code = self._codes[kind]
+        if word == self._feed and not (opens and code and "F" in code.needs):
+            return ""
+        self._feed = word
+        return word
+
+    def _spelled_feed(self, feed_mm_min: float) -> str:
+        """Return a feed as a word; raises ProgramError for none, and for one that the digits cannot hold."""
+        number = self.grid.short(feed_mm_min / self.dialect.feed_unit_mm_min)
+        if number in ("", "0") or not feed_mm_min > 0:
+            raise ProgramError("no-feed", "a cutting move has no feed", value=f"{feed_mm_min:g} mm/min")
+        self._check_feed(float(number) * self.grid.unit_mm * self.dialect.feed_unit_mm_min, feed_mm_min)
+        word = self._feeds[feed_mm_min] = f"F{number}" + "." * (self.writing.pointed and "." not in number)
+        return word
+
+    def _check_feed(self, written_mm_min: float, feed_mm_min: float) -> None:
+        """Raise ProgramError where the digits that the dialect has make another feed."""
+        if abs(written_mm_min - feed_mm_min) > MOST_FEED_ERROR * feed_mm_min:
+            what = f"the digits of {self.dialect.title} cannot hold this feed: F would be {written_mm_min:.4g} mm/min"
+            limit = f"{100 * MOST_FEED_ERROR:g} % off"
+            advice = "write the program in mm, or choose a higher feed"
+            raise ProgramError("feed-digits", what, value=f"{feed_mm_min:g} mm/min", limit=limit, advice=advice)
+
+    def _arrive(self, end: Counts) -> None:
+        self.at = [count if count is not None else at for count, at in zip(end, self.at, strict=True)]
+        self._stale -= {axis for axis, count in enumerate(end) if count is not None}

@@ -1,0 +1,232 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What is switched rather than moved while a program is written: tool, spindle, coolant, work offset.
+
+A tool change is never a bare T. By the options, after the retract:
+
+    pause    M5 M9   (MSG, change to tool 2: ball 2 mm)   M0   T2      [length]   M3 S   G4
+    m6       M5 M9                                             T2 M6   [length]   M3 S   G4
+
+    [length]   touch_off   the message adds: then set the Z zero with it
+               table       G43 H2, or G43.1 Z with the length itself where the controller keeps no table
+               none        nothing: all tools stand out equally far
+"""
+
+from __future__ import annotations
+
+from CNCStepper.errors import ProgramError
+from CNCStepper.gcode.dialects import Dialect
+from CNCStepper.gcode.writer.ascii_comments import comment_lines
+from CNCStepper.gcode.writer.block_emitter import Page
+from CNCStepper.gcode.writer.write_options import WriteOptions
+from CNCStepper.state import State
+
+TOUCH_OFF = ", then set the Z zero with it"
+SPINDLE_CODES = {"cw": "M3", "ccw": "M4"}
+LASTING = ("spindle", "coolant")  # what stays on over many moves
+
+
+class Switches:
+    """Writes the words that bring the machine from what it holds to what a state wants.
+
+    own_lengths: the table's states name the tools' lengths themselves. length_mm: the one that the text has set.
+    """
+
+    def __init__(self, page: Page, options: WriteOptions, own_lengths: bool = False):
+        self.page = page
+        self.dialect = dialect = page.dialect
+        self.writing = page.writing
+        self.options = options
+        self.own_lengths = own_lengths and options.tool_length != "touch_off" and has_lengths(dialect)
+        self.tool = 0
+        self.work_system = ""
+        self.length_mm = 0.0
+        self._spindle = ("off", 0.0)
+        self._coolant = (False, False)  # mist, flood
+        self._owed_s = 0.0  # dwell that the spindle still needs
+        for number, description in options.tools.items():
+            page.own_comments.update(comment_lines(_tool_comment(number, description)))
+
+    @property
+    def own_events(self) -> tuple[str, ...]:
+        """Which events before a tool change are the change's own: what asks the operator."""
+        if self.options.tool_change != "m6":
+            return "message", "pause"
+        return ("message",) if self.options.tool_length == "touch_off" else ()
+
+    def follow(self, state: State) -> None:
+        """Switch spindle, coolant and length offset as `state` has them."""
+        self.run(state)
+        if self.own_lengths and state.tool_length_mm != self.length_mm:
+            self._measure(state.tool, state.tool_length_mm)
+
+    def run(self, state: State) -> None:
+        """Switch spindle and coolant as `state` has them: what does not move needs no length."""
+        self._turn_spindle(state)
+        on = state.spindle != "off"
+        mist = state.mist or (on and self.options.coolant == "mist")
+        flood = state.flood or (on and self.options.coolant == "flood")
+        self._pour(mist, flood)
+
+    def use_work_system(self, name: str) -> bool:
+        """Select a work offset; whether it was another one."""
+        if name == self.work_system:
+            return False
+        systems = self.writing.work_systems
+        if not systems and not self.work_system:
+            self.work_system = name
+            return True
+        if name not in systems:
+            what = f"{self.dialect.title} has no work offset {name}"
+            advice = f"use {', '.join(systems)}" if systems else "use one work offset"
+            raise ProgramError("work-system", what, value=name, advice=advice)
+        self.work_system = name
+        self.page.line(name)
+        return True
+
+    def load(self, tool: int, message: str, length_mm: float, first: bool) -> None:
+        """Change to `tool`; the `first` one is named only, for later ones the operator is asked."""
+        if tool > self.dialect.largest_tool:
+            limit = f"at most {self.dialect.largest_tool}"
+            raise ProgramError("tool-number", "the tool number is too large", value=f"T{tool}", limit=limit)
+        description = self.options.tools.get(tool, "")
+        by_m6 = self.options.tool_change == "m6" or not self.dialect.tool_word_changes
+        if by_m6 or not first:
+            self.all_off()
+        self._ask(tool, description, message, first)
+        if description:
+            self.page.comment(_tool_comment(tool, description), own=True)
+        if "T" in self.dialect.letters:
+            self.page.line(f"T{tool}", "M6" if by_m6 else "")
+        if self.own_lengths:
+            self._measure(tool, length_mm)
+        elif self.options.tool_length == "table":
+            self._measure(tool, self.options.tool_lengths_mm.get(tool))
+        self.page.forget()  # the operator or the tool changer may have moved the axes
+        self.tool = tool
+
+    def _ask(self, tool: int, description: str, message: str, first: bool) -> None:
+        """Let the operator change the tool."""
+        touch_off = not first and self.options.tool_length == "touch_off"
+        pauses = not first and self.options.tool_change != "m6"
+        if touch_off or pauses:
+            asked = f"change to tool {tool}" + f": {description}" * bool(description) + TOUCH_OFF * touch_off
+            self.page.message(message or asked)
+        if pauses and self._has(("M0",), "tool", "tool changes by a pause"):
+            self.page.line("M0")
+
+    def rise_mm(self, tool: int) -> float:
+        """Return how far above clearance the tool in the spindle must stand, so that a longer `tool` clears too."""
+        lengths = self.options.tool_lengths_mm
+        if self.options.tool_length != "table":
+            return 0.0
+        return max(lengths.get(tool, 0.0) - lengths.get(self.tool, 0.0), 0.0)
+
+    def _measure(self, tool: int, length_mm: float | None) -> None:
+        """Select the length offset of a tool; the new tip is at another height."""
+        if length_mm == 0 and self.own_lengths:
+            if self.length_mm:
+                self.page.line("G49")
+        else:
+            self.page.line(*self._length_words(tool, length_mm))
+        if length_mm != self.length_mm or not self.own_lengths:
+            self.page.at[2] = None
+        self.length_mm = length_mm or 0.0
+
+    def _length_words(self, tool: int, length_mm: float | None) -> tuple[str, ...]:
+        """Return G43 H where the machine's table has the length, else G43.1 and the length."""
+        codes, known = self.dialect.codes, self.options.tool_lengths_mm.get(tool)
+        by_table = "G43" in codes and (not self.own_lengths or known == length_mm)
+        if by_table:
+            return "G43", f"H{tool}"
+        if length_mm is None or "G43.1" not in codes:
+            what = f"the length offset of tool {tool} is not known"
+            advice = "give the tool a length_offset_mm, or choose another tool_length for the machine"
+            raise ProgramError("tool-length", what, value=f"T{tool}", advice=advice)
+        grid = self.page.grid
+        return "G43.1", f"Z{grid.text(grid.count(length_mm))}"
+
+    def dwell(self, seconds: float) -> None:
+        """Wait, at least as long as the spindle still needs."""
+        seconds, self._owed_s = max(seconds, self._owed_s), 0.0
+        if self._has(("G4",), "dwell", "dwells"):
+            self.page.line("G4", f"{self.dialect.dwell_letter}{_number(seconds / self.dialect.dwell_unit_s)}")
+
+    def pause(self, optional: bool, message: str) -> None:
+        """Stop until the operator goes on."""
+        code = "M1" if optional else "M0"
+        if self._has((code,), "pause", "pauses"):
+            self.page.stop(code, message)
+
+    def settle(self) -> None:
+        """Wait for the spindle where that was not done."""
+        if self._owed_s > 0:
+            self.dwell(self._owed_s)
+
+    def all_off(self) -> None:
+        """Switch everything off that is on."""
+        self._turn_spindle(State())
+        self._pour(False, False)
+
+    def _turn_spindle(self, state: State) -> None:
+        spindle, rpm = self._spindle
+        if state.spindle == "off":
+            if spindle != "off":
+                self.page.line("M5")
+            self._spindle, self._owed_s = ("off", 0.0), 0.0
+            return
+        if not self._has((SPINDLE_CODES[state.spindle],), "spindle", "words for the spindle"):
+            return
+        if state.spindle != spindle:
+            if not state.spindle_rpm:
+                self.page.notes.add("the spindle is switched on at S0, since no speed was said before")
+            self.page.line(SPINDLE_CODES[state.spindle], f"S{_number(state.spindle_rpm)}")
+            self._owed_s = self.options.spin_up_s
+        elif state.spindle_rpm != rpm:
+            self.page.line(*self._speed_words(state))
+        self._spindle = (state.spindle, state.spindle_rpm)
+
+    def _speed_words(self, state: State) -> tuple[str, ...]:
+        """Return S, behind its code where a line must begin with one."""
+        code = () if self.dialect.repeats else (SPINDLE_CODES[state.spindle],)
+        return (*code, f"S{_number(state.spindle_rpm)}")
+
+    def _pour(self, mist: bool, flood: bool) -> None:
+        if (mist or flood) and not self._has(("M7",) * mist + ("M8",) * flood, "coolant", "words for this coolant"):
+            return
+        had_mist, had_flood = self._coolant
+        if (had_mist and not mist) or (had_flood and not flood):
+            self.page.line("M9")
+            had_mist = had_flood = False
+        if mist and not had_mist:
+            self.page.line("M7")
+        if flood and not had_flood:
+            self.page.line("M8")
+        self._coolant = (mist, flood)
+
+    def _has(self, codes: tuple[str, ...], name: str, what: str) -> bool:
+        """Whether the dialect has these codes; what it lacks may be left out only where the options say so."""
+        if all(code in self.dialect.codes for code in codes):
+            return True
+        lacks = f"{self.dialect.title} has no {what}"
+        if name not in self.options.leave_out:
+            advice = f"leave '{name}' out, if the machine's operator does it by hand"
+            raise ProgramError("not-expressible", lacks, value=" ".join(codes), advice=advice)
+        if name in LASTING:
+            self.page.notes.once(f"left out: {lacks}")
+        else:
+            self.page.notes.add(f"left out: {lacks}")
+        return False
+
+
+def has_lengths(dialect: Dialect) -> bool:
+    """Whether the dialect has words for the length of a tool."""
+    return "G43" in dialect.codes or "G43.1" in dialect.codes
+
+
+def _tool_comment(tool: int, description: str) -> str:
+    return f"tool {tool}: {description}"
+
+
+def _number(value: float) -> str:
+    """Return a number with at most three decimals and no trailing zeros."""
+    return f"{value:.3f}".rstrip("0").rstrip(".")

@@ -1,0 +1,43 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A cycle that is cut once for all who ask with the same setup: its operation for the figures, its job for the program.
+
+An operation's proxy keeps the one it cut last. It holds the moves of that cut; whoever asks again gets a copy
+of them in his own table.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from CNCStepper.cycles.cycle import Answer, Cycle, Setup
+from CNCStepper.state import Start
+from CNCStepper.toolpath import TableBuilder, Toolpath
+
+
+class CutOnce:
+    """A cycle, and the moves and the answer of its cut with one setup."""
+
+    def __init__(self, cycle: Cycle, setup: Setup):
+        table = TableBuilder(Start())
+        self.model = cycle
+        self.cycle, self.tool = cycle.cycle, cycle.tool
+        self.setup = setup
+        self.answer: Answer = cycle.cut(setup, table)
+        self._moves: Toolpath = table.toolpath()
+
+    def __getattr__(self, name: str) -> Any:
+        """Return a parameter of the cycle, for a job that asks one operation what it means for another."""
+        if name.startswith("_") or name == "model":  # while it is copied it has none yet
+            raise AttributeError(name)
+        return getattr(self.model, name)
+
+    def fits(self, cycle: Any, setup: Setup) -> bool:
+        """Return whether cutting `cycle` with `setup` would give what is kept here."""
+        return (self.model, self.setup) == (cycle, setup)
+
+    def cut(self, setup: Setup, table: TableBuilder) -> Answer:
+        """Append the moves to `table` and return the answer, as the cycle itself would."""
+        if setup != self.setup:
+            return self.model.cut(setup, table)
+        table.append(self._moves)
+        return self.answer

@@ -1,0 +1,176 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The folder in which a proof is asked for and answered, between a window and the process that proves.
+
+    job.json  machine.json  program.nc        what is asked; the machine is that of machine.json
+    part.npz                                  what is left of the stock, as soon as it is cut: a first picture
+    result.json  moves.npz  lines.npz  tools.npz  send.json    what is answered then; or error.json, why not
+    tiles.bin  part.stl                       what `simulation_timeline` answers afterwards
+
+send.json is the program's certificate. Reading an answer takes numpy only, so that a window does it at once.
+"""
+
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from CNCStepper.control.session.status import error_from_json, error_to_json
+from CNCStepper.errors import CNCStepperError
+from CNCStepper.simulation.finding import Finding, refused
+from CNCStepper.simulation.tip_track import TipTrack
+from CNCStepper.simulation.views.polylines import Lines
+
+if TYPE_CHECKING:
+    from CNCStepper.job.model import Job
+    from CNCStepper.job.prove import Proof
+    from CNCStepper.machine.profile import Machine
+    from CNCStepper.simulation.removal.heightmap import HeightMap
+
+PROGRAM, JOB, MACHINE = "program.nc", "job.json", "machine.json"
+RESULT, MOVES, LINES = "result.json", "moves.npz", "lines.npz"
+PART, TOOLS = "part.npz", "tools.npz"
+SEND, ERROR = "send.json", "error.json"
+TILES, MESH = "tiles.bin", "part.stl"
+LINE_COLUMNS = ("rapid_points", "rapid_counts", "feed_points", "feed_counts")
+MOST_POINTS = 60_000  # of the rapids, and of the feeds, that a 3D view is given to draw
+
+
+@dataclass(frozen=True)
+class Part:
+    """The stock after the program, in work coordinates; z = 0 is the stock's top.
+
+    heights_mm: float64[rows, columns], rows along y. x_mm, y_mm: the centres of the cells. low_mm, high_mm: the
+    corners of the stock. corners, rgba: its faces, as `coloured_faces.DrawnFaces`.
+    """
+
+    heights_mm: np.ndarray
+    x_mm: np.ndarray
+    y_mm: np.ndarray
+    low_mm: np.ndarray
+    high_mm: np.ndarray
+    corners: np.ndarray
+    rgba: np.ndarray
+
+
+@dataclass(frozen=True)
+class Answer:
+    """What a proof answered: report as in `Proof`, the moves in time and as lines, the part that is left.
+
+    tools: the outlines of cutter and shank by number, as `tool_outline.outlines_mm`.
+    """
+
+    findings: list[Finding]
+    report: dict[str, Any]
+    moves: TipTrack
+    rapids: Lines
+    feeds: Lines
+    part: Part
+    tools: dict[int, tuple[np.ndarray, np.ndarray]]
+    send_file: Path
+
+    @property
+    def refused(self) -> bool:
+        """Whether a finding forbids sending the program."""
+        return refused(self.findings)
+
+
+def write_question(folder: Path, program: str, job: Job, machine: Machine) -> None:
+    """Write what is asked."""
+    from CNCStepper.job.model import save_job
+
+    (folder / PROGRAM).write_bytes(program.encode("utf-8"))
+    (folder / MACHINE).write_text(machine.model_dump_json(), encoding="utf-8")
+    save_job(job, folder / JOB)
+
+
+def read_question(folder: Path) -> tuple[str, Job, Machine]:
+    """Return program, job and machine; raises JobError for what is not as `write_question` left it."""
+    from CNCStepper.job.model import read_job
+    from CNCStepper.machine.profile import Machine, validated
+
+    content = json.loads((folder / MACHINE).read_text("utf-8"))
+    return (
+        (folder / PROGRAM).read_bytes().decode("utf-8"),
+        read_job(folder / JOB),
+        validated(Machine, content, str(folder / MACHINE)),
+    )
+
+
+def proven_file(folder: Path) -> str:
+    """Return the program's file as the proof had it: subroutines are looked for beside it."""
+    return str(json.loads((folder / RESULT).read_text("utf-8"))["program"])
+
+
+def write_part(folder: Path, part: HeightMap) -> None:
+    """Write what is left of the stock; the file appears when all of it is there."""
+    from CNCStepper.simulation.meshes.mesh_faces import faces_of
+    from CNCStepper.simulation.views.coloured_faces import drawn, height_range_mm
+
+    faces = drawn(faces_of(part), height_range_mm(part))
+    unfinished = folder / f"unfinished-{PART}"
+    np.savez(
+        unfinished,
+        heights_mm=part.heights_mm,
+        x_mm=part.x_mm,
+        y_mm=part.y_mm,
+        low_mm=np.array(part.stock.low_mm),
+        high_mm=np.array(part.stock.high_mm),
+        corners=faces.corners,
+        rgba=faces.rgba,
+    )
+    unfinished.replace(folder / PART)
+
+
+def write_answer(folder: Path, proof: Proof, job: Job, send_json: str) -> None:
+    """Write the answer but for the part; the result, which says that all is there, comes last."""
+    from CNCStepper.simulation.meshes.tool_outline import outlines_mm
+    from CNCStepper.simulation.views.path_lines import lines_in_space
+
+    TipTrack.of(proof.toolpath, proof.times_s).save(folder / MOVES)
+    rapids, feeds = lines_in_space(proof.toolpath, MOST_POINTS)
+    columns = (rapids.points, rapids.counts, feeds.points, feeds.counts)
+    named: dict[str, Any] = dict(zip(LINE_COLUMNS, columns, strict=True))
+    np.savez(folder / LINES, **named)
+    height_mm = job.stock.stock().size_mm[2]
+    outlines = {str(tool.number): outlines_mm(tool, height_mm) for tool in job.tool}
+    named = {f"{number}-{place}": both[place] for number, both in outlines.items() for place in (0, 1)}
+    np.savez(folder / TOOLS, **named)
+    (folder / SEND).write_text(send_json, encoding="utf-8")
+    (folder / RESULT).write_text(json.dumps(proof.report, allow_nan=False), encoding="utf-8")
+
+
+def write_error(folder: Path, error: CNCStepperError) -> None:
+    """Write why there is no answer."""
+    (folder / ERROR).write_text(json.dumps(error_to_json(error)), encoding="utf-8")
+
+
+def read_part(folder: Path) -> Part:
+    """Return what is left of the stock, once it is written."""
+    with np.load(folder / PART, allow_pickle=False) as arrays:
+        return Part(**arrays)
+
+
+def read_answer(folder: Path) -> Answer:
+    """Return the answer; raises the error that was written instead, or CNCStepperError when there is neither."""
+    if (folder / ERROR).exists():
+        raise error_from_json(json.loads((folder / ERROR).read_text("utf-8")))
+    if not (folder / RESULT).exists():
+        raise CNCStepperError(
+            "proof-lost",
+            "the process that proves the program ended without an answer",
+            advice="try again; if it stays so, the program may need more memory than there is",
+        )
+    report = json.loads((folder / RESULT).read_text("utf-8"))
+    with np.load(folder / LINES, allow_pickle=False) as arrays:
+        columns = [arrays[name] for name in LINE_COLUMNS]
+    findings = [Finding.from_dict(content) for content in report["findings"]]
+    with np.load(folder / TOOLS, allow_pickle=False) as arrays:
+        numbers = sorted({int(name.partition("-")[0]) for name in arrays})
+        tools = {number: (arrays[f"{number}-0"], arrays[f"{number}-1"]) for number in numbers}
+    moves = TipTrack.load(folder / MOVES)
+    rapids, feeds = Lines(*columns[:2]), Lines(*columns[2:])
+    return Answer(findings, report, moves, rapids, feeds, read_part(folder), tools, folder / SEND)

@@ -1,0 +1,40 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""TOML files: job files and machine profiles, read in bounded time whatever stands in them."""
+
+from __future__ import annotations
+
+import re
+import tomllib
+from pathlib import Path
+from typing import Any
+
+from CNCStepper.errors import JobError, Place
+from CNCStepper.input_file import read_input
+from CNCStepper.safe_text import printable
+
+MOST_BYTES = 4_000_000  # tomllib reads some 2 MB a second; points by the thousand belong into a file of their own
+DEEPEST_KEY = 100  # parts of a dotted key: tomllib's time grows with their square
+_PART = r"""(?:[\w-]+|"[^"\n]*"|'[^'\n]*')"""
+_DEEP_KEY = re.compile(rf"""(?<![\w"'.-])(?:{_PART}[ \t]*\.[ \t]*){{{DEEPEST_KEY}}}""")
+
+
+def read_toml(path: Path) -> dict[str, Any]:
+    """Return the content of a TOML file; raises JobError naming the file and line."""
+    place = Place(str(path))
+    try:
+        text = read_input(path, MOST_BYTES).decode("utf-8-sig")
+        if deep := _DEEP_KEY.search(text):
+            line = text.count("\n", 0, deep.start()) + 1
+            raise _too_deep(Place(place.file, line))
+        return tomllib.loads(text)
+    except RecursionError as error:
+        raise _too_deep(place) from error
+    except ValueError as error:  # no TOML, no UTF-8, or a number of thousands of digits
+        if isinstance(error, JobError):
+            raise
+        raise JobError("toml", f"not a TOML file: {printable(str(error), 300)}", place=place) from error
+
+
+def _too_deep(place: Place) -> JobError:
+    what = "tables or lists are nested too deeply"
+    return JobError("toml-nested", what, limit=f"{DEEPEST_KEY}", advice="write flatter tables", place=place)

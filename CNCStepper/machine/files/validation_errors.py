@@ -1,0 +1,126 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What is wrong with the content of a file that a model refuses: the key, the table it stands in, and what to do."""
+
+from __future__ import annotations
+
+import types
+from collections.abc import Iterator, Sequence
+from typing import Annotated, Any, Literal, Union, get_args, get_origin
+
+from pydantic import BaseModel, ValidationError
+from pydantic.fields import FieldInfo
+from pydantic_core import ErrorDetails
+
+from CNCStepper.errors import JobError, Place
+from CNCStepper.quantities import ERROR_TYPE, Bounds, shown, with_unit
+from CNCStepper.safe_text import printable
+
+MOST_KEY = 200  # characters of a key's path that are shown
+BOUNDS = {"gt": "above", "ge": "at least", "lt": "below", "le": "at most"}
+
+
+def refusal_of(model: type[BaseModel], error: ValidationError, file: str) -> JobError:
+    """Return the first thing that is wrong; a key that nobody knows comes first, for it may be the missing one."""
+    problems = error.errors()
+    unknown = [problem for problem in problems if problem["type"] == "extra_forbidden"]
+    first = (unknown or problems)[0]
+    key, place = printable(".".join(str(part) for part in first["loc"]), MOST_KEY), Place(file)
+    owner, table = _owner(model, first["loc"])
+    if unknown:
+        known = ", ".join(sorted(owner.model_fields))
+        advice = f"correct its spelling or take it out; known {f'in {table} ' if table else ''}are: {known}"
+        return JobError("bad-value", f"there is no key {key}", advice=advice, place=place)
+    if first["type"] == "missing" and isinstance(first["loc"][-1], int):
+        key = ".".join(str(part) for part in first["loc"][:-1])
+        return JobError("bad-value", f"{key} has too few values", advice="give all of them", place=place)
+    if first["type"] == "missing":
+        name = str(first["loc"][-1])
+        what = f"the key {name} is missing" + (f" in {table}" if table else "")
+        words = _words(owner.model_fields[name]) if name in owner.model_fields else "a value"
+        return JobError("bad-value", what, advice=f"add {name} = {words}", place=place)
+    if first["type"] == ERROR_TYPE:
+        return _out_of_bounds(key, first, place)
+    if first["type"] == "too_long":
+        return _too_long(key, first, place)
+    what = printable(first["msg"].removeprefix("Value error, "))
+    if not key:
+        return JobError("bad-value", what, advice="correct that", place=place)
+    return JobError("bad-value", f"{key}: {what}", value=shown(first["input"]), advice="correct that key", place=place)
+
+
+def _out_of_bounds(key: str, problem: ErrorDetails, place: Place) -> JobError:
+    """Return the error for a number beyond its bounds, or for what is no number."""
+    given, told = problem["input"], problem["ctx"]
+    is_number = isinstance(given, int | float) and not isinstance(given, bool)
+    value = with_unit(given, told["unit"]) if is_number else shown(given)
+    what = f"{key} must be {told['number']} within its bounds"
+    return JobError("bad-value", what, value=value, limit=told["bounds"], advice=told["advice"], place=place)
+
+
+def _too_long(key: str, problem: ErrorDetails, place: Place) -> JobError:
+    most = problem["ctx"]["max_length"]
+    value = f"{len(problem['input'])}" if hasattr(problem["input"], "__len__") else ""
+    advice = "make the list shorter"
+    return JobError("bad-value", f"{key} is too long", value=value, limit=f"{most}", advice=advice, place=place)
+
+
+def _owner(model: type[BaseModel], loc: Sequence[int | str]) -> tuple[type[BaseModel], str]:
+    """Return the model of the table that holds the last part of `loc`, and how a person finds that table."""
+    words: list[str] = []
+    choice = [model]
+    for part in loc[:-1]:
+        model = choice[0]
+        if isinstance(part, int):
+            words[-1] += f" {part + 1}"
+        elif part in model.model_fields:
+            words.append(part)
+            choice = list(_models_in(model.model_fields[part].annotation)) or choice
+        else:  # the kind by which one of several models was chosen
+            choice = [one for one in choice if part in _kinds(one)] or choice
+    return choice[0], " of ".join(reversed(words))
+
+
+def _models_in(annotation: Any) -> Iterator[type[BaseModel]]:
+    if isinstance(annotation, type) and issubclass(annotation, BaseModel):
+        yield annotation
+    for part in get_args(annotation):
+        if not isinstance(part, str):
+            yield from _models_in(part)
+
+
+def _kinds(model: type[BaseModel]) -> tuple[str, ...]:
+    kind = model.model_fields.get("kind")
+    return (model.__name__, *(get_args(kind.annotation) if kind else ()))
+
+
+def _words(field: FieldInfo) -> str:
+    """Return what a key takes, in words: "a number from 0.001 to 10000 mm"."""
+    kinds = [rule for rule in (*field.metadata, *_parts(field.annotation)) if isinstance(rule, Bounds)]
+    if kinds:
+        return f"{_kind_words(field.annotation)} from {kinds[0].words}"
+    bounds = [f"{words} {value:g}" for name, words in BOUNDS.items() if (value := _bound(field, name)) is not None]
+    return " ".join([_kind_words(field.annotation), " and ".join(bounds)]).strip()
+
+
+def _bound(field: FieldInfo, name: str) -> float | None:
+    return next((value for rule in field.metadata if (value := getattr(rule, name, None)) is not None), None)
+
+
+def _parts(annotation: Any) -> Iterator[Any]:
+    """Yield what an optional number is annotated with."""
+    for part in get_args(annotation):
+        yield from getattr(part, "__metadata__", ())
+
+
+def _kind_words(annotation: Any) -> str:
+    if get_origin(annotation) is Annotated:
+        return _kind_words(get_args(annotation)[0])
+    if get_origin(annotation) is Literal:
+        return " or ".join(f'"{choice}"' for choice in get_args(annotation))
+    if get_origin(annotation) in (Union, types.UnionType):
+        return _kind_words(get_args(annotation)[0])
+    if annotation in (int, float):
+        return "a number" if annotation is float else "a whole number"
+    if annotation is str:
+        return "a text"
+    return "a list" if get_origin(annotation) in (tuple, list) else "a value"

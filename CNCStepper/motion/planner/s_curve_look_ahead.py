@@ -1,0 +1,102 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The look-ahead of S-curves: at which speed, without acceleration, every queued block may be begun.
+
+    tail   a   b   c   d   e   new     An entry follows from the later ones that it looks to, at most up to the end:
+            └───┴──►└──►└───┴───►|      as soon as one change of speed reaches what it may be, it looks no farther.
+                    ^ no further back   A new block changes the entries that look to it, and those that look to these.
+
+A pass looks from each of the k blocks within the way to a stop to some k others, so a long queue is not planned at
+each block: fresh ones wait, with an entry at rest, until they are a sixteenth of it. So a look-ahead beyond the
+firmware's is shorter by up to a sixteenth.
+
+Invariant: the pass goes back to where no entry before looks to one that has changed, so that all entries are those
+that planning all of them anew would give. `farthest` of a block is the farthest place to which it or any before looks.
+"""
+
+from __future__ import annotations
+
+import math
+
+from CNCStepper.kernels import njit_in_place
+from CNCStepper.motion.planner.block_ring import count_blocks, next_place, place_before, places_from
+from CNCStepper.motion.planner.buffers import UNLIMITED
+from CNCStepper.motion.planner.jerk import reachable_speed
+
+DUE = 16  # fresh blocks that many times are as many as all: the firmware's 15 are planned at each
+
+
+@njit_in_place
+def plan_when_due(planner):
+    """Plan the entries once a sixteenth of the queue is fresh: at every block where the queue is short."""
+    queue = planner.queue[0]
+    if DUE * places_from(planner, queue.fresh, queue.head) >= count_blocks(planner):
+        plan_entries(planner)
+
+
+@njit_in_place
+def plan_entries(planner):
+    """Plan the entries that the fresh blocks change, or all where none counts as planned, backwards.
+
+    The running block makes what it can of its exit: what it cannot reach, no entry need be lowered for.
+    """
+    queue = planner.queue[0]
+    first = changed = queue.fresh
+    place = place_before(planner, queue.head)
+    while place != queue.tail:
+        block = planner.blocks[place]
+        before = block.entry_sqr
+        block.entry_sqr = _smooth_entry(planner, place) ** 2
+        old = _ahead(planner, place) < _ahead(planner, first)
+        if old and block.entry_sqr != before:
+            changed = place
+        place = place_before(planner, place)
+        old = _ahead(planner, place) < _ahead(planner, first)
+        if old and _ahead(planner, planner.blocks[place].farthest) < _ahead(planner, changed):
+            break
+    _note_farthest(planner, place)
+    queue.fresh = queue.head
+
+
+@njit_in_place
+def _ahead(planner, place):
+    """Return how far behind the running block a place lies."""
+    return places_from(planner, planner.queue[0].tail, place)
+
+
+@njit_in_place
+def _note_farthest(planner, place):
+    """Note of all blocks behind a place how far they and those before them look."""
+    queue = planner.queue[0]
+    farthest = place if place == queue.tail else planner.blocks[place].farthest
+    planner.blocks[place].farthest = farthest
+    place = next_place(planner, place)
+    while place != queue.head:
+        block = planner.blocks[place]
+        if _ahead(planner, block.looks_to) > _ahead(planner, farthest):
+            farthest = block.looks_to
+        block.farthest = farthest
+        place = next_place(planner, place)
+
+
+@njit_in_place
+def _smooth_entry(planner, first):
+    """Return the greatest entry speed from which one change of speed, over some blocks, ends at a later entry.
+
+    The changes fall, so that none is above the entries that it passes when its begin is not.
+    """
+    queue = planner.queue[0]
+    place = first
+    limit = math.sqrt(planner.blocks[place].max_entry_sqr)
+    length, acceleration, jerk = 0.0, UNLIMITED, UNLIMITED
+    best = 0.0
+    while best < limit and place != queue.head:
+        block = planner.blocks[place]
+        length += block.length
+        acceleration, jerk = min(acceleration, block.acceleration), min(jerk, block.jerk)
+        place = next_place(planner, place)
+        entry = 0.0 if place == queue.head else math.sqrt(planner.blocks[place].entry_sqr)
+        best = max(best, min(limit, reachable_speed(entry, length, acceleration, jerk)))
+        if place != queue.head:
+            limit = max(best, min(limit, math.sqrt(planner.blocks[place].max_entry_sqr)))
+    planner.blocks[first].looks_to = place
+    return best

@@ -1,0 +1,97 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Board bytes (source system D): a byte sets the coils of one of four motors.
+
+    0x 2 9      high nibble: motor 0 to 3, low nibble: coils L1 L2 L3 L4
+       │ └ full step, two phases: A 9 5 6 forwards and again, 6 5 9 A backwards
+       └── a change of this nibble is the clock edge that takes the coils in
+
+Two pulses in a row for one motor need a null pulse between them: another motor, none of its coils. That is one with
+no motor on it where there is one, since another one's coils drop out.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+import numpy as np
+
+from CNCStepper.errors import MachineRefusal
+from CNCStepper.kernels import njit
+from CNCStepper.machine.profile import AXIS_NAMES
+from CNCStepper.motion.signals.coils import BEFORE_FIRST, TWO_PHASES
+from CNCStepper.motion.signals.pulse_stream import PulseStream
+
+BOARD_MOTORS = 4
+MOTOR_STEP = 0x10
+
+
+class Board:
+    """A writer of board bytes that keeps each motor's place and which motor is selected.
+
+    motors: the axis that each motor of the board turns, "-x" the other way round; an axis may have several.
+    """
+
+    def __init__(self, motors: Sequence[str] = AXIS_NAMES):
+        if len(motors) > BOARD_MOTORS:
+            limit = f"{BOARD_MOTORS} motors"
+            raise MachineRefusal("board-motors", "the board has no such motors", value=f"{len(motors)}", limit=limit)
+        self._axis = np.array([AXIS_NAMES.index(motor[-1]) for motor in motors], np.int64)
+        self._sense = np.array([-1 if motor.startswith("-") else 1 for motor in motors], np.int64)
+        self._places = np.full(len(motors), BEFORE_FIRST, np.int64)
+        self._last = np.full(1, -1, np.int64)  # the motor that is selected
+
+    def bytes_of(self, stream: PulseStream) -> Iterator[bytes]:
+        """Yield the bytes of a stream; places and selection are kept for the next one.
+
+        Devices have no byte on this board, and neither has an axis without a motor: they are left out.
+        """
+        sequence = np.array(TWO_PHASES, np.uint8)
+        for chunk in stream:
+            room = np.empty(2 * len(self._axis) * len(chunk), np.uint8)
+            memory = (self._axis, self._sense, self._places, self._last)
+            count = _write_board(chunk.step, chunk.back, sequence, *memory, room)
+            yield room[:count].tobytes()
+
+
+@njit
+def _write_board(step, back, sequence, axis_of, sense_of, places, last, written):
+    """Write a byte for each step of each motor, and null pulses before those of the selected one."""
+    count = 0
+    for row in range(len(step)):
+        for motor in range(len(axis_of)):
+            axis = axis_of[motor]
+            if not (step[row] >> axis) & 1:
+                continue
+            if motor == last[0]:
+                other = len(axis_of) if len(axis_of) < BOARD_MOTORS else (motor + 1) % BOARD_MOTORS
+                written[count] = other * MOTOR_STEP
+                count += 1
+            turn = -sense_of[motor] if (back[row] >> axis) & 1 else sense_of[motor]
+            places[motor] = (places[motor] + turn) % len(sequence)
+            written[count] = motor * MOTOR_STEP + sequence[places[motor]]
+            count += 1
+            last[0] = motor
+    return count
+
+
+def read_board(data: bytes, motors: int = 3) -> np.ndarray:
+    """Return the steps that a board's motors make on some bytes, int64[k, motors], one row a pulse.
+
+    A byte that selects the motor selected already is no clock edge and moves nothing. Raises MachineRefusal where
+    coils do not follow each other in the sequence, and at coils of a motor that is not there.
+    """
+    places = [BEFORE_FIRST] * motors
+    selected, moves = -1, []
+    for number, byte in enumerate(data):
+        motor, word = byte >> 4, byte & 0x0F
+        if word and motor >= motors:
+            raise MachineRefusal("board-motors", "the board has no such motor", value=f"byte {number}: {byte:02X}")
+        if motor != selected and word:
+            place = TWO_PHASES.index(word) if word in TWO_PHASES else places[motor]
+            turn = (place - places[motor]) % len(TWO_PHASES)
+            if turn not in (1, len(TWO_PHASES) - 1):
+                raise MachineRefusal("board-sequence", "a motor misses a place", value=f"byte {number}: {byte:02X}")
+            places[motor] = place
+            moves.append([(1 if turn == 1 else -1) * (k == motor) for k in range(motors)])
+        selected = motor
+    return np.array(moves, np.int64).reshape(-1, motors)

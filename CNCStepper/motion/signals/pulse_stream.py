@@ -1,0 +1,188 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The stream of pulses that all signals are made of: chunks of columns, one row a moment at which some axis steps.
+
+    ticks   0    400   800   1200 ...   clock of the stream, strictly rising
+    step    01   11    01    11         bit n: axis n makes one step
+    back    00   10    00    10         bit n: ... in its negative direction; never without its step bit
+            ^ switches: devices that go on or off before a row
+
+Ten bytes a row and chunks of at most PULSE_ROWS: memory does not grow with the job.
+"""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from CNCStepper.errors import MachineRefusal
+from CNCStepper.kernels import njit
+from CNCStepper.machine.profile import Machine
+from CNCStepper.motion.planner.buffers import TICKS_PER_S
+from CNCStepper.motion.planner.chunk_window import ChunkWindow
+from CNCStepper.motion.planner.feed_hold import Reins
+from CNCStepper.motion.planner.machine_limits import Limits
+from CNCStepper.motion.planner.plan import Run
+from CNCStepper.motion.signals.device_switching import SPINDLES, Change, Changes, Switch
+from CNCStepper.motion.signals.step_bits import keep_steps, write_bits
+from CNCStepper.toolpath import Chunk, Toolpath
+
+PULSE_ROWS = 65_536
+MOST_AXES = 8  # bits of a mask
+BEAM = SPINDLES["cw"]
+
+
+@dataclass(frozen=True)
+class PulseChunk:
+    """Consecutive pulses: ticks int64[k], step uint8[k], back uint8[k]; what is switched between them.
+
+    held_until: the tick up to which the axes stand in a hold, in a chunk without pulses; None in any other.
+    """
+
+    ticks: np.ndarray
+    step: np.ndarray
+    back: np.ndarray
+    switches: tuple[Switch, ...] = ()
+    held_until: int | None = None
+
+    def __len__(self) -> int:
+        return len(self.ticks)
+
+
+NO_PULSES = PulseChunk(np.empty(0, np.int64), np.empty(0, np.uint8), np.empty(0, np.uint8))
+
+
+@dataclass(frozen=True)
+class PulseStream:
+    """Chunks of pulses, run through once.
+
+    ticks_per_s: of the clock; None where the ticks only count the rounds of an interpolator.
+    begin_steps: where the axes stand before the first pulse.
+    """
+
+    chunks: Iterable[PulseChunk]
+    axes: int = 3
+    ticks_per_s: int | None = TICKS_PER_S
+    begin_steps: tuple[int, ...] = (0, 0, 0)
+
+    def __iter__(self) -> Iterator[PulseChunk]:
+        return iter(self.chunks)
+
+
+def pulse_stream(
+    toolpath: Toolpath, machine: Machine | Limits, chunks: Iterable[Chunk] | None = None, reins: Reins | None = None
+) -> PulseStream:
+    """Return the pulses of a table of moves, as the planner times them; each chunk is valid until the next one.
+
+    chunks: the table's own when left out; those of a table that is still being read come as they are made, its states
+    and events before them. reins: whose holds and overrides the pulses follow; a laser's beam is off while it is held.
+    Raises MachineRefusal where there are more than MOST_AXES axes.
+    """
+    limits = machine if isinstance(machine, Limits) else Limits.of(machine)
+    changes = Changes(toolpath.states, toolpath.events, limits.laser)
+    coming: deque[Change] = deque()
+    window = ChunkWindow(toolpath.chunks if chunks is None else chunks, lambda chunk: coming.extend(changes.of(chunk)))
+    run = Run(replace(toolpath, chunks=window), limits)  # type: ignore[arg-type]
+    begin = tuple(run.course.planner.position.tolist())
+    pulses = _switched(run, reins.segments(run) if reins else run.segments(), coming, changes)
+    pulses = dark_while_held(pulses) if limits.laser else pulses
+    return PulseStream(pulses, check_axes(run.limits.axes), TICKS_PER_S, begin)
+
+
+def check_axes(axes: int, most: int = MOST_AXES) -> int:
+    """Return the number of axes; raises MachineRefusal where there are more than can be told."""
+    if axes > most:
+        raise MachineRefusal("axes", "too many axes for these signals", value=f"{axes}", limit=f"{most}")
+    return axes
+
+
+def _switched(run: Run, pieces: Iterable[np.recarray], coming: deque[Change], changes: Changes) -> Iterator[PulseChunk]:
+    """Yield the pulses of a pass with what is switched among them; `coming` grows as the pass takes up chunks."""
+    waiting: list[tuple[int, Change]] = []  # with the clock behind whose pulses each comes
+    for segments in pieces:
+        if not len(segments):
+            yield replace(NO_PULSES, held_until=run.clock)
+            continue
+        while coming and coming[0].row <= segments.tag[-1]:
+            change = coming.popleft()
+            waiting.append((int(segments.start[np.searchsorted(segments.tag, change.row)]), change))
+        for chunk in pulses_of([segments]):
+            now = [one for one in waiting if one[0] < chunk.ticks[-1]]
+            waiting = waiting[len(now) :]
+            yield replace(chunk, switches=_on_rows(chunk.ticks, now)) if now else chunk
+    last = [*waiting, *((run.clock, change) for change in (*coming, *changes.last()))]
+    if last:
+        yield replace(NO_PULSES, switches=_on_rows(NO_PULSES.ticks, last))
+
+
+def dark_while_held(chunks: Iterable[PulseChunk]) -> Iterator[PulseChunk]:
+    """Yield chunks with a laser's beam off while the axes stand in a hold; it comes back with the pulses."""
+    beam = dark = None  # the last switch of the beam; the moment at which a hold has put it out
+    for chunk in chunks:
+        if chunk.held_until is None:
+            if beam and dark is not None and all(switch.row or switch.device != BEAM for switch in chunk.switches):
+                lit = beam._replace(row=0, tick=int(chunk.ticks[0]) if len(chunk) else dark)
+                chunk = replace(chunk, switches=(lit, *chunk.switches))
+            dark = None
+            beam = next((switch for switch in reversed(chunk.switches) if switch.device == BEAM), beam)
+        elif beam and beam.on:
+            out = () if dark is not None else (Switch(0, chunk.held_until, BEAM, False),)
+            chunk = replace(chunk, switches=out)
+            dark = chunk.held_until
+        yield chunk
+
+
+def _on_rows(ticks: np.ndarray, waiting: list[tuple[int, Change]]) -> tuple[Switch, ...]:
+    rows = np.searchsorted(ticks, [clock for clock, _ in waiting], side="right").tolist()
+    return tuple(
+        Switch(row, clock - change.lead_ticks, change.device, change.on, change.rpm)
+        for row, (clock, change) in zip(rows, waiting, strict=True)
+    )
+
+
+def pulses_of(pieces: Iterable[np.recarray]) -> Iterator[PulseChunk]:
+    """Yield the pulses of the planner's segments, at most 8 axes; each chunk is valid until the next is asked for."""
+    ticks = np.empty(PULSE_ROWS, np.int64)
+    step, back = np.empty(PULSE_ROWS, np.uint8), np.empty(PULSE_ROWS, np.uint8)
+    for segments in pieces:
+        place = np.zeros(2, np.int64)
+        while count := write_pulses(segments, place, ticks, step, back):
+            yield PulseChunk(ticks[:count], step[:count], back[:count])
+
+
+@njit
+def write_pulses(segments, place, ticks, step, back):
+    """Write the pulses from `place` (segment, ticks of it that are done) on; returns their number, 0 at the end.
+
+    Exactly the steps of `step_timeline.place_in`: its floor is kept as a sum for each axis.
+    """
+    count = 0
+    bits = np.empty(len(ticks), np.uint8)
+    while place[0] < len(segments) and count < len(ticks):
+        segment = segments[place[0]]
+        last = min(segment.ticks, place[1] + len(ticks) - count)
+        write_bits(segment, place[1], last, bits)
+        count = keep_steps(segment, place[1], last, bits, ticks, step, back, count)
+        place[1] = last
+        if last == segment.ticks:
+            place[0] += 1
+            place[1] = 0
+    return count
+
+
+def moves_of(chunk: PulseChunk, axes: int) -> np.ndarray:
+    """Return +1, 0 or -1 for each pulse and axis of a chunk, int64[k, axes]."""
+    bits = np.arange(axes)
+    step, back = ((mask[:, None].astype(np.int64) >> bits) & 1 for mask in (chunk.step, chunk.back))
+    return step - 2 * back
+
+
+def moved_steps(chunk: PulseChunk, axes: int) -> np.ndarray:
+    """Return how far each axis goes in a chunk, int64[axes] in steps."""
+    bits = np.arange(axes)
+    forward = np.bincount(chunk.step & ~chunk.back, minlength=256)
+    backward = np.bincount(chunk.back, minlength=256)
+    has_bit = (np.arange(256)[:, None] >> bits) & 1
+    return (forward - backward) @ has_bit

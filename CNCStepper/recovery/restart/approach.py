@@ -1,0 +1,97 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""How a path is entered: from what height, with what spindle and how long a wait, at what feed downwards."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from CNCStepper.gcode.interpreter.state.model import Model
+from CNCStepper.recovery.restart.cutting_segments import LEVEL_MM
+from CNCStepper.recovery.restart.entry_point import Entrance
+from CNCStepper.recovery.restart.options import Options
+from CNCStepper.recovery.restart.program import Program
+from CNCStepper.state import State
+
+
+@dataclass(frozen=True)
+class Approach:
+    """The way to the entrance: up, over, down; heights and places in machine coordinates, mm, NaN where unknown.
+
+    at_mm: the entrance. safe_mm: the height at which the tool goes there. plunge_mm_min: the feed downwards, 0 where
+    nothing goes down. dwell_s: the wait once the spindle or the beam is on. is_beam: it is switched on only down there.
+    state: the modes there.
+    """
+
+    at_mm: tuple[float, float, float]
+    safe_mm: float
+    plunge_mm_min: float
+    dwell_s: float
+    is_beam: bool
+    state: State
+
+
+def approach_to(program: Program, entrance: Entrance, model: Model, options: Options) -> Approach:
+    """Return the way to an entrance; raises ProgramError where no safe height is known, or nothing says how fast."""
+    row, state = entrance.row, model.state
+    x, y, z = (program.at(row, entrance.share) if entrance.share else program.begins[row]).tolist()
+    safe_mm = _safe_mm(program, row, state, z, options)
+    falls = safe_mm > z
+    return Approach(
+        (x, y, z),
+        safe_mm,
+        _plunge_mm_min(program, row, state, options) if falls else 0.0,
+        _dwell_s(program, row, state, options),
+        options.is_beam(state.tool),
+        state,
+    )
+
+
+def _safe_mm(program: Program, row: int, state: State, z_mm: float, options: Options) -> float:
+    """Return the height in machine coordinates at which the tool goes over the work; NaN for a table without Z."""
+    if np.isnan(z_mm):
+        return z_mm
+    own_mm = program.frame_mm[2] + state.tool_length_mm
+    if options.height_mm is not None:
+        safe_mm = own_mm + options.height_mm
+        if safe_mm < z_mm:
+            value, limit = f"{options.height_mm:g} mm", f"at least {z_mm - own_mm:g} mm"
+            what = "the path is entered above the height that is given"
+            raise program.refusal("restart-height", what, row, value=value, limit=limit, advice="give a greater height")
+        return safe_mm
+    heights = program.table.end[:, 2] - program.lengths_mm
+    ways = np.abs(program.table.end[:, :2] - program.begins[:, :2])
+    crossing = ~program.feeds & ~(ways <= LEVEL_MM).all(axis=1) & np.isfinite(heights)
+    if not crossing.any():
+        what = "no rapid of the program says at what height the tool may cross the work"
+        raise program.refusal("restart-height", what, row, advice="give the height")
+    return max(float(heights[crossing].max()) + state.tool_length_mm, z_mm)
+
+
+def _plunge_mm_min(program: Program, row: int, state: State, options: Options) -> float:
+    """Return the feed downwards: that of the tool, else of the program's last plunge with it, else of the cut."""
+    tool = options.tool(state.tool)
+    if tool is not None and tool.plunge_mm_min:
+        return tool.plunge_mm_min
+    table, ways = program.table, program.table.end[:, :3] - program.begins
+    first = np.isnan(program.begins[:, 2]) & np.isfinite(table.end[:, 2])  # from a height that is not known
+    upright = program.feeds & ((ways[:, 2] < -LEVEL_MM) | first) & (np.abs(ways[:, :2]) <= LEVEL_MM).all(axis=1)
+    numbers = np.array([one.tool for one in program.path.states], int)[table.state]
+    plunges = np.flatnonzero(upright & (numbers == state.tool))
+    if len(plunges):
+        return float(table.feed[plunges[max(int(np.searchsorted(plunges, row, side="right")) - 1, 0)]])
+    return float(table.feed[row:][program.feeds[row:]][0])
+
+
+def _dwell_s(program: Program, row: int, state: State, options: Options) -> float:
+    """Return how long to wait once the spindle, or the beam, is on: as long as the program itself has, at least."""
+    if not state.spindle_turns:
+        return 0.0
+    own_s = 0.0
+    on = program.spindle_on
+    for event in program.path.events:
+        fresh = event.index == 0 or event.index >= len(on) or not on[event.index - 1]
+        if event.kind == "dwell" and event.index <= row and fresh and program.path.states[event.state].spindle_turns:
+            own_s = event.value
+    return own_s if options.is_beam(state.tool) else max(own_s, options.spin_up_s)

@@ -1,0 +1,99 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a restart does, and where a program may be restarted, in words for people."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from math import isnan
+
+import numpy as np
+
+from CNCStepper.recovery.restart.places import contours
+from CNCStepper.recovery.restart.program import Program
+from CNCStepper.recovery.restart.restart_program import Restart
+
+SENSES = {"cw": "turning clockwise (M3)", "ccw": "turning counter-clockwise (M4)"}
+
+
+def words_of(restart: Restart) -> Iterator[str]:
+    """Yield what a restart does, in its order: where it enters, from what height, with what on, and why there."""
+    program, entrance, approach = restart.program, restart.entrance, restart.approach
+    row, line = entrance.row, program.file_line(entrance.row)
+    place = program.tips(np.array([approach.at_mm]), np.array([row]))[0]
+    yield f"enters line {line} at {_point(place)}"
+    if entrance.share:
+        yield f"with {entrance.share:.0%} of its move done"
+    yield from (f"in the operation {span.name}" for span in program.operations if span.first <= row < span.last)
+    yield from (f"enters there because {note}" for note in entrance.notes)
+    if entrance.overlap_mm:
+        yield f"cuts {entrance.overlap_mm:.3g} mm before the place again"
+    state = approach.state
+    if state.tool:
+        yield f"with tool {state.tool} in the spindle"
+    if not isnan(approach.safe_mm):
+        yield (
+            f"goes to Z {height_mm(restart):.3f} first, straight up (it is not sent while the tool stands higher), "
+            "then over the place"
+        )
+    yield from _switched_on(restart)
+    if approach.plunge_mm_min:
+        yield f"goes down at {approach.plunge_mm_min:g} mm/min"
+    if any(state.g92_mm):
+        yield f"sets G92 as it was: {_point(np.array(state.g92_mm))}"
+    own = int((restart.file_lines > 0).sum())
+    yield f"then runs {own} lines of the program as they are; all before them is taken as cut"
+
+
+def height_mm(restart: Restart) -> float:
+    """Return the Z of the work to which a restart goes first; NaN for a table without Z."""
+    approach = restart.approach
+    return float(approach.safe_mm - restart.program.frame_mm[2] - approach.state.tool_length_mm)
+
+
+def _switched_on(restart: Restart) -> Iterator[str]:
+    """Yield what is switched on, and how long the machine waits for it."""
+    state, approach = restart.approach.state, restart.approach
+    if not state.spindle_turns:
+        yield "leaves the spindle off, as the program has it there"
+    elif approach.is_beam:
+        yield f"switches the beam on at S{state.spindle_rpm:g} once it is down"
+    else:
+        yield f"starts the spindle at {state.spindle_rpm:g} rpm, {SENSES[state.spindle]}"
+    if state.mist or state.flood:
+        yield "switches the coolant on"
+    if approach.dwell_s:
+        yield f"waits for {approach.dwell_s:g} s"
+
+
+def proven_against(has_stock: bool, has_shapes: bool) -> str:
+    """Return what was simulated of a restart, and what was not."""
+    if has_shapes:
+        return "cut on the stock that the moves before it have left, and judged against the shapes of the job"
+    if has_stock:
+        return "cut on the stock that the moves before it have left; the wanted shape is not known, so it is not judged"
+    return (
+        "NOT cut on any stock: the machine's limits are checked, but nobody sees whether a rapid meets material; "
+        "give --job, or --stock and --tool"
+    )
+
+
+def operation_table(program: Program) -> Iterator[tuple[int, int, str]]:
+    """Yield (number, line, name) of each operation of a program; the line is that of its first move."""
+    last = len(program.table) - 1
+    for number, span in enumerate(program.operations, start=1):
+        yield number, program.file_line(min(span.first, last)), span.name
+
+
+def contour_table(program: Program) -> Iterator[tuple[int, int, str, str, float]]:
+    """Yield (number, line, operation, where it begins, length in mm) of each contour of a program."""
+    for number, stretch in enumerate(contours(program), start=1):
+        rows = np.array([stretch.first])
+        place = program.tips(program.begins[rows], rows)[0]
+        names = (span.name for span in program.operations if span.first <= stretch.first < span.last)
+        length_mm = float(np.nansum(program.ways.length_mm[stretch.first : stretch.last]))
+        yield number, program.file_line(stretch.first), next(names, ""), _point(place), length_mm
+
+
+def _point(point: np.ndarray) -> str:
+    known = zip("XYZ", point.tolist(), strict=True)
+    return " ".join(f"{axis}{value + 0.0:.3f}" for axis, value in known if not isnan(value))

@@ -1,0 +1,111 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a held session tells of its program and its controller, as the core's own values."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from math import hypot
+from typing import Any
+
+from pydantic import ValidationError
+
+from CNCStepper.control.program.send_job import SendJob
+from CNCStepper.errors import JobError
+from CNCStepper.gcode.interpreter.flow.program_flow import run_whole
+from CNCStepper.gcode.interpreter.flow.subprogram_files import Library
+from CNCStepper.gcode.interpreter.interpret import Interpreter
+from CNCStepper.gcode.wire.backlash_compensation import play_of
+from CNCStepper.job.start_state_file import start_from
+from CNCStepper.machine.backlash import Play
+from CNCStepper.machine.profile import Machine
+from CNCStepper.recovery.retract.path_search import Controller
+from CNCStepper.state import ZERO3, Start
+
+
+@dataclass(frozen=True)
+class Ground:
+    """What does not change while a program is held: its lines, where it began, on which machine.
+
+    zero_known: whether the program was proven at its place on the table; else its travel is judged by its size alone.
+    play: of the axes, where it is taken up in the lines sent.
+    """
+
+    program: SendJob
+    start: Start
+    zero_known: bool
+    machine: Machine
+    dialect: str
+    controller: Controller
+    play: Play | None = None
+
+    @classmethod
+    def of(cls, told: Mapping[str, Any], machine: Machine | None) -> Ground:
+        """Return it from what a session told; machine: where the session was started without one.
+
+        Raises JobError where there is none.
+        """
+        program = SendJob.from_content(told["program"])
+        known = program.retrace
+        machine = _machine(known, machine)
+        dialect = known.get("dialect") or machine.controller
+        start = start_from(known["start"]) if known.get("start") else Start()
+        return cls(
+            program,
+            _started(start, told["origin"]),
+            start.zero_known,
+            machine,
+            dialect,
+            _controller(told, machine),
+            play_of(machine, dialect),
+        )
+
+    @property
+    def motors(self) -> Machine:
+        """The machine as its motors see it, without play: what they are sent has taken that up already."""
+        axes = {name: axis.model_copy(update={"backlash_mm": 0.0}) for name, axis in self.machine.axis.items()}
+        return self.machine.model_copy(update={"axis": axes})
+
+    def read(self, lines: Sequence[str]) -> Interpreter:
+        """Return an interpreter that has read some of the program's first lines."""
+        return read_lines(lines, self.start, self.dialect)
+
+
+def read_lines(lines: Sequence[str], start: Start, dialect: str) -> Interpreter:
+    """Return an interpreter that has read wire lines."""
+    reader = Interpreter(start, dialect)
+    run_whole(reader, "".join(f"{line}\n" for line in lines), Library())
+    return reader
+
+
+def _machine(known: Mapping[str, Any], machine: Machine | None) -> Machine:
+    if machine is not None:
+        return machine
+    if not known.get("machine"):
+        what = "the job was sent without a machine profile, so no way back can be checked"
+        raise JobError("retreat-machine", what, advice="name the machine (--machine)")
+    try:
+        return Machine.model_validate(known["machine"])
+    except ValidationError as error:
+        raise JobError("retreat-machine", f"the job's machine profile cannot be read: {error}") from error
+
+
+def _started(start: Start, origin: Mapping[str, Any]) -> Start:
+    """Return the start of the program with the place and the offsets that the controller itself told then."""
+    offsets = {name: tuple(offset) for name, offset in origin["work_offsets_mm"].items()}
+    return replace(
+        start,
+        position_mm=tuple(origin["position_mm"] or start.position_mm),
+        work_system=origin["work_system"],
+        work_offsets_mm=offsets,
+        g92_mm=tuple(origin["g92_mm"] or ZERO3),
+        zero_known=True,
+    )
+
+
+def _controller(told: Mapping[str, Any], machine: Machine) -> Controller:
+    """Return what the controller told of itself, or the profile where it did not."""
+    steps = [said or axis.steps_per_mm for said, axis in zip(told["steps_per_mm"], machine.axes, strict=True)]
+    rates = [said or axis.max_rate_mm_min for said, axis in zip(told["max_rate_mm_min"], machine.axes, strict=True)]
+    tolerance_mm = told["arc_tolerance_mm"] or machine.planner.arc_tolerance_mm
+    return Controller(int(told["blocks"]), (steps[0], steps[1], steps[2]), tolerance_mm, hypot(*rates))

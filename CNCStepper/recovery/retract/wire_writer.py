@@ -1,0 +1,98 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A stretch of the way as wire text for a controller that has just been reset, in mm and absolute coordinates.
+
+G21G90G17G94G54      what a reset leaves, said once more
+G43.1Z5  G92X3Y0Z0   the tool's length and G92, which a reset takes away
+M3S8000  G4P3        what is to be on, and the time that it needs
+G1Z... G1X... G1Z... up, over and down to the way, where somebody has jogged off it
+G1X... F...          from where the machine stands to the way, less than a step, then along it
+G20G91F30            modes again in which the program's own lines go on
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from CNCStepper.control.stream.return_path import Axes
+from CNCStepper.gcode.dialects.codes import MOTION_NAMES, PLANE_CODES, UNIT_CODES
+from CNCStepper.gcode.edit.number_format import number_text
+from CNCStepper.gcode.interpreter.state.modal_state_stack import FEED_MODES, SPINDLE
+from CNCStepper.recovery.retract.move_curve import Move, Point
+from CNCStepper.recovery.retract.path_section import Part
+from CNCStepper.state import State
+from CNCStepper.toolpath import PLANE_AXES, PLANE_NAMES, RAPID
+from CNCStepper.units import MM_PER_INCH
+
+AXES, CENTRES = "XYZ", "IJK"
+DECIMALS = 4  # of mm: finer than a step, and no more digits than 32-bit floats hold
+MODES = "G21G90G17G94"
+
+
+def head_lines(state: State, position_mm: Point) -> list[str]:
+    """Return the lines that bring modes, tool length and G92 back at a machine that was reset at `position_mm`."""
+    lines = [MODES + state.work_system]
+    if state.tool_length_mm:
+        lines.append(f"G43.1Z{_number(state.tool_length_mm)}")
+    if any(state.g92_mm):
+        lines.append("G92" + _point(position_mm, state))
+    return lines
+
+
+def output_lines(state: State, spin_up_s: float) -> list[str]:
+    """Return the lines that switch spindle, beam and coolant on as a state has them."""
+    lines = [name for name, on in (("M7", state.mist), ("M8", state.flood)) if on]
+    if state.spindle_turns:
+        lines.append(f"{SPINDLE[state.spindle]}S{_number(state.spindle_rpm)}")
+        lines += [f"G4P{_number(spin_up_s)}"] * (spin_up_s > 0)
+    return lines
+
+
+def over_lines(ways: Iterable[tuple[Axes, float]], state: State) -> list[str]:
+    """Return the lines that take a machine that was jogged away back, as `over` has their places and speeds."""
+    return [f"G1{_point(place_mm, state)}F{_number(feed_mm_min)}" for place_mm, feed_mm_min in ways]
+
+
+def way_lines(moves: Iterable[tuple[Move, Part]], state: State) -> tuple[list[str], list[Part]]:
+    """Return the lines of moves, one each, and the part of the way that each of them is.
+
+    state: whose work system, G92 and tool length are in force.
+    """
+    written = [(_line(move, state), part) for move, part in moves]
+    return [line for line, _ in written], [part for _, part in written]
+
+
+def modes_line(state: State, feed_mm_min: float) -> str:
+    """Return the line after which a program's own lines mean what they meant: units, distance, plane, feed."""
+    words = [
+        UNIT_CODES[state.units],
+        {"absolute": "G90", "incremental": "G91"}[state.distance],
+        PLANE_CODES[PLANE_NAMES.index(state.plane)],
+        FEED_MODES[state.feed_mode],
+    ]
+    scale = MM_PER_INCH if state.units == "inch" else 1.0
+    words += [f"F{_number(feed_mm_min / scale)}"] * (feed_mm_min > 0 and state.feed_mode == "per_minute")
+    off = state.spindle == "off" and state.spindle_rpm > 0
+    return "".join(words) + f"S{_number(state.spindle_rpm)}" * off
+
+
+def _line(move: Move, state: State) -> str:
+    """Return the line of a move; the centre is told from the begin as it was rounded."""
+    feed = f"F{_number(move.feed_mm_min)}" if move.kind != RAPID else ""
+    words = f"{MOTION_NAMES[move.kind]}{_point(move.end, state)}"
+    if not move.is_arc:
+        return words + feed
+    arms = (
+        (CENTRES[axis], round(move.centre[axis] - offset, DECIMALS) - round(move.begin[axis] - offset, DECIMALS))
+        for axis, offset in ((axis, state.offset_mm[axis]) for axis in sorted(PLANE_AXES[move.plane][:2]))
+    )
+    return PLANE_CODES[move.plane] + words + "".join(f"{letter}{_number(arm)}" for letter, arm in arms) + feed
+
+
+def _point(point_mm: Iterable[float | None], state: State) -> str:
+    """Return the words of a point of the machine in work coordinates; an axis that is None has none."""
+    axes = zip(AXES, point_mm, state.offset_mm, strict=False)
+    return "".join(axis + _number(value - offset) for axis, value, offset in axes if value is not None)
+
+
+def _number(value: float) -> str:
+    return number_text(value, DECIMALS)

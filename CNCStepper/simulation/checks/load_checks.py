@@ -1,0 +1,222 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The load on the tool along the path: flutes, holder, engagement angle and chip load against what the tool allows."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from itertools import tee
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from CNCStepper.machine.tools.tool import Tool
+from CNCStepper.simulation.check_context import PartCheck, Subject
+from CNCStepper.simulation.cutter_solid import Tools, tool_numbered
+from CNCStepper.simulation.finding import Finding, Severity
+from CNCStepper.simulation.stock import Stock
+
+if TYPE_CHECKING:
+    from CNCStepper.simulation.removal.engagement import Area, Engagement
+
+DEPTH_ERROR_MM = 0.01
+ANGLE_ERROR_DEG = 15.0  # of the map in which the angle is measured
+CHIP_SHARE = 1.001
+
+
+class Loads(PartCheck):
+    """Finds for each tool where it is loaded more than it may; what a tool does not say is not checked.
+
+    What the tools meet is measured when the whole path is known: it is kept on the disk until then.
+    """
+
+    def __init__(self, stock: Stock, tools: Tools):
+        self._stock, self._tools = stock, tools
+        self._area: Area | None = None
+        self._rows = 0
+        if _any_says_something([tools] if isinstance(tools, Tool) else tools.values()):
+            from CNCStepper.simulation.checks.tip_path_store import KeptPath
+            from CNCStepper.simulation.removal.engagement import Area
+
+            self._area, self._path = Area(stock, tools), KeptPath()
+
+    def __call__(self, subject: Subject) -> Iterator[Finding]:
+        numbers = subject.tool_numbers
+        for number in np.unique(numbers).tolist():
+            tool = tool_numbered(self._tools, number)
+            if tool is not None:
+                yield from _thin_chips(subject, number, tool, numbers == number, self._stock)
+        if self._area:
+            self._keep(subject, self._area)
+
+    def end(self, last: Subject) -> Iterator[Finding]:
+        if self._area and self._area.used:
+            yield from self._above_limits(last, self._area)
+        if self._area:
+            self._path.close()
+
+    def _keep(self, subject: Subject, area: Area) -> None:
+        """Keep the path of a part of the program."""
+        from CNCStepper.simulation.checks.tip_path_store import RECORD
+        from CNCStepper.simulation.removal.engagement import path_of
+
+        path, numbers = path_of(subject.toolpath)
+        area.see(path, numbers)
+        records = np.zeros(len(path), RECORD)
+        records["begin"], records["end"], records["tool"] = path.begin, path.end, numbers
+        records["row"], records["line"] = path.row + self._rows, subject.table.line[path.row]
+        records["is_feed"] = subject.is_feed[path.row]
+        for number in np.unique(numbers).tolist():
+            tool, mine = tool_numbered(self._tools, number), numbers == number
+            if tool is not None:
+                records["chip_mm"][mine] = _chip_load_mm(subject, tool)[path.row[mine]]
+        self._path.add(records)
+        self._rows += len(subject.table)
+
+    def _above_limits(self, last: Subject, area: Area) -> Iterator[Finding]:
+        """Yield what the tools met along the path that is more than they may."""
+        from CNCStepper.simulation.checks.tip_path_store import path_of_records
+
+        tools = {number: _Load(tool) for number, tool in sorted(area.used.items()) if _says_something(tool)}
+        parts, again = tee(self._parts(area))
+        paths = ((path_of_records(records), records["tool"]) for records in again)
+        for records, met in zip(parts, area.followed(paths), strict=True):
+            of_place = records[met.row]
+            for number, load in tools.items():
+                load.add(met, of_place, of_place["tool"] == number)
+        for load in tools.values():
+            yield from load.findings(last)
+
+    def _parts(self, area: Area) -> Iterator[np.ndarray]:
+        from CNCStepper.simulation.checks.tip_path_store import path_of_records
+
+        for records in self._path:
+            yield from np.split(records, area.split_at(path_of_records(records), records["tool"]))
+
+
+def _any_says_something(tools: Iterable[Tool]) -> bool:
+    return any(map(_says_something, tools))
+
+
+def _says_something(tool: Tool) -> bool:
+    holder = tool.length_mm and tool.holder_diameter_mm
+    return bool(tool.flute_length_mm or holder or tool.engagement_max_deg or tool.chip_load_max_mm)
+
+
+class _Load:
+    """What one tool meets on its way, against all that it says of it."""
+
+    def __init__(self, tool: Tool):
+        self._tool = tool
+        self._cut, self._wall = (_Most(tool.flute_length_mm, DEPTH_ERROR_MM) for _ in range(2))
+        self._holder = _Most(tool.length_mm, DEPTH_ERROR_MM)
+        self._angle = _Most(tool.engagement_max_deg, ANGLE_ERROR_DEG)
+        self._chip = _Most(tool.chip_load_max_mm, tool.chip_load_max_mm * (CHIP_SHARE - 1))
+        self._first_line = 0  # of a feed
+        self._is_measured = True  # the angle, which a map's cells may be too large for
+
+    def add(self, met: Engagement, of_place: np.ndarray, mine: np.ndarray) -> None:
+        """Take further places; of_place: the record of each one's segment, mine: where it is this tool."""
+        tool, feed = self._tool, mine & of_place["is_feed"]
+        if not self._first_line and feed.any():
+            self._first_line = int(of_place["line"][feed][0])
+            self._is_measured = tool.radius_mm >= met.least_radius_mm
+        self._cut.add(met, of_place, feed, met.uncut_mm)
+        self._wall.add(met, of_place, feed, met.beside_mm)
+        if tool.holder_diameter_mm:
+            self._holder.add(met, of_place, mine, met.holder_mm)
+        self._angle.add(met, of_place, feed, met.angle_deg)
+        chip = of_place["chip_mm"] * np.sin(np.radians(np.minimum(np.nan_to_num(met.angle_deg), 90)))
+        self._chip.add(met, of_place, feed, chip)
+
+    def findings(self, subject: Subject) -> Iterator[Finding]:
+        """Yield what was more than the tool may meet."""
+        tool = self._tool
+        text = f"the {tool.words} tool cuts deeper than its flutes are long"
+        advice = "cut in more levels, or take a longer tool"
+        yield from self._cut.finding(subject, "error", "flute-length", text, advice, "mm")
+        if not self._cut.count:
+            text = f"the shank of the {tool.words} tool rubs along the wall over its flutes"
+            yield from self._wall.finding(subject, "warning", "shank", text, advice, "mm")
+        text, advice = f"the holder of the {tool.words} tool goes into stock", "let the tool stick out farther"
+        yield from self._holder.finding(subject, "error", "holder", text, advice, "mm")
+        if (tool.engagement_max_deg or tool.chip_load_max_mm) and self._first_line and not self._is_measured:
+            text = f"the {tool.words} tool is too small against its path for its engagement to be measured"
+            advice, code = "prove parts of the program alone", "engagement-unknown"
+            yield subject.finding_at(self._first_line, "info", code, text, advice=advice)
+        text = f"more of the {tool.words} tool's rim is in the material than it may"
+        advice = "lower the stepover, enter by a helix, or leave less in the corners"
+        yield from self._angle.finding(subject, "warning", "engagement", text, advice, "deg")
+        text, advice = f"a tooth of the {tool.words} tool takes too thick a chip", "lower F, or turn the spindle faster"
+        yield from self._chip.finding(subject, "warning", "chip-load", text, advice, "mm")
+
+
+class _Most:
+    """The place where a value is largest, of those where it is above its limit by more than the measuring error.
+
+    limit: 0 where the tool does not say it. count: rows with such places.
+    """
+
+    def __init__(self, limit: float, error: float):
+        self._limit, self._error = limit, error
+        self._value, self._line = -np.inf, 0
+        self._place_mm: tuple[float, ...] = ()
+        self._last_row = -1
+        self.count = 0
+
+    def add(self, met: Engagement, of_place: np.ndarray, where: np.ndarray, value: np.ndarray) -> None:
+        """Take the values at further places, those with `where`."""
+        if not self._limit:
+            return
+        over = np.flatnonzero(where & (np.nan_to_num(value, nan=-np.inf) > self._limit + self._error))
+        if not len(over):
+            return
+        rows = np.unique(of_place["row"][over])
+        self.count += len(rows) - int(rows[0] == self._last_row)
+        self._last_row = int(rows[-1])
+        k = int(over[value[over].argmax()])
+        if value[k] > self._value:
+            self._value, self._line = float(value[k]), int(of_place["line"][k])
+            self._place_mm = tuple(met.place_mm[k].tolist())
+
+    def finding(
+        self, subject: Subject, severity: Severity, code: str, text: str, advice: str, unit: str
+    ) -> Iterator[Finding]:
+        """Yield the finding, where there is one."""
+        if self.count:
+            numbers: dict[str, Any] = {"value": self._value, "limit": self._limit, "unit": unit, "count": self.count}
+            yield subject.finding_at(
+                self._line, severity, code, text, advice=advice, place_mm=self._place_mm, **numbers
+            )
+
+
+def _thin_chips(subject: Subject, number: int, tool: Tool, mine: np.ndarray, stock: Stock) -> Iterator[Finding]:
+    """Yield the cut that asks less of each tooth than it needs to cut instead of rub."""
+    if not tool.chip_load_min_mm:
+        return
+    chip = _chip_load_mm(subject, tool)
+    level = np.hypot(*(subject.end - subject.begin)[:, :2].T) > 0
+    rows = mine & subject.is_feed & level & (subject.low_mm < stock.top_mm) & (chip > 0)
+    thin = np.flatnonzero(rows & (chip * CHIP_SHARE < tool.chip_load_min_mm))
+    if len(thin):
+        k = int(thin[chip[thin].argmin()])
+        yield subject.finding(
+            k,
+            "warning",
+            "chip-load",
+            f"the {tool.words} tool rubs: a tooth takes too thin a chip",
+            advice="raise F, or turn the spindle slower",
+            value=float(chip[k]),
+            limit=tool.chip_load_min_mm,
+            unit="mm",
+            count=len(thin),
+            group=f"thin-{number}",
+            rank=-float(chip[k]),
+            at_first=False,
+        )
+
+
+def _chip_load_mm(subject: Subject, tool: Tool) -> np.ndarray:
+    """Return how far the tool goes on with each tooth on every row, 0 where nothing turns."""
+    rpm = np.array([state.spindle_rpm if state.spindle_turns else 0.0 for state in subject.toolpath.states])
+    teeth = rpm[subject.table.state] * tool.flutes
+    return np.where(teeth > 0, subject.table.feed / np.where(teeth > 0, teeth, 1.0), 0.0)

@@ -1,0 +1,87 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Kernels: which moves reach which tiles, and the cutting of one tile by its moves."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from CNCStepper.kernels import njit
+from CNCStepper.simulation.removal.arc_kernels import bounds, cut_arc
+from CNCStepper.simulation.removal.line_kernels import cut_line
+from CNCStepper.simulation.removal.row_kernels import columns_between
+
+TILE = 128  # cells along a tile's side: its two arrays of float32 fit a core's cache
+
+
+@njit
+def reached(begin, end, arc, arcs, form, forms, first, last, grid, shape, offsets, entries):
+    """Count the moves [first, last) that reach each tile, or where `entries` has room write their indices there.
+
+    grid: low x, y and lengths of a cell. shape: tiles along y and x. offsets: int64[tiles], counted up: to begin
+    with zeros, or where each tile's entries begin.
+    """
+    tile_x, tile_y = grid[2] * TILE, grid[3] * TILE
+    around = 0.5 * math.hypot(tile_x, tile_y)
+    for k in range(first, last):
+        wide = forms[form[k], 0] + 0.5 * (grid[2] + grid[3])
+        a, b = begin[k], end[k]
+        if arc[k] >= 0:
+            x_low, y_low, x_high, y_high = bounds(a, b, arcs[arc[k]])
+        else:
+            x_low, y_low, x_high, y_high = min(a[0], b[0]), min(a[1], b[1]), max(a[0], b[0]), max(a[1], b[1])
+        south, north = tiles_between(y_low - wide, y_high + wide, grid[1], tile_y, shape[0])
+        west, east = tiles_between(x_low - wide, x_high + wide, grid[0], tile_x, shape[1])
+        several = (north - south) * (east - west) > 0
+        for i in range(south, north + 1):
+            for j in range(west, east + 1):
+                x, y = grid[0] + (j + 0.5) * tile_x, grid[1] + (i + 0.5) * tile_y
+                if several and not is_near(x, y, a, b, arc[k], arcs, wide + around):
+                    continue
+                tile = i * shape[1] + j
+                if len(entries):
+                    entries[offsets[tile]] = k
+                offsets[tile] += 1
+
+
+@njit
+def tiles_between(first, last, low, size, count):
+    """Return the first and last tile that the range [first, last] touches."""
+    return columns_between(first - size, last, low, 1.0 / size, count)
+
+
+@njit
+def is_near(x, y, a, b, arc, arcs, distance):
+    """Say whether a move comes as near as `distance` to a point; of an arc its whole circle is looked at."""
+    if arc >= 0:
+        out = math.hypot(x - arcs[arc, 0], y - arcs[arc, 1])
+        return min(arcs[arc, 4], arcs[arc, 5]) - distance <= out <= max(arcs[arc, 4], arcs[arc, 5]) + distance
+    ex, ey = b[0] - a[0], b[1] - a[1]
+    square = ex * ex + ey * ey
+    share = ((x - a[0]) * ex + (y - a[1]) * ey) / square if square > 0.0 else 0.0
+    share = min(max(share, 0.0), 1.0)
+    return math.hypot(x - a[0] - share * ex, y - a[1] - share * ey) <= distance
+
+
+@njit
+def cut_tile(tile, grid, begin, end, arc, arcs, form, forms, joined, which):
+    """Cut a tile by the moves `which`; grid: x and y of its first cell's centre, lengths of a cell."""
+    for k in which:
+        own = forms[form[k], 0], forms[form[k], 1], forms[form[k], 2], forms[form[k], 3]
+        if arc[k] >= 0:
+            cut_arc(tile, grid, begin[k], end[k], arcs[arc[k]], own)
+        else:
+            following = end[min(k + 1, len(end) - 1)]
+            cut_line(tile, grid, begin[k], end[k], following, joined[k], own)
+
+
+def bins(moves, first: int, last: int, grid: tuple[float, ...], shape: tuple[int, int]) -> dict[int, np.ndarray]:
+    """Return the indices of the moves [first, last) that reach each tile, by the tile's number row by row."""
+    columns = (moves.begin, moves.end, moves.arc, moves.arcs, moves.form, moves.forms, first, last, grid, shape)
+    counts = np.zeros(shape[0] * shape[1], np.int64)
+    reached(*columns, counts, np.zeros(0, np.int32))
+    starts = np.cumsum(counts) - counts
+    entries = np.zeros(int(counts.sum()), np.int32)
+    reached(*columns, starts.copy(), entries)
+    return {int(tile): entries[starts[tile] : starts[tile] + counts[tile]] for tile in np.flatnonzero(counts)}

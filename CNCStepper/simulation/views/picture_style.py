@@ -1,0 +1,171 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What all pictures share: words, colours, the head, the legend, and how a figure becomes a file.
+
+Only figures with their own canvas are used, never pyplot: several pictures may be made at once, inside FreeCAD too.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from io import BytesIO
+from pathlib import Path
+from typing import Any
+
+import matplotlib
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.collections import LineCollection
+from matplotlib.colors import LinearSegmentedColormap, Normalize
+from matplotlib.figure import Figure
+from matplotlib.image import imsave
+from matplotlib.lines import Line2D
+
+from CNCStepper.atomic_file import write_whole
+from CNCStepper.errors import JobError
+from CNCStepper.simulation.removal.heightmap import HeightMap
+from CNCStepper.simulation.views.depth_colours import MATERIAL, deepest_shown_mm
+from CNCStepper.simulation.views.path_lines import DrawnPath
+
+TEXTS = {
+    "isometric": "Isometric view",
+    "xy": "XY view, seen from above",
+    "zy": "ZY view, seen along the X axis",
+    "depth": "Depth map",
+    "plan": "Depth and tool path, seen from above",
+    "axis": "{name} (mm)",
+    "height": "height above the stock's top face (mm)",
+    "rapids": "rapid",
+    "feeds": "feed",
+    "arcs": "arc",
+    "plunges": "plunge",
+    "zero": "work zero",
+    "cutter": "tool",
+    "limits": "limits of travel",
+    "workpiece": "stock",
+    "tool": "tool {text}",
+    "time": "time {text}",
+    "moment": "at {text} of {whole}, line {line}",
+    "moves": "{count} moves",
+    "stock": "stock {x:g} × {y:g} × {z:g} mm",
+    "volume": "removed {volume:.4g} cm³",
+}
+DPI = 100
+FINER = 2  # drawn that many times larger, then averaged: the surface's quads are not antialiased
+MATERIAL_MAP = LinearSegmentedColormap.from_list("material", MATERIAL)
+GREY, INK, GROUND, STOCK_COLOUR = "#4a5460", "#20262e", "#f1f3f5", "#f3ead7"
+COLOURS = {
+    "rapids": "#d6166f",
+    "feeds": INK,
+    "arcs": "#ff8a1f",
+    "plunges": "#5b1fa6",
+    "zero": "#107a3b",
+    "cutter": "#8fa3b5",
+    "shank": "#c3ccd4",
+    "limits": "#b03030",
+    "workpiece": STOCK_COLOUR,
+}
+STYLES: dict[str, dict[str, Any]] = {
+    "rapids": {"ls": "--"},
+    "feeds": {"ls": "-"},
+    "arcs": {"ls": "-"},
+    "plunges": {"ls": "", "marker": "v", "mec": "white"},
+    "zero": {"ls": "", "marker": "+", "mew": 1.8},
+    "cutter": {"ls": "", "marker": "s"},
+    "limits": {"ls": (0, (6, 3))},
+    "workpiece": {"ls": "", "marker": "s", "mec": INK},
+}
+
+
+def heights_scale(part: HeightMap, deepest_mm: float = 0.0) -> Normalize:
+    """Return the scale of a part's colours, from its deepest cut, or that of a later moment, to its top."""
+    lowest = deepest_shown_mm(min(float(part.heights_mm.min()), deepest_mm), part.stock.bottom_mm, part.stock.top_mm)
+    return Normalize(lowest, part.stock.top_mm)
+
+
+def head(figure: Figure, title: str, facts: Iterable[str], left_inch: float = 0.32) -> None:
+    """Write the title and, below it, what is known in figures."""
+    width, height = figure.get_size_inches()
+    figure.text(left_inch / width, 1 - 0.42 / height, title, fontsize=17, fontweight="bold", color=INK)
+    line = "   ·   ".join(fact for fact in facts if fact)
+    figure.text(left_inch / width, 1 - 0.75 / height, line, fontsize=11.5, color=GREY)
+
+
+def legend(figure: Figure, names: Iterable[str], centre: float, bottom_inch: float) -> None:
+    """Tell what is shown, and no more, around `centre` (a share of the width) above `bottom_inch`."""
+    handles = [
+        Line2D([], [], color=COLOURS[name], lw=1.4, ms=9, label=TEXTS[name], **STYLES[name])
+        for name in STYLES
+        if name in set(names)
+    ]
+    foot = bottom_inch / figure.get_size_inches()[1]
+    figure.legend(
+        handles=handles,
+        loc="lower center",
+        bbox_to_anchor=(centre, foot),
+        ncols=max(len(handles), 1),
+        frameon=False,
+        fontsize=11,
+        columnspacing=1.4,
+        borderpad=0.0,
+    )
+
+
+def draw_path(axes: Axes, path: DrawnPath, project: Any, *, plunge_lines: bool) -> list[str]:
+    """Draw the lines in their colours and return the names of the kinds that there are.
+
+    project: from points float64[n, 3] to the picture's float64[n, 2]. plunge_lines: whether plunges are seen as lines.
+    """
+    for name, lines in path.kinds().items():
+        flat = [project(line) for line in lines]
+        if name == "plunges" and flat:
+            axes.plot(*np.array([line[-1] for line in flat]).T, "v", color=COLOURS[name], ms=7, mec="white", mew=0.7)
+        if name != "plunges" or plunge_lines:
+            style = "--" if name == "rapids" else "-"
+            axes.add_collection(LineCollection(flat, colors=COLOURS[name], linewidths=0.8, linestyles=style))
+    return [name for name, lines in path.kinds().items() if lines]
+
+
+def duration_text(time_s: float) -> str:
+    """Return a time as people read it, for example "1 h 02 min 05 s"."""
+    whole = round(time_s)
+    hours, minutes, seconds = whole // 3600, whole // 60 % 60, whole % 60
+    if hours:
+        return f"{hours} h {minutes:02d} min {seconds:02d} s"
+    return f"{minutes} min {seconds:02d} s" if minutes else f"{time_s:.1f} s"
+
+
+def number_text(value: float) -> str:
+    """Return a number with a true minus sign."""
+    return f"{value:g}".replace("-", "\N{MINUS SIGN}")
+
+
+def new_figure(width_inch: float, height_inch: float) -> Figure:
+    """Return an empty white figure whose height is a whole number of pixels."""
+    return Figure(figsize=(width_inch, round(height_inch * DPI) / DPI), dpi=DPI * FINER, facecolor="white")
+
+
+def pixels_of(figure: Figure) -> np.ndarray:
+    """Return the figure as it is seen, uint8[rows, columns, 3]."""
+    canvas = FigureCanvasAgg(figure)
+    canvas.draw()
+    pixels = np.asarray(canvas.buffer_rgba())[..., :3].astype(np.uint16)
+    rows, columns = pixels.shape[0] // FINER, pixels.shape[1] // FINER
+    averaged = pixels.reshape(rows, FINER, columns, FINER, 3).sum(axis=(1, 3)) // FINER**2
+    return averaged.astype(np.uint8)
+
+
+def save_figure(figure: Figure, file: Path) -> None:
+    """Write a figure as PNG or SVG, as the file's name ends; raises JobError for another ending."""
+    buffer = BytesIO()
+    if file.suffix.lower() == ".png":
+        imsave(buffer, pixels_of(figure), format="png", metadata={"Software": "CNCStepper"})
+    elif file.suffix.lower() == ".svg":
+        with matplotlib.rc_context({"svg.hashsalt": "CNCStepper"}):  # the same picture is the same bytes
+            about = {"Date": None, "Creator": "CNCStepper"}
+            figure.savefig(buffer, format="svg", dpi=DPI * FINER, metadata=about)
+    else:
+        raise JobError(
+            "picture-kind", f"'{file.name}' is no picture that can be drawn", advice="end it in .png or .svg"
+        )
+    write_whole(file, buffer.getvalue())

@@ -1,0 +1,208 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A checked block is carried out, word by word in the order that the standard gives."""
+
+from __future__ import annotations
+
+from math import ceil, dist
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from CNCStepper.motion.planner.arc_segments import arc_points
+from CNCStepper.virtual.grbl import canned_cycles, gcode_checks, gcode_parser
+from CNCStepper.virtual.grbl.error_codes import refused
+from CNCStepper.virtual.grbl.gcode_block import (
+    ARCS,
+    CLEAR_OFFSET,
+    CYCLES,
+    DWELL,
+    FEED,
+    GO_HOME,
+    PROBES,
+    RAPID,
+    SET_DATA,
+    SET_HOME,
+    SET_OFFSET,
+    AxisCommand,
+    Block,
+    Modal,
+)
+from CNCStepper.virtual.grbl.gcode_words import f32
+from CNCStepper.virtual.grbl.settings import ARC_TOLERANCE, LASER, SOFT_LIMITS
+from CNCStepper.virtual.grbl.spindle_control import OFF
+from CNCStepper.virtual.grbl.states import State
+
+if TYPE_CHECKING:
+    from CNCStepper.virtual.grbl.machine import Grbl, Waiting
+
+PAUSE = 0  # M0
+FIRST_PLANE = 17
+DWELL_STEP_S = 0.05
+
+
+def run(machine: Grbl, line: str) -> Waiting:
+    """Read, check and carry out one line of g-code; raises MachineRefusal, then nothing has changed."""
+    block = gcode_parser.read_block(line, machine.parser.modal, machine.firmware)
+    gcode_checks.complete(block, machine.parser, machine.memory.places)
+    if machine.state is State.TOOL and block.axis_command is AxisCommand.MOTION:
+        raise refused(40)
+    if block.changes_tool and machine.state is not State.CHECK:
+        yield from _change_tool(machine)
+    yield from _set_spindle(machine, block)
+    yield from _set_flood(machine, block)
+    if block.action == DWELL and machine.state is not State.CHECK:
+        yield from machine.wait_for_stop()
+        yield from machine.wait(_dwell_s(block.words["P"]))
+    yield from _set_offsets(machine, block)
+    machine.parser.modal = block.modal
+    machine.parser.drilling = block.drilling or (machine.parser.drilling if block.modal.motion in CYCLES else None)
+    yield from _act(machine, block)
+    if block.axis_command is AxisCommand.MOTION:
+        yield from _make_motion(machine, block)
+    if block.flow is not None:
+        yield from _stop_program(machine, block.flow)
+
+
+def _dwell_s(seconds: float) -> float:
+    """Return how long the firmware waits: whole steps of 50 ms, rounded up."""
+    return ceil(f32(f32(1 / DWELL_STEP_S) * seconds)) * DWELL_STEP_S
+
+
+def jog(machine: Grbl, line: str) -> Waiting:
+    """Check and queue a `$J=` line; of the parser only the position changes."""
+    block = gcode_parser.read_block(line, machine.parser.modal)
+    gcode_checks.complete(block, machine.parser, machine.memory.places)
+    settings = machine.memory.settings
+    if settings.on(SOFT_LIMITS) and settings.outside_travel(block.target):
+        raise refused(15)
+    yield from machine.queue(block.target, block.feed)
+    if machine.state in (State.IDLE, State.TOOL) and not machine.axes.idle:
+        machine.state = State.JOG
+        machine.override_motion()
+    machine.parser.position = block.target
+
+
+def _change_tool(machine: Grbl) -> Waiting:
+    """Enter the state Tool; the line itself is done then."""
+    yield from machine.wait_for_stop()
+    machine.tool_change.begin()
+    machine.state = State.TOOL
+
+
+def _set_spindle(machine: Grbl, block: Block) -> Waiting:
+    """F, S, T and M3 to M5. A new speed or direction waits for the moves before it to end."""
+    state, laser = machine.parser, machine.memory.settings.on(LASER)
+    state.feed = block.feed
+    with_motion = laser and block.axis_command is AxisCommand.MOTION  # a laser's power rides on its moves
+    speed_changes = block.rpm != state.rpm and state.modal.spindle != OFF and not with_motion
+    state.rpm = block.rpm
+    state.tool = int(block.words.get("T", 0))  # the firmware forgets the tool with the next block
+    if speed_changes or block.modal.spindle != state.modal.spindle:
+        if machine.state is not State.CHECK:
+            yield from machine.wait_for_stop()
+            machine.spindle.switch(block.modal.spindle, block.rpm)
+            machine.status.overrides_changed()
+        state.modal.spindle = block.modal.spindle
+    elif with_motion and machine.state is not State.CHECK:
+        machine.spindle.switch(block.modal.spindle, block.rpm)
+
+
+def _set_flood(machine: Grbl, block: Block) -> Waiting:
+    if block.modal.flood != machine.parser.modal.flood and machine.state is not State.CHECK:
+        yield from machine.wait_for_stop()
+        machine.flood = block.modal.flood
+        machine.status.overrides_changed()
+    machine.parser.modal.flood = block.modal.flood
+
+
+def _set_offsets(machine: Grbl, block: Block) -> Waiting:
+    """G43.1, G49 and G54 to G59; each change waits for the moves before it, so that reports stay true."""
+    state = machine.parser
+    if block.axis_command is AxisCommand.TOOL_LENGTH:
+        length = block.words["Z"] if block.modal.tool_length == 43 else 0.0
+        if length != state.tool_length:
+            yield from _note_offset(machine)
+            state.tool_length = length
+    if block.modal.system != state.modal.system:
+        yield from _note_offset(machine)
+        state.system_offset = list(machine.memory.places[block.modal.system])
+
+
+def _note_offset(machine: Grbl) -> Waiting:
+    yield from machine.wait_for_stop()
+    machine.status.offset_changed()
+
+
+def _act(machine: Grbl, block: Block) -> Waiting:
+    """G10, G28, G30 and G92 in all their forms."""
+    state, places = machine.parser, machine.memory.places
+    if block.action == SET_DATA:
+        yield from _note_offset(machine)
+        places[block.system] = block.centre
+        if block.system == state.modal.system:
+            state.system_offset = list(block.centre)
+    elif block.action in GO_HOME:
+        if block.axis_words:
+            yield from machine.queue(block.target, 0.0, rapid=True)
+        yield from machine.queue(block.centre, 0.0, rapid=True)
+        state.position = block.centre
+    elif block.action in SET_HOME:
+        yield from machine.wait_for_stop()
+        places[block.action // 10] = list(state.position)
+    elif block.action == SET_OFFSET:
+        yield from _note_offset(machine)
+        state.g92 = block.target
+    elif block.action == CLEAR_OFFSET:
+        yield from _note_offset(machine)
+        state.g92 = [0.0, 0.0, 0.0]
+
+
+def _make_motion(machine: Grbl, block: Block) -> Waiting:
+    state = machine.parser
+    if block.modal.motion in (RAPID, FEED):
+        feed = _feed_of_line(block, state.position)
+        yield from machine.queue(block.target, feed, rapid=block.modal.motion == RAPID)
+    elif block.modal.motion in ARCS:
+        yield from _make_arc(machine, block)
+    elif block.modal.motion in CYCLES:
+        yield from canned_cycles.run(machine, block)
+    elif block.modal.motion in PROBES and machine.state is not State.CHECK:
+        yield from machine.probe.run(machine, block)
+    state.position = block.target
+
+
+def _feed_of_line(block: Block, start_mm: list[float]) -> float:
+    """Return mm/min; in inverse time (G93) F says how many such moves a minute would hold."""
+    return block.feed * dist(start_mm, block.target) if block.modal.feed_mode == 93 else block.feed
+
+
+def _make_arc(machine: Grbl, block: Block) -> Waiting:
+    """Queue the arc's chords, one block of the planner each."""
+    begin, modal = np.array(machine.parser.position), block.modal
+    centre = (begin + block.centre).astype(np.float32)
+    tolerance_mm = machine.memory.settings[ARC_TOLERANCE]
+    points = arc_points(begin, np.array(block.target), centre, modal.motion, modal.plane - FIRST_PLANE, 1, tolerance_mm)
+    # in G93 the firmware multiplies F by the number of chords and then takes it for mm/min
+    feed = block.feed * len(points) if modal.feed_mode == 93 else block.feed
+    for point in points.tolist():
+        yield from machine.queue(point, feed)
+
+
+def _stop_program(machine: Grbl, flow: int) -> Waiting:
+    """M0 holds until cycle start; M2 and M30 put most modal words back and switch the outputs off."""
+    yield from machine.wait_for_stop()
+    check = machine.state is State.CHECK
+    if flow == PAUSE:
+        if not check:
+            machine.pause()
+            yield
+        return
+    modal = machine.parser.modal
+    machine.parser.modal = Modal(motion=FEED, units=modal.units, tool_length=modal.tool_length)
+    if not check:
+        machine.parser.system_offset = list(machine.memory.places[54])
+        machine.status.offset_changed()
+        machine.suspension.switch_off(machine)
+    machine.overrides.normalize()
+    machine.override_motion()
+    machine.send("[MSG:Pgm End]")

@@ -1,0 +1,140 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The dock's end of the wire: it starts a controller's process, attaches to one, polls it and lets it go.
+
+Everything returns at once; what became of it is in `moment`, `status` and the events of `poll`.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+from CNCStepper.control.service.connection_client import DeskClient
+from CNCStepper.control.service.work_zero import start_of
+from CNCStepper.errors import CNCStepperError
+from CNCStepper.state import Start
+from CNCStepper.workbench.dock.model.controller_state import Moment, sentences
+from CNCStepper.workbench.dock.model.port_choices import VIRTUAL
+from CNCStepper.workbench.dock.virtual_controller import VirtualMachine
+from CNCStepper.workbench.services.message_translation import translated
+
+
+class Link:
+    """At most one controller at a time.
+
+    client: None while there is none. port: what was asked for, `VIRTUAL` for the machine without hardware.
+    """
+
+    def __init__(self) -> None:
+        self.client: DeskClient | None = None
+        self.port = ""
+        self._virtual: VirtualMachine | None = None
+        self._baud = 0
+        self._trouble: CNCStepperError | None = None
+        self._reached = False
+
+    # --- coming and going ------------------------------------------------------------------------
+
+    def open(self, port: str, baud: int, speed: float = 1.0) -> None:
+        """Begin to connect to a port; `speed` is that of the virtual grbl, which is started first."""
+        self._forget()
+        self.port, self._baud = port, baud
+        if port == VIRTUAL:
+            self._virtual = VirtualMachine(speed)
+        else:
+            self.client = DeskClient.launch(port, baud)
+
+    def attach(self, session_file: Path) -> None:
+        """Take up a controller's process that runs already."""
+        self._forget()
+        self.client = DeskClient.attach(session_file)
+        self.port = self.client.port
+
+    def leave(self) -> None:
+        """Let the controller go: its process ends when it cuts nothing."""
+        if self.client:
+            self.client.leave()
+        if self._virtual:
+            self._virtual.give_up()
+        self._forget()
+
+    def detach(self) -> None:
+        """Let go of a job that goes on."""
+        if self.client:
+            self.client.detach()
+        self._forget()
+
+    def _forget(self) -> None:
+        self.client, self._virtual, self._trouble, self._reached = None, None, None, False
+
+    # --- while it lasts --------------------------------------------------------------------------
+
+    def poll(self) -> list[dict[str, Any]]:
+        """Return what happened since the last call; never waits."""
+        if self._virtual:
+            self._await_virtual(self._virtual)
+        if not self.client:
+            return []
+        events = self.client.poll()
+        self._reached = self._reached or self.client.phase == "connected"
+        if self.client.phase == "gone":
+            self._trouble, self.client = self.client.error, None
+        return events
+
+    def command(self, name: str, *arguments: Any, **named: Any) -> None:
+        """Pass a command on to the controller: "hold", "jog", …; nothing happens when there is none."""
+        if self.client:
+            getattr(self.client, name)(*arguments, **named)
+
+    @property
+    def address(self) -> str:
+        """Where the controller really is, the virtual one too, as its journals name it; "" while there is none."""
+        return self.client.port if self.client else ""
+
+    @property
+    def status(self) -> Any:
+        """The last status of the controller, None when there is none."""
+        return self.client.status if self.client and self.client.phase == "connected" else None
+
+    @property
+    def stand(self) -> int | None:
+        """The number of the stand that is shown, which who goes on answers to; None when there is no controller."""
+        return self.status.stand if self.status else None
+
+    @property
+    def start(self) -> Start | None:
+        """The start state of a program on this machine, None where its place on the table is not known."""
+        return start_of(self.status)
+
+    @property
+    def moment(self) -> Moment:
+        """What the dock is to show now."""
+        if self._trouble:
+            return Moment("gone" if self._reached else "unreached", message=told(self._trouble))
+        if not self.client:
+            return Moment("starting") if self._virtual else Moment()
+        if self.client.phase != "connected":
+            return Moment(self.client.phase)
+        status = self.client.status
+        return Moment(
+            status.phase,
+            status.machine_state,
+            translated(status.message),
+            job=status.total > 0,
+            homing=status.homing,
+            position_known=status.position_known,
+        )
+
+    def _await_virtual(self, virtual: VirtualMachine) -> None:
+        try:
+            address = virtual.address()
+            if address:
+                self._virtual = None
+                self.client = DeskClient.launch(address, self._baud)
+        except CNCStepperError as trouble:
+            self._virtual, self._trouble = None, trouble
+
+
+def told(trouble: CNCStepperError) -> str:
+    """Return what an error says to people, without its code."""
+    return sentences(translated(trouble.what), translated(trouble.advice))

@@ -1,0 +1,213 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What the dock says of a moment, and which of its controls can work then: no Qt, no FreeCAD, nothing remembered.
+
+Texts here are marked for the translators and shown through `tr`.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from CNCStepper.workbench.services.translation import later
+
+OFF, CALM, GOING, WAITING, DANGER = "off", "calm", "going", "waiting", "danger"
+
+RETREATED = "retreated"  # idle between two ways along its cut
+STANDING = frozenset({"held", "paused", "door", RETREATED})
+JOB_RUNS = frozenset({"running", "holding", "finishing", "stopping", *STANDING})
+CONNECTED = frozenset({"idle", "alarm", "jogging", "homing", "busy", *JOB_RUNS})
+
+
+@dataclass(frozen=True)
+class Moment:
+    """What the dock knows of the machine at one time.
+
+    phase: "off" (no controller), "starting", "connecting", "unreached" (no connection came about), "gone" (it ended by
+    itself), or the desk's phase. machine_state: as grbl writes it. message: the program's words at a pause, the
+    sentence of an alarm or of what ended the connection. job: whether a job is on its way; a machine may be
+    held without one. homing, position_known: None while it is not known.
+    """
+
+    phase: str = "off"
+    machine_state: str = ""
+    message: str = ""
+    job: bool = False
+    homing: bool | None = None
+    position_known: bool | None = None
+
+    @property
+    def connected(self) -> bool:
+        """Whether a controller answers."""
+        return self.phase in CONNECTED
+
+    @property
+    def job_runs(self) -> bool:
+        """Whether a job is being cut, also while it is held."""
+        return self.job and self.connected
+
+    @property
+    def busy(self) -> bool:
+        """Whether a connection is being made."""
+        return self.phase in ("starting", "connecting")
+
+
+@dataclass(frozen=True)
+class Face:
+    """The state in large letters, its colour by meaning, and one sentence below it."""
+
+    headline: str
+    tone: str
+    sentence: str = ""
+
+
+FACES = {
+    "off": Face(later("Not connected"), OFF, later("Choose a port, then connect.")),
+    "starting": Face(later("Connecting…"), OFF, later("The link to the controller is being started.")),
+    "connecting": Face(later("Connecting…"), OFF, later("Waiting for the controller to answer.")),
+    "unreached": Face(later("No connection"), DANGER, later("Look at the port, then connect again.")),
+    "gone": Face(later("Connection lost"), DANGER, later("Look at the machine, then connect again.")),
+    "idle": Face(later("Idle"), CALM, later("The machine stands and waits.")),
+    "running": Face(later("Running"), GOING, later("The job is being cut.")),
+    "finishing": Face(later("Finishing"), GOING, later("All lines are sent; the last moves are being cut.")),
+    "holding": Face(later("Holding…"), WAITING, later("The machine slows down.")),
+    "held": Face(later("Held"), WAITING, later("The machine stands; nothing is lost. Resume or stop.")),
+    RETREATED: Face(later("On its cut"), WAITING, later("The job waits on its cut. Resume cuts on from there.")),
+    "paused": Face(later("Paused"), WAITING, later("The program waits. Resume goes on.")),
+    "door": Face(later("Door"), WAITING, later("Close the safety door, then resume.")),
+    "stopping": Face(later("Stopping…"), WAITING, later("The machine slows down, then the job is ended.")),
+    "alarm": Face(later("Alarm"), DANGER, later("Find the cause, then home the machine or unlock it.")),
+    "jogging": Face(later("Jogging"), GOING, later("The machine is moved by hand.")),
+    "homing": Face(later("Homing"), GOING, later("The machine looks for its switches.")),
+    "busy": Face(later("Busy"), WAITING, later("The controller does something that was not asked for here.")),
+}
+LOST = later("Where the table stands is not known: home the machine, or set the work zero anew.")
+WITH_OWN_WORDS = ("paused", "alarm", "gone", "unreached", "held", "door")  # where a message says more than our sentence
+
+
+def face(moment: Moment) -> Face:
+    """Return what to show large; its sentence is still to be translated unless it is the moment's own message."""
+    found = FACES.get(moment.phase, FACES["busy"])
+    if moment.message and moment.phase in WITH_OWN_WORDS:
+        return Face(found.headline, found.tone, sentences(moment.message))
+    if moment.phase == "idle" and moment.position_known is False:
+        return Face(found.headline, found.tone, LOST)
+    return found
+
+
+def sentences(*texts: str) -> str:
+    """Return the texts that are not empty as sentences: with a capital and a full stop."""
+    return " ".join(f"{text[0].upper()}{text[1:].rstrip('.')}." for text in texts if text)
+
+
+@dataclass(frozen=True)
+class Rule:
+    """When a control works: in these phases; what it then does; why it does not in all others."""
+
+    phases: frozenset[str]
+    does: str
+    why_not: str
+
+
+NOT_CONNECTED = later("Connect to a controller first.")
+RULES = {
+    "hold": Rule(
+        frozenset({"running", "finishing", "jogging", "busy"}),
+        later("Hold: slow down and stand still; nothing is lost, the spindle goes on turning."),
+        later("Nothing moves that could be held."),
+    ),
+    "resume": Rule(
+        STANDING,
+        later("Go on after a hold, a pause or the door."),
+        later("The machine is not held: there is nothing to resume."),
+    ),
+    "back": Rule(
+        frozenset({"running", "holding", "finishing", "held", "paused", RETREATED}),
+        later("Go back along the cut by this length; a machine that moves is held first."),
+        later("The tool goes back along its cut while a job is cut, or is held."),
+    ),
+    "aside": Rule(
+        frozenset({"held"}),
+        later("Let the machine be jogged: spindle or beam off; Resume goes back to the cut over a safe way."),
+        later("The machine is made free to jog while a job is held."),
+    ),
+    "forward": Rule(
+        frozenset({"held", RETREATED}),
+        later("Go forward again along the cut by this length, to where it had come at most."),
+        later("The tool goes forward again only after it went back."),
+    ),
+    "stop": Rule(
+        JOB_RUNS - {"stopping"} | {"jogging", "homing", "busy"},
+        later(
+            "Stop: slow down, stand still, spindle off; the rest of the job is not cut. "
+            "This is not an emergency stop: the emergency stop is on the machine."
+        ),
+        later("Nothing moves that could be stopped. The emergency stop is on the machine."),
+    ),
+    "jog": Rule(
+        frozenset({"idle", "jogging"}),
+        later("Move the machine in this direction."),
+        later("Jogging works only while the machine is idle."),
+    ),
+    "zero": Rule(
+        frozenset({"idle"}),
+        later("Make this position the work zero of the axis."),
+        later("The work zero can be set only while the machine is idle."),
+    ),
+    "home": Rule(
+        frozenset({"idle", "alarm"}),
+        later("Let the machine find its own zero with its switches."),
+        later("Homing works only while the machine is idle or in alarm."),
+    ),
+    "unlock": Rule(
+        frozenset({"alarm"}),
+        later("Take the alarm away without homing: only when the position is surely right."),
+        later("The machine is not in alarm: there is nothing to unlock."),
+    ),
+    "override": Rule(
+        CONNECTED - {"alarm", "homing", "stopping", "busy"},
+        later("Change the programmed value while cutting, in percent."),
+        later("Overrides work only while the machine is idle or cutting."),
+    ),
+    "console": Rule(
+        frozenset({"idle", "alarm"}),
+        later("A line for the controller, sent with Return. The arrow keys bring back the lines before."),
+        later("Lines can be typed only while the machine is idle or in alarm."),
+    ),
+}
+AT_A_STAND = {  # the machine states in which these work between two lines, or two ways along the cut
+    "paused": {"jog": ("Idle", "Jog", "Tool"), "zero": ("Idle", "Tool"), "hold": ("Jog",)},
+    RETREATED: {"jog": ("Idle", "Jog"), "hold": ("Jog",)},  # what lies behind was cut from the zero that it has
+}
+HELD_AND_LOST = later(
+    "The machine's position is unknown: stop what it was doing, then home it or set the zero of all axes."
+)
+NO_HOMING = later("This machine has no homing switches set up ($22=0).")
+
+
+def why_not(control: str, moment: Moment) -> str:
+    """Return why a control of `RULES` cannot work now, "" when it can."""
+    if not moment.connected:
+        return NOT_CONNECTED
+    if control == "home" and moment.homing is False:
+        return NO_HOMING
+    if control == "resume" and moment.position_known is False and moment.phase in STANDING and not moment.job:
+        return HELD_AND_LOST
+    rule = RULES[control]
+    stands = moment.machine_state in AT_A_STAND.get(moment.phase, {}).get(control, ())
+    return "" if stands or moment.phase in rule.phases else rule.why_not
+
+
+def why_not_connect(moment: Moment, port: str) -> str:
+    """Return why no connection to this port can be made now, "" when one can."""
+    if not port:
+        return later("Choose a port, or type an address.")
+    if moment.connected:
+        return later("A controller is connected already.")
+    return later("The connection is being made.") if moment.busy else ""
+
+
+def why_not_disconnect(moment: Moment) -> str:
+    """Return why the connection cannot be left now, "" when it can."""
+    if moment.job_runs:
+        return later("A job is being cut: stop it first.")
+    return "" if moment.connected or moment.busy else later("No controller is connected.")

@@ -1,0 +1,139 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The way back along the cut as the dock sees it: what was asked, what came of it, what can be asked now; no Qt."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+from CNCStepper.control.session.status import SenderStatus
+from CNCStepper.workbench.dock.model.controller_state import RULES, STANDING, Moment, why_not
+from CNCStepper.workbench.services.translation import later
+
+FIND, RESUME = "find", "resume"
+BACK, LINE, ENTRY, FORWARD, ASIDE = (
+    "back_mm",
+    "line",
+    "entry",
+    "forward_mm",
+    "aside",
+)  # as `workers/path_retract.py` says
+Wish = tuple[str, float | bool]  # one of these, and how far
+THERE_MM = 0.001  # no further behind is where the cut has come to
+RULE_OF = {BACK: "back", LINE: "back", ENTRY: "back", FORWARD: "forward", ASIDE: "aside", RESUME: "resume"}
+DOES = {
+    BACK: RULES["back"].does,
+    LINE: later("Go back to where this line of the program begins, its last run before here."),
+    ENTRY: later("Go back to where the tool last began to go down into the work."),
+    FORWARD: RULES["forward"].does,
+    ASIDE: RULES["aside"].does,
+}
+UNDER_WAY = later("The way along the cut is being found: wait, hold or stop.")
+NOTHING_AHEAD = later("The tool stands where the cut has come to.")
+FINDING = later("The place on the cut is being looked for…")
+PROVING = later("The way along the cut is being checked…")
+GOING = later("The tool moves along the cut.")
+UNKNOWN = later("The tool can go back along exactly the way by which it came.")
+
+
+def wish_of(status: SenderStatus | None) -> Wish | None:
+    """Return what the machine's buttons want, as its session tells."""
+    if status is None or (status.wanted_back_mm is None and not status.wanted_rest):
+        return None
+    return (RESUME, True) if status.wanted_back_mm is None else (BACK, status.wanted_back_mm)
+
+
+@dataclass
+class BackFlow:
+    """What is under way, and where on its cut the tool stands.
+
+    line: of the program, 0 where it is not known. behind_mm: how far the tool is behind where the cut has come to.
+    trouble: why the last wish was refused.
+    """
+
+    line: int = 0
+    behind_mm: float = 0.0
+    trouble: str = ""
+    _pending: list[str] = field(default_factory=list)  # asked, and answered in this order
+    _phase: str = ""
+    _wish: Wish | None = None  # of the machine's buttons, as it was last
+    _due: Wish | None = None  # of theirs, what was not asked for yet
+
+    @property
+    def asked(self) -> str:
+        """What was asked last and is not answered yet, "" for nothing."""
+        return self._pending[-1] if self._pending else ""
+
+    def ask(self, kind: str) -> None:
+        """Note that something was asked."""
+        self._pending.append(kind)
+        self.trouble = ""
+
+    def answer(self, answer: Mapping[str, Any]) -> None:
+        """Take an answer of the worker, unless it is a refusal."""
+        del self._pending[:1]
+        self.line, self.behind_mm = answer.get("line", 0), answer.get("behind_mm", 0.0)
+
+    def refuse(self, trouble: str) -> str:
+        """Take why nothing came of what was asked first, as people's words; return what that was."""
+        self.trouble = trouble
+        return self._pending.pop(0) if self._pending else ""
+
+    def forget(self) -> None:
+        """Expect no answer any more, and know nothing."""
+        self._pending.clear()
+        self.line, self.behind_mm, self.trouble, self._due = 0, 0.0, "", None
+
+    def follow(self, moment: Moment) -> bool:
+        """Follow the machine; return whether its place on the cut is to be looked for now: it was just held."""
+        entered, self._phase = moment.phase != self._phase, moment.phase
+        if moment.phase not in (*STANDING, "holding") and not self.asked:
+            self.forget()
+        return entered and moment.phase == "held" and moment.job_runs and not self.asked
+
+    def wish_of_machine(self, wish: Wish | None, moment: Moment) -> Wish | None:
+        """Return what to do now for the buttons of the machine, once for each time that one is pressed.
+
+        A wish leaves the status as soon as anybody asks for the place; pressed on the way, it is done after that.
+        """
+        before, self._wish = self._wish, wish
+        if wish is not None and wish != before:
+            self._due = _added(self._due, before, wish)
+        if self._due is None or why_not_back(self._due[0], self, moment):
+            return None
+        due, self._due = self._due, None
+        return due
+
+
+def _added(due: Wish | None, before: Wish | None, wish: Wish) -> Wish:
+    """Return what is due after another press: lengths in the status, and those that wait here, add up."""
+    if wish[0] != BACK:
+        return wish
+    seen_mm = before[1] if before and before[0] == BACK and before[1] < wish[1] else 0.0
+    waiting_mm = due[1] if due and due[0] == BACK else 0.0
+    return BACK, waiting_mm + wish[1] - seen_mm
+
+
+def why_not_back(kind: str, flow: BackFlow, moment: Moment) -> str:
+    """Return why a way cannot be asked for now, "" when it can."""
+    if moment.connected and not moment.job_runs:
+        return later("No job runs: there is no cut to go back along.")
+    if why := why_not(RULE_OF[kind], moment):
+        return why
+    if flow.asked and flow.asked != FIND:
+        return UNDER_WAY
+    return NOTHING_AHEAD if kind == FORWARD and flow.line and flow.behind_mm < THERE_MM else ""
+
+
+def state_text(flow: BackFlow, moment: Moment) -> str:
+    """Return what to say of the way back, still to be translated; {0} stands for a line, {1} for a length."""
+    if flow.asked == FIND:
+        return FINDING
+    if flow.asked:
+        return GOING if moment.phase in ("running", "finishing") else PROVING
+    if not flow.line:
+        return UNKNOWN
+    if flow.behind_mm < THERE_MM:
+        return later("The tool stands on line {0}, where the cut has come to.")
+    return later("The tool stands on line {0}, {1} behind where the cut has come to.")

@@ -1,0 +1,61 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What the dock remembers in FreeCAD's parameters, and the units and the decimal point of its user."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from CNCStepper.workbench.dock.model.port_choices import BAUD, VIRTUAL
+from CNCStepper.workbench.services.number_format import INCH, MM, Lengths
+
+GROUP = "User parameter:BaseApp/Preferences/Mod/CNCStepper/Dock"
+INCH_NAMES = ("in", "ft", '"', "'", "thou", "mil", "yd", "mi")
+JOG_FEED_MM_MIN = 1000.0
+
+
+def last_port() -> str:
+    """Return what was opened last; the virtual grbl for a newcomer."""
+    return _group().GetString("Port", VIRTUAL)
+
+
+def last_baud() -> int:
+    """Return the baud rate used last."""
+    return _group().GetInt("Baud", BAUD)
+
+
+def remember_port(port: str, baud: int) -> None:
+    """Keep what was opened, for the next time."""
+    _group().SetString("Port", port)
+    _group().SetInt("Baud", baud)
+
+
+def jog_feed_mm_min() -> float:
+    """Return the feed for jogging used last."""
+    return _group().GetFloat("JogFeed", JOG_FEED_MM_MIN)
+
+
+def remember_jog_feed(feed_mm_min: float) -> None:
+    """Keep the feed for jogging."""
+    _group().SetFloat("JogFeed", feed_mm_min)
+
+
+def lengths() -> Lengths:
+    """Return millimetres or inches, as FreeCAD's unit system has them; a table is never read in metres or feet."""
+    import FreeCAD
+
+    unit = FreeCAD.Units.Quantity("25 mm").getUserPreferred()[2]
+    return INCH if unit in INCH_NAMES else MM
+
+
+def decimal_point() -> str:
+    """Return the decimal sign of FreeCAD's locale."""
+    from PySide import QtCore
+
+    point = QtCore.QLocale().decimalPoint()
+    return point if isinstance(point, str) else chr(ord(point))
+
+
+def _group() -> Any:
+    import FreeCAD
+
+    return FreeCAD.ParamGet(GROUP)

@@ -1,0 +1,118 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""From the dock to a restart: of the program that is meant, or of a job that did not end."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from functools import partial
+from typing import TYPE_CHECKING, Any
+
+from CNCStepper.control.journal.store import unfinished_at
+from CNCStepper.control.session.status import error_from_json
+from CNCStepper.errors import CNCStepperError
+from CNCStepper.workbench.dock.model.unfinished_job import NAMES, Reading, program_of
+from CNCStepper.workbench.dock.views.restart_view import RecoveryView
+from CNCStepper.workbench.document import program_file
+from CNCStepper.workbench.features.base import JOB, proxy_type
+from CNCStepper.workbench.features.program import Program
+from CNCStepper.workbench.services import messages
+from CNCStepper.workbench.services.message_translation import translated
+from CNCStepper.workbench.services.request_queue import Questioner
+from CNCStepper.workbench.services.translation import tr
+
+if TYPE_CHECKING:
+    from CNCStepper.control.journal.replay import Story
+    from CNCStepper.workbench.dock.connection import Link
+
+WORKER = "CNCStepper.workers.unfinished_job"
+
+
+class Recovery:
+    """What the view's two buttons do; the offer is looked for whenever a controller was met."""
+
+    def __init__(self, link: Link):
+        self._link, self._reading = link, Reading()
+        self._met = False
+        self.view = RecoveryView(self._restart, self._ask)
+        lost = CNCStepperError("unfinished-lost", "the process that reads the last job has ended", advice="try again")
+        self._questions = Questioner(WORKER, lost, parent=self.view)
+        self._questions.answered.connect(messages.guarded(self._answered))
+        self._questions.failed.connect(messages.guarded(self._failed))
+
+    def advance(self) -> None:
+        """Look for an offer once for every connection; called after every poll of the link."""
+        met = self._link.moment.connected
+        if met != self._met:
+            self._met = met
+            self.view.show_offer("")
+            if met and not self._link.moment.job_runs:
+                self._reading.ask(partial(unfinished_at, self._link.address), self._offer)
+        self._reading.poll()
+
+    def _restart(self) -> None:
+        """Choose the restart of the program that is in front."""
+        from CNCStepper.workbench import restart
+        from CNCStepper.workbench.editor import active_program
+        from CNCStepper.workbench.proving import prove_program
+
+        if why_not := active_program.why_not():
+            messages.notice(why_not)
+            return
+        program = active_program.take()
+        if program is None:
+            return
+        prove_program.make(program)
+        restart.open_restart(program)
+
+    def _ask(self) -> None:
+        """Ask for the job that did not end, of this machine where there is one."""
+        self._questions.end()  # the newest question counts
+        self.view.show_offer(tr("The path of the last job is read…"))
+        port, programs = self._link.address if self._met else "", [obj.Program for obj in _programs() if obj.Program]
+        self._questions.ask({"port": port, "programs": programs})
+
+    def _offer(self, story: Story | None) -> None:
+        if story is not None:
+            text = tr(
+                "The last job of this machine, {0}, was not cut to its end. Unfinished job… says how far it came."
+            )
+            self.view.show_offer(text.format(_name(story.restarted[0])))
+
+    def _answered(self, answer: dict[str, Any]) -> None:
+        """Take up the job that the process tells of, or say why there is none."""
+        self._questions.end()
+        self.view.show_offer("")
+        if "refused" in answer:
+            raise error_from_json(answer["refused"])
+        if answer["job"] is None:
+            messages.notice(tr("No job is unfinished."), tr("Every job whose journal is kept was cut to its end."))
+        else:
+            self._take_up(answer["job"])
+
+    def _take_up(self, job: dict[str, Any]) -> None:
+        """Say what is certain of a job, and open its restart where its program is in an open document."""
+        said = [(tr(NAMES[name]), translated(text)) for name, text in job["told"]]
+        program = program_of(job["sha256"], ((obj, program_file.load(obj)) for obj in _programs()))
+        if program is None:
+            text = tr("{0} was not cut to its end, and its program, as it was sent, is in no open document.")
+            messages.notice(text.format(_name(job["file"])), "\n".join(map(": ".join, said)))
+            return
+        from CNCStepper.workbench import restart
+
+        restart.open_restart(program, job["line"], said)
+
+    def _failed(self, error: CNCStepperError) -> None:
+        self.view.show_offer("")
+        messages.error(error)
+
+
+def _programs() -> Iterator[Any]:
+    """Yield the jobs and edited programs of all open documents."""
+    import FreeCAD
+
+    for document in FreeCAD.listDocuments().values():
+        yield from (obj for obj in document.Objects if proxy_type(obj) in (JOB, Program.Type))
+
+
+def _name(file: str) -> str:
+    return file or tr("a program")

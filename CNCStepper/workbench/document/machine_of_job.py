@@ -1,0 +1,38 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The machine that a job object names, and the stock that it says lies on it."""
+
+from __future__ import annotations
+
+import functools
+from pathlib import Path
+from typing import Any
+
+from CNCStepper.job.deferred_fitting import once
+from CNCStepper.machine.profile import Machine, load_machine, profile_names
+
+
+def machine_of(obj: Any) -> Machine:
+    """Return the machine of a job object; a profile's file is looked for beside the document, its dialect set."""
+    return once("machine", obj, lambda: _machine_named(obj))
+
+
+def _machine_named(obj: Any) -> Machine:
+    name = obj.Machine
+    if name not in profile_names() and obj.Document.FileName:
+        name = str(Path(obj.Document.FileName).parent / name)
+    return _machine(name, obj.Dialect, _stamp(name))
+
+
+@functools.lru_cache(maxsize=16)
+def _machine(name: str, dialect: str, stamp: tuple[int, ...]) -> Machine:
+    machine = load_machine(name)
+    return machine.model_copy(update={"controller": dialect}) if dialect else machine
+
+
+def _stamp(name: str) -> tuple[int, ...]:
+    """Return what changes with the content of a profile's file, () where there is none."""
+    try:
+        found = Path(name).stat()
+    except (OSError, ValueError):
+        return ()
+    return found.st_mtime_ns, found.st_ctime_ns, found.st_size, found.st_ino

@@ -1,0 +1,146 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a command works on: the open document, the job that is meant, the drawing or solid that is selected.
+
+All of it is asked several times a second, so nothing here computes or loads.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from CNCStepper.workbench.document.selection import members
+from CNCStepper.workbench.features.base import JOB, named, problem_of, proxy_type
+from CNCStepper.workbench.services.message_translation import translated
+from CNCStepper.workbench.services.translation import tr
+
+PREVIEW = "CNCStepper_Preview"
+TOOL = "CNCStepper_Tool"
+PROGRAM = "CNCStepper_Program"
+
+
+def document() -> Any:
+    """Return the active document, or None."""
+    import FreeCAD
+
+    return FreeCAD.ActiveDocument
+
+
+def selected() -> list[Any]:
+    """Return the objects that are selected in the active document, each once, in the order of selection."""
+    import FreeCADGui
+
+    return FreeCADGui.Selection.getSelection() if document() is not None else []
+
+
+def jobs() -> list[Any]:
+    """Return all jobs of the active document."""
+    if document() is None:
+        return []
+    return [obj for obj in document().findObjects("App::FeaturePython") if proxy_type(obj) == JOB]
+
+
+def job() -> Any:
+    """Return the job that is meant, or None: the selected one, the one of a selected object, or the only one."""
+    meant = {owner.Name: owner for obj in selected() for owner in _owners(obj)}
+    found = list(meant.values()) or jobs()
+    return found[0] if len(found) == 1 else None
+
+
+def program() -> Any:
+    """Return the edited program that is selected, None where it is not exactly one."""
+    found = [obj for obj in selected() if proxy_type(obj) == PROGRAM]
+    return found[0] if len(found) == 1 else None
+
+
+def why_no_job() -> str:
+    """Return why it is not known which job is meant, "" when it is."""
+    if job() is not None:
+        return ""
+    if jobs():
+        return tr("Select the job in the tree: this document has several")
+    return tr("Make a job first, with New job")
+
+
+def why_no_program(job: Any) -> str:
+    """Return why a job cannot have a program, "" when it has one or gets one by a recompute."""
+    operations = [operation for operation in job.Operations if operation.Active]
+    if not operations:
+        return tr("{0} has nothing to cut: add an operation").format(job.Label)
+    parts = [*(operation.Tool for operation in operations if operation.Tool is not None), *operations, job]
+    if any("Touched" in part.State for part in parts):
+        return ""
+    return next((named(part, translated(problem_of(part))) for part in parts if problem_of(part)), "")
+
+
+def why_no_view() -> str:
+    """Return why nothing can be drawn with the mouse now, "" when the active view shows a document in 3D."""
+    import FreeCADGui
+
+    shown = FreeCADGui.activeDocument()
+    if shown is None:
+        return tr("Open or make a document first")
+    return "" if hasattr(shown.activeView(), "getSceneGraph") else tr("Open the 3D view of the document first")
+
+
+def why_no_panel() -> str:
+    """Return why no task panel can be opened now, "" when one can."""
+    import FreeCADGui
+
+    return tr("Close the open task panel first") if FreeCADGui.Control.activeDialog() else ""
+
+
+def tool(of_job: Any) -> Any:
+    """Return the job's tool that is selected, else its last one, None when it has none."""
+    tools = list(of_job.Tools)
+    return next((obj for obj in selected() if obj in tools), tools[-1] if tools else None)
+
+
+def drawing() -> Any:
+    """Return the first selected sketch, wire, ellipse, face or freehand line, or the solid whose faces or edges are."""
+    held = (member for obj in selected() for member in members(obj))
+    return next((obj for obj in held if _is_drawing(obj) or picked(obj)), None)
+
+
+def drawings(of_drawings: bool = False) -> list[tuple[Any, tuple[str, ...]]]:
+    """Return all that is selected and none of ours, what groups hold, each with its picked faces and edges.
+
+    of_drawings: whether a click on a line of a drawing means that line alone.
+    """
+    found = dict.fromkeys(member for obj in selected() for member in members(obj))
+    return [(obj, picked(obj, of_drawings)) for obj in found]
+
+
+def picked(obj: Any, of_drawings: bool = False) -> tuple[str, ...]:
+    """Return the names of the faces and edges of a solid that are selected.
+
+    of_drawings: also those of other objects, a click on which else means all of them.
+    """
+    import FreeCADGui
+
+    if obj is None or not (of_drawings or _holds(obj, "Solid")):
+        return ()
+    parts = [part for part in FreeCADGui.Selection.getSelectionEx() if part.Object == obj]
+    return tuple(name for part in parts for name in part.SubElementNames if name.startswith(("Face", "Edge")))
+
+
+def solid() -> Any:
+    """Return the selected solid, or None."""
+    return next((obj for obj in selected() if _holds(obj, "Solid")), None)
+
+
+def _owners(obj: Any) -> list[Any]:
+    """Return the jobs to which an object of ours belongs; a drawing belongs to none."""
+    if proxy_type(obj) == JOB:
+        return [obj]
+    if proxy_type(obj) == PREVIEW:
+        return [obj.Job] if obj.Job is not None else []
+    belongs = proxy_type(obj) == TOOL or bool(getattr(getattr(obj, "Proxy", None), "CYCLE", ""))
+    return [other for other in obj.InList if proxy_type(other) == JOB] if belongs else []
+
+
+def _is_drawing(obj: Any) -> bool:
+    return obj.isDerivedFrom("Sketcher::SketchObject") or (_holds(obj, "Vertex") and not _holds(obj, "Solid"))
+
+
+def _holds(obj: Any, element: str) -> bool:
+    return obj.isDerivedFrom("Part::Feature") and not obj.Shape.isNull() and obj.Shape.countElement(element) > 0

@@ -1,0 +1,31 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The points of a freehand line, checked and simplified."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from CNCStepper.errors import GeometryError
+from CNCStepper.geometry.curve import from_points
+from CNCStepper.geometry.fitting.simplify import simplified
+from CNCStepper.workbench.drawings.shapes import FLAT_MM
+
+
+def simplified_line(points: list[tuple[float, ...]], tolerance_mm: float, closed: bool) -> tuple[float, np.ndarray]:
+    """Return the height of a line's points (X, Y, Z) and those it keeps, float64[n, 2], within the tolerance.
+
+    Raises GeometryError for a negative tolerance, points at different heights, or fewer than two places.
+    """
+    if not tolerance_mm >= 0:
+        raise GeometryError("tolerance", "the tolerance must not be negative", value=f"{tolerance_mm:g} mm")
+    rows = np.array(points, float).reshape(-1, 3)
+    if len(rows) and np.ptp(rows[:, 2]) > FLAT_MM:
+        raise GeometryError(
+            "line-not-flat",
+            "the points of a freehand line lie at different heights",
+            value=f"{np.ptp(rows[:, 2]):.4g} mm",
+            limit=f"{FLAT_MM} mm",
+            advice="give all points one Z and tilt the line by its Placement",
+        )
+    curve = from_points(rows[:, :2], closed)
+    return float(rows[0, 2]), simplified(curve, tolerance_mm).xy

@@ -1,0 +1,155 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The menu of what can be done to a whole program: asked for its numbers, shown as a difference, then applied."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from PySide import QtCore, QtGui
+
+from CNCStepper.control.session.status import error_from_json
+from CNCStepper.workbench.editor.diff_dialog import DiffDialog, agreed
+from CNCStepper.workbench.services import messages
+from CNCStepper.workbench.services.translation import later, tr
+
+if TYPE_CHECKING:
+    from CNCStepper.workbench.editor.panel import EditorPanel
+
+NAME = "CNCStepper_Editor_verb_"
+CONVERT = "convert"
+
+
+@dataclass(frozen=True)
+class Field:
+    """A value that a verb needs: a number, or one of `choices`."""
+
+    key: str
+    label: str
+    default: Any
+    choices: tuple[str, ...] = ()
+    whole: bool = False
+
+
+@dataclass(frozen=True)
+class Verb:
+    """An entry of the menu; `name` is the verb of `job/editing/edit_verbs.py`."""
+
+    name: str
+    title: str
+    fields: tuple[Field, ...] = ()
+
+
+VERBS = (
+    Verb("offset", later("Move…"), (
+        Field("x_mm", later("Along X, mm"), 0.0),
+        Field("y_mm", later("Along Y, mm"), 0.0),
+        Field("z_mm", later("Along Z, mm"), 0.0),
+    )),
+    Verb("scale", later("Scale…"), (
+        Field("x", later("X times"), 1.0),
+        Field("y", later("Y times"), 1.0),
+        Field("z", later("Z times"), 1.0),
+    )),
+    Verb("rotate", later("Rotate…"), (Field("angle_deg", later("Degrees, counter-clockwise"), 90.0),)),
+    Verb("mirror", later("Mirror…"), (
+        Field("axis", later("Axis whose sign changes"), "x", ("x", "y")),
+        Field("at_mm", later("Where the mirror stands, mm"), 0.0),
+    )),
+    Verb("feeds", later("Feeds by a factor…"), (Field("factor", later("Feeds times"), 1.0),)),
+    Verb("units", later("Convert units…"), (Field("units", later("Units"), "mm", ("mm", "inch")),)),
+    Verb("renumber", later("Number the lines…"), (
+        Field("first", later("First number"), 10, whole=True),
+        Field("step", later("From one to the next"), 10, whole=True),
+    )),
+    Verb("without_numbers", later("Take the line numbers out")),
+    Verb("reverse", later("Reverse the contours")),
+    Verb(CONVERT, later("Convert for this machine…")),
+    Verb("compact", later("Make shorter…"), (Field("tolerance_mm", later("Never farther off than, mm"), 0.01),)),
+)  # fmt: skip
+
+
+class Verbs(QtCore.QObject):
+    """The menu of one editor."""
+
+    def __init__(self, panel: EditorPanel):
+        super().__init__(panel)
+        self._panel = panel
+        self._verb: Verb | None = None
+        self._actions: dict[str, Any] = {}
+        self.menu = QtGui.QMenu(panel)
+        self.menu.setObjectName(f"{NAME}menu")
+        for verb in VERBS:
+            action = self.menu.addAction(tr(verb.title))
+            action.setObjectName(NAME + verb.name)
+            action.triggered.connect(messages.guarded(lambda verb=verb: self._begin(verb)))
+            self._actions[verb.name] = action
+        panel.reader.edited.connect(messages.guarded(self._show))
+
+    def trigger(self, name: str) -> None:
+        """Do what choosing that verb in the menu does."""
+        self._actions[name].trigger()
+
+    def _begin(self, verb: Verb) -> None:
+        """Ask for the values, then ask the process what becomes of the program."""
+        values = _ask(verb, self._panel) if verb.fields else {}
+        if values is not None:
+            self._verb = verb
+            self._panel.send_typed()  # an answer about an older text is not heard
+            self._panel.reader.ask({"edit": {"verb": verb.name, "values": values}})
+
+    def _show(self, answer: dict[str, Any]) -> None:
+        """Show what would change, and change it when that is wanted."""
+        verb, self._verb = self._verb, None
+        if verb is None:
+            return
+        if "error_of_edit" in answer:
+            messages.error(error_from_json(answer["error_of_edit"]))
+        elif not answer["changes"]:
+            messages.note(tr("Nothing changes."))
+        elif agreed(DiffDialog(tr(verb.title).rstrip("…"), answer, self._panel)):
+            path = self._panel.reader.folder / answer["text"]
+            text = path.read_bytes().decode("utf-8", "surrogatepass")
+            self._panel.edit.replace_all(text.replace("\r\n", "\n"))
+
+
+def _ask(verb: Verb, parent: Any) -> dict[str, Any] | None:
+    """Ask for a verb's values, None when nobody gave them."""
+    dialog = QtGui.QDialog(parent)
+    dialog.setObjectName(f"{NAME}values")
+    dialog.setWindowTitle(tr(verb.title).rstrip("…"))
+    layout = QtGui.QFormLayout(dialog)
+    inputs = {field.key: _input(field) for field in verb.fields}
+    for field in verb.fields:
+        layout.addRow(tr(field.label), inputs[field.key])
+    kind = QtGui.QDialogButtonBox.StandardButton
+    buttons = QtGui.QDialogButtonBox(kind.Ok | kind.Cancel)
+    buttons.button(kind.Ok).setObjectName(f"{NAME}ok")
+    buttons.accepted.connect(dialog.accept)
+    buttons.rejected.connect(dialog.reject)
+    layout.addRow(buttons)
+    given = agreed(dialog)
+    return {key: _value(widget) for key, widget in inputs.items()} if given else None
+
+
+def _input(field: Field) -> Any:
+    """Return the widget in which a value is given."""
+    if field.choices:
+        made = QtGui.QComboBox()
+        made.addItems(field.choices)
+        made.setCurrentText(field.default)
+    elif field.whole:
+        made = QtGui.QSpinBox()
+        made.setRange(1, 99_999)
+        made.setValue(field.default)
+    else:
+        made = QtGui.QDoubleSpinBox()
+        made.setDecimals(4)
+        made.setRange(-99_999.0, 99_999.0)
+        made.setValue(field.default)
+    made.setObjectName(NAME + field.key)
+    return made
+
+
+def _value(widget: Any) -> Any:
+    return widget.currentText() if isinstance(widget, QtGui.QComboBox) else widget.value()

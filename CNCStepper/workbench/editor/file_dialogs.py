@@ -1,0 +1,113 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The questions about files: which to open, where to save, and what becomes of a text that is not saved."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+from CNCStepper.workbench.editor.program_source import FileSource
+from CNCStepper.workbench.services.translation import tr
+
+PATTERNS = "*.nc *.ngc *.gcode *.tap *.cnc *.txt"
+ANSWERS = ("save", "discard", "cancel")
+
+
+def ask_which() -> Path | None:
+    """Ask for a program to open, None when nobody chose one."""
+    from PySide import QtGui
+
+    dialog = _dialog(tr("Open a G-code file"), Path.home())
+    dialog.setFileMode(QtGui.QFileDialog.FileMode.ExistingFile)
+    return _chosen(dialog)
+
+
+def ask_where_to(source: Any) -> Path | None:
+    """Ask where to save a text, None when nobody chose a file."""
+    from PySide import QtGui
+
+    proposed = _proposed(source)
+    dialog = _dialog(tr("Save program as…"), proposed.parent)
+    dialog.setAcceptMode(QtGui.QFileDialog.AcceptMode.AcceptSave)
+    dialog.setFileMode(QtGui.QFileDialog.FileMode.AnyFile)
+    dialog.setDefaultSuffix("nc")
+    dialog.selectFile(proposed.name)
+    return _chosen(dialog)
+
+
+def in_file(source: Any, path: Path) -> FileSource:
+    """Return the source of the same text in a file."""
+    return source.at(path) if isinstance(source, FileSource) else FileSource(path)
+
+
+def ask_to_save(name: str) -> str:
+    """Ask what becomes of a text that is not saved: "save", "discard" or "cancel", which Esc means too."""
+    import FreeCADGui
+    from PySide import QtGui
+
+    box = QtGui.QMessageBox(FreeCADGui.getMainWindow())
+    box.setObjectName("CNCStepper_Editor_closing")
+    box.setIcon(QtGui.QMessageBox.Icon.Question)
+    box.setWindowTitle(tr("Edit program"))
+    box.setText(tr("{0} has changes that are not saved.").format(name))
+    role = QtGui.QMessageBox.ButtonRole
+    roles = (role.AcceptRole, role.DestructiveRole, role.RejectRole)
+    texts = (tr("Save"), tr("Discard"), tr("Cancel"))
+    buttons = {answer: box.addButton(text, each) for answer, text, each in zip(ANSWERS, texts, roles, strict=True)}
+    for answer, button in buttons.items():
+        button.setObjectName(f"CNCStepper_Editor_closing_{answer}")
+    box.setDefaultButton(buttons["save"])
+    box.setEscapeButton(buttons["cancel"])
+    getattr(box, "exec", box.exec_)()
+    clicked = box.clickedButton()
+    box.deleteLater()
+    return next((answer for answer, button in buttons.items() if button is clicked), "cancel")
+
+
+def ask_to_save_first(name: str) -> bool:
+    """Ask whether a text is to be saved, so that what is checked or sent is what the editor shows."""
+    import FreeCADGui
+    from PySide import QtGui
+
+    box = QtGui.QMessageBox(FreeCADGui.getMainWindow())
+    box.setObjectName("CNCStepper_Editor_save_first")
+    box.setIcon(QtGui.QMessageBox.Icon.Question)
+    box.setWindowTitle(name)
+    box.setText(tr("{0} has changes that are not saved. They must be saved before it is checked or sent.").format(name))
+    role = QtGui.QMessageBox.ButtonRole
+    save = box.addButton(tr("Save and go on"), role.AcceptRole)
+    cancel = box.addButton(tr("Cancel"), role.RejectRole)
+    save.setObjectName("CNCStepper_Editor_save_first_save")
+    cancel.setObjectName("CNCStepper_Editor_save_first_cancel")
+    box.setDefaultButton(save)
+    box.setEscapeButton(cancel)
+    getattr(box, "exec", box.exec_)()
+    clicked = box.clickedButton()
+    box.deleteLater()
+    return bool(clicked is save)
+
+
+def _proposed(source: Any) -> Path:
+    if isinstance(source, FileSource):
+        return source.path or Path.home() / "program.nc"
+    document = source.document if source.alive else None
+    folder = Path(document.FileName).parent if document is not None and document.FileName else Path.home()
+    name = source.name if source.alive else "program"
+    return folder / f"{name.replace('/', '-')}.nc"
+
+
+def _dialog(title: str, folder: Path) -> Any:
+    import FreeCADGui
+    from PySide import QtGui
+
+    dialog = QtGui.QFileDialog(FreeCADGui.getMainWindow(), title, str(folder))
+    dialog.setObjectName("CNCStepper_Editor_file")
+    dialog.setNameFilters([tr("Programs ({0})").format(PATTERNS), tr("All files ({0})").format("*")])
+    return dialog
+
+
+def _chosen(dialog: Any) -> Path | None:
+    agreed = getattr(dialog, "exec", dialog.exec_)()
+    chosen = dialog.selectedFiles()
+    dialog.deleteLater()
+    return Path(chosen[0]) if agreed and chosen else None

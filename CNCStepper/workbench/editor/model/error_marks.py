@@ -1,0 +1,58 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Where a program is refused: the newest that is known, which moves with the text until it is read again."""
+
+from __future__ import annotations
+
+from bisect import bisect_left
+from dataclasses import dataclass, replace
+from typing import Any
+
+from CNCStepper.control.session.status import error_from_json
+from CNCStepper.errors import CNCStepperError
+from CNCStepper.workbench.editor.model.changed_lines import moved
+
+
+@dataclass(frozen=True)
+class Mark:
+    """A refusal: `length` characters from `column` on, both from 1; 0 means the whole line."""
+
+    line: int
+    column: int
+    length: int
+    error: CNCStepperError
+
+
+class Marks:
+    """The refusals of a text in the order of its lines."""
+
+    def __init__(self) -> None:
+        self.all: list[Mark] = []
+        self._lines: list[int] = []
+
+    def take(self, refusals: list[dict[str, Any]]) -> None:
+        """Take what the process that reads has told."""
+        self._set(sorted((mark_of(refusal) for refusal in refusals), key=lambda mark: mark.line))
+
+    def move(self, first: int, removed: int, added: int) -> None:
+        """Follow a change of the text: `removed` lines from `first` on, counted from 0, gave way to `added`."""
+        if removed != added:
+            self._set([replace(mark, line=moved(mark.line, first, removed, added)) for mark in self.all])
+
+    def between(self, first: int, last: int) -> list[Mark]:
+        """Return those in lines `first` to `last`, from 1."""
+        return self.all[bisect_left(self._lines, first) : bisect_left(self._lines, last + 1)]
+
+    def at(self, line: int) -> Mark | None:
+        """Return the first in a line, None for a good one."""
+        return next(iter(self.between(line, line)), None)
+
+    def _set(self, marks: list[Mark]) -> None:
+        self.all = marks
+        self._lines = [mark.line for mark in marks]
+
+
+def mark_of(refusal: dict[str, Any]) -> Mark:
+    """Return a refusal of the process that reads as a mark."""
+    error = error_from_json({key: value for key, value in refusal.items() if key != "length"})
+    place = error.place
+    return Mark(place.line if place else 0, place.column if place else 0, refusal["length"], error)

@@ -1,0 +1,98 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What the core's models and cycles refuse, as sentences beside the fields; the rules themselves stay in the core."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterable
+from typing import Any
+
+from CNCStepper.errors import CNCStepperError
+from CNCStepper.quantities import ERROR_TYPE
+from CNCStepper.workbench.features.base import proxy_type
+from CNCStepper.workbench.panels.number_input import Refused
+from CNCStepper.workbench.services.translation import later
+
+LIMITS = {
+    "greater_than": ("gt", later("must be above {0}")),
+    "greater_than_equal": ("ge", later("must be at least {0}")),
+    "less_than": ("lt", later("must be below {0}")),
+    "less_than_equal": ("le", later("must be at most {0}")),
+}
+NOT_BETWEEN = later("must be 0, or at least {0}")
+
+
+def model_of_type(obj: Any) -> Any:
+    """Return the core's model of the parameters of one of our objects, or None where the core has none."""
+    if proxy_type(obj) == "CNCStepper_Tool":
+        from CNCStepper.machine.tools.tool import Tool
+
+        return Tool
+    if proxy_type(obj) == "CNCStepper_Job":
+        from CNCStepper.job.model import Job
+
+        return Job
+    if not getattr(obj.Proxy, "CYCLE", ""):
+        return None
+    from CNCStepper.cycles.catalogue import cycle_class
+
+    return cycle_class(obj.Proxy.CYCLE)
+
+
+def complaints(model: Any, values: dict[str, Any], shown: Callable[[str, float], str]) -> dict[str, Refused]:
+    """Return what a pydantic model has against single values, by key; what is not in `values` is not judged.
+
+    A value in a table is known by both names: "tabs_count" is "count" in the table "tabs".
+    shown: gives a limit as the user reads it, from a key and a number in the unit of that key.
+    """
+    from pydantic import ValidationError
+
+    tables = {key: value for key, value in values.items() if isinstance(value, dict)}
+    keys = {*values, *(f"{table}_{key}" for table, content in tables.items() for key in content)}
+    try:
+        model.model_validate({key: value for key, value in values.items() if key in model.model_fields})
+    except ValidationError as error:
+        found = [(_key_at(problem["loc"]), problem) for problem in error.errors() if problem["loc"]]
+        return {key: _sentence(key, problem, shown) for key, problem in reversed(found) if key in keys}
+    return {}
+
+
+def _key_at(place: tuple[Any, ...]) -> str:
+    """Return the key of a place in a model; in between may stand the name of a kind, at the end a row's number."""
+    names = [part for part in place if isinstance(part, str)]
+    return names[0] if len(names) == 1 else f"{names[0]}_{names[-1]}"
+
+
+def _sentence(key: str, problem: Any, shown: Callable[[str, float], str]) -> Refused:
+    if problem["type"] in LIMITS:
+        name, sentence = LIMITS[problem["type"]]
+        return Refused(sentence, shown(key, problem["ctx"][name]))
+    if problem["type"] == ERROR_TYPE and isinstance(problem["input"], int | float):
+        return _out_of_bounds(key, problem["input"], problem["ctx"], shown)
+    return Refused("{0}", problem["msg"].removeprefix("Value error, "))
+
+
+def _out_of_bounds(key: str, value: float, bounds: Any, shown: Callable[[str, float], str]) -> Refused:
+    """Return what a number beyond the bounds of its quantity must be; they stand in the context of pydantic's error."""
+    if value > bounds["high"]:
+        return Refused(LIMITS["less_than_equal"][1], shown(key, bounds["high"]))
+    if bounds["zero"] and value > 0:
+        return Refused(NOT_BETWEEN, shown(key, bounds["low"]))
+    return Refused(LIMITS["greater_than_equal"][1], shown(key, 0.0 if bounds["zero"] else bounds["low"]))
+
+
+def key_of(error: CNCStepperError, keys: Iterable[str]) -> str:
+    """Return the one key that a sentence of the core speaks of first ("stepover_mm (ae) is larger than the tool")."""
+    places = {key: match.start() for key in keys if (match := _word(key).search(error.what))}
+    return min(places, key=places.__getitem__) if places else ""
+
+
+def labelled(sentence: str, labels: dict[str, str]) -> str:
+    """Return a sentence of the core with the labels that a person sees in place of the keys."""
+    keys = {key: label for key, label in labels.items() if "_" in key}
+    return re.sub(r"\w+", lambda word: f"“{keys[word[0]]}”" if word[0] in keys else word[0], sentence)
+
+
+def _word(key: str) -> re.Pattern[str]:
+    stem = re.sub("_(mm|mm_min|deg|rpm)$", "", key)
+    return re.compile(rf"\b({key}|{stem})\b")

@@ -1,0 +1,198 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The lists of a job's panel: its operations in the order of cutting, and its tools."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from PySide import QtCore, QtGui
+
+from CNCStepper.workbench import api
+from CNCStepper.workbench.features.base import edit, problem_of, proxy_type
+from CNCStepper.workbench.panels.fields import ERROR_COLOUR, NAME, note_label
+from CNCStepper.workbench.panels.tool_field import tool_words
+from CNCStepper.workbench.services.icons import icon
+from CNCStepper.workbench.services.message_translation import translated
+from CNCStepper.workbench.services.messages import guarded
+from CNCStepper.workbench.services.translation import tr
+
+FEWEST_ROWS, MOST_ROWS = 2, 5  # that are seen at once
+ICON_PX = 16
+SPARE_PX = 6  # with less Qt shows a scroll bar: what a style adds is not known before the list is seen
+CHECKED, UNCHECKED = QtCore.Qt.CheckState.Checked, QtCore.Qt.CheckState.Unchecked
+
+
+class ObjectList(QtGui.QWidget):
+    """A list of document objects with buttons below it."""
+
+    changed = QtCore.Signal()  # the job has been changed here
+
+    def __init__(self, job: Any, name: str, parent: Any):
+        super().__init__(parent)
+        self.job = job
+        self.name = f"{NAME}_{name}"
+        self.list = QtGui.QListWidget(self)
+        self.list.setObjectName(self.name)
+        self.list.setIconSize(QtCore.QSize(ICON_PX, ICON_PX))
+        self.list.setHorizontalScrollBarPolicy(QtCore.Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self.note = note_label(f"{self.name}_error", ERROR_COLOUR, self)
+        self.buttons = QtGui.QHBoxLayout()
+        self.buttons.setSpacing(3)
+        column = QtGui.QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(3)
+        column.addWidget(self.list)
+        column.addWidget(self.note)
+        column.addLayout(self.buttons)
+
+    def objects(self) -> list[Any]:
+        """Return the objects of the list, in order."""
+        raise NotImplementedError
+
+    def chosen(self) -> Any:
+        """Return the object that is marked in the list, or None."""
+        row = self.list.currentRow()
+        return self.objects()[row] if 0 <= row < len(self.objects()) else None
+
+    def choose(self, obj: Any) -> None:
+        """Mark an object in the list."""
+        self.list.setCurrentRow(self.objects().index(obj) if obj in self.objects() else -1)
+
+    def button(self, name: str, text: str, tip: str, act: Callable[[], None]) -> Any:
+        """Add a button below the list."""
+        button = QtGui.QPushButton(text, self)
+        button.setObjectName(f"{self.name}_{name}")
+        button.setToolTip(tip)
+        button.setAutoDefault(False)
+        button.clicked.connect(guarded(act))
+        self.buttons.addWidget(button)
+        return button
+
+    def say(self, sentence: str) -> None:
+        """Say below the list why something was not done."""
+        self.note.setText(sentence)
+        self.note.setVisible(bool(sentence))
+
+    def refresh(self) -> None:
+        """Show the objects as they are now; the marked one stays marked."""
+        row = self.list.currentRow()
+        self.list.blockSignals(True)
+        self.list.clear()
+        for obj in self.objects():
+            item = QtGui.QListWidgetItem(self.picture(obj), self.words(obj))
+            if problem_of(obj):
+                item.setForeground(QtGui.QColor(ERROR_COLOUR))
+                item.setToolTip(translated(problem_of(obj)))
+            self.dress(item, obj)
+            self.list.addItem(item)
+        self.list.setCurrentRow(min(row, self.list.count() - 1))
+        self.list.blockSignals(False)
+        row_px = max(self.list.sizeHintForRow(0), self.fontMetrics().height() + SPARE_PX)
+        rows = min(max(self.list.count(), FEWEST_ROWS), MOST_ROWS)
+        self.list.setFixedHeight(rows * row_px + 2 * self.list.frameWidth() + SPARE_PX)
+
+    def words(self, obj: Any) -> str:
+        """Return how an object is listed."""
+        return str(obj.Label)
+
+    def picture(self, obj: Any) -> Any:
+        """Return the icon that stands before an object."""
+        return icon(proxy_type(obj))
+
+    def dress(self, item: Any, obj: Any) -> None:
+        """Give an entry what else it shows."""
+
+
+class OperationList(ObjectList):
+    """The operations in the order in which they are cut; the ones checked are in the program."""
+
+    def __init__(self, job: Any, parent: Any):
+        super().__init__(job, "operations", parent)
+        self.list.setToolTip(tr("Cut in this order; what is not checked is left out of the program"))
+        self.button("up", tr("Earlier"), tr("Cut it before the one above"), lambda: self.move(-1))
+        self.button("down", tr("Later"), tr("Cut it after the one below"), lambda: self.move(1))
+        self.list.itemChanged.connect(guarded(self.switch))
+        self.refresh()
+
+    def objects(self) -> list[Any]:
+        """Return the job's operations."""
+        return list(self.job.Operations)
+
+    def dress(self, item: Any, obj: Any) -> None:
+        """Let an entry be checked."""
+        item.setFlags(item.flags() | QtCore.Qt.ItemFlag.ItemIsUserCheckable)
+        item.setCheckState(CHECKED if obj.Active else UNCHECKED)
+
+    def move(self, by: int) -> None:
+        """Cut the marked operation earlier or later."""
+        order, row = self.objects(), self.list.currentRow()
+        if row < 0 or not 0 <= row + by < len(order):
+            return
+        order.insert(row + by, order.pop(row))
+        edit(self.job, operations=order)
+        self.list.setCurrentRow(row + by)
+        self.changed.emit()
+
+    def switch(self, item: Any) -> None:
+        """Take an operation into the program, or leave it out."""
+        edit(self.objects()[self.list.row(item)], active=item.checkState() == CHECKED)
+        self.changed.emit()
+
+
+class ToolList(ObjectList):
+    """The tools that the job's operations may choose from."""
+
+    def __init__(self, job: Any, parent: Any):
+        super().__init__(job, "tools", parent)
+        self.button("add", tr("Add tool"), tr("Add a tool to this job"), self.add)
+        self.button("remove", tr("Remove tool"), tr("Delete the marked tool"), self.remove)
+        tip = tr("Add the tools of FreeCAD's library or of a tool table")
+        self.layout().addWidget(self.button("import", tr("Import…"), tip, self.import_))  # in a line of its own
+        self.refresh()
+
+    def objects(self) -> list[Any]:
+        """Return the job's tools."""
+        return list(self.job.Tools)
+
+    def words(self, obj: Any) -> str:
+        """Return a tool's number, diameter and form."""
+        return tool_words(obj)
+
+    def add(self) -> None:
+        """Add a tool with the next free number, and mark it."""
+        tool = api.add_tool(self.job)
+        self.say("")
+        self.refresh()
+        self.choose(tool)
+        self.changed.emit()
+
+    def import_(self) -> None:
+        """Ask for a file of tools, and list them."""
+        from CNCStepper.workbench.document import tool_import
+
+        tool_import.ask(self.job, self.imported)
+
+    def imported(self) -> None:
+        """List the tools that have come, and mark the last."""
+        self.say("")
+        self.refresh()
+        self.choose(self.job.Tools[-1])
+        self.changed.emit()
+
+    def remove(self) -> None:
+        """Delete the marked tool, unless an operation needs it."""
+        tool = self.chosen()
+        if tool is None:
+            return
+        users = [other.Label for other in tool.InList if proxy_type(other) != proxy_type(self.job)]
+        if users:
+            self.say(tr("{0} is cut with it; choose another tool there first").format(users[0]))
+            return
+        self.say("")
+        edit(self.job, tools=[other for other in self.job.Tools if other is not tool])
+        self.list.setCurrentRow(-1)
+        tool.Document.removeObject(tool.Name)
+        self.refresh()
+        self.choose(next(iter(self.objects()), None))
+        self.changed.emit()

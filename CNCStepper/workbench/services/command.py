@@ -1,0 +1,96 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What all commands share: enabled exactly when they can work, and a tooltip that says why when they cannot."""
+
+from __future__ import annotations
+
+import html
+from typing import Any
+
+from CNCStepper.workbench import packages
+from CNCStepper.workbench.services.messages import guarded, polled
+
+
+class Command:
+    """A command of FreeCAD's.
+
+    FreeCAD translates `menu_text` and `tooltip` itself, in the context of the command's name.
+    """
+
+    name = ""
+    menu_text = ""
+    tooltip = ""
+
+    def __init__(self) -> None:
+        self._own_tooltip = ""  # as FreeCAD wrote it, in its language
+        self._shown_tooltip = ""
+
+    def why_not(self) -> str:
+        """Return why the command cannot work now, in one sentence, or "" when it can.
+
+        It is asked several times a second: it only looks, and is quick.
+        """
+        return ""
+
+    def about(self) -> str:
+        """Return what the command acts on, for its tooltip, "" where that is plain; as quick as `why_not`."""
+        return ""
+
+    def run(self) -> None:
+        """Do it; raises a CNCStepperError that says why it could not be done."""
+        raise NotImplementedError
+
+    def text(self) -> str:
+        """Return the menu text in FreeCAD's language."""
+        import FreeCAD
+
+        return FreeCAD.Qt.translate(self.name, self.menu_text)
+
+    def GetResources(self) -> dict[str, str]:
+        """Return what FreeCAD shows of the command; "ForEdit": also asked while a panel is open."""
+        icon = packages.ROOT / "resources" / "icons" / f"{self.name}.svg"
+        return {"MenuText": self.menu_text, "ToolTip": self.tooltip, "Pixmap": str(icon), "CmdType": "ForEdit"}
+
+    def IsActive(self) -> bool:
+        """Return whether the command can work now, and let its tooltip say why not."""
+        return bool(self._is_able())
+
+    @polled
+    def _is_able(self) -> bool:
+        reason = self.why_not()
+        self._explain(f"<b>{html.escape(reason)}</b>" if reason else html.escape(self.about()))
+        return not reason
+
+    @guarded
+    def Activated(self, index: int = 0) -> None:
+        """Do what the command is for; a refusal is shown."""
+        self.run()
+
+    def _explain(self, sentence: str) -> None:
+        """Put a sentence below FreeCAD's own tooltip, which FreeCAD writes anew when its language changes."""
+        for action in _actions(self.name):
+            present = action.toolTip()
+            if present != self._shown_tooltip:
+                self._own_tooltip = present
+            wanted = self._own_tooltip + (f"<p>{sentence}</p>" if sentence else "")
+            if present != wanted:
+                action.setToolTip(wanted)
+            self._shown_tooltip = wanted
+
+
+def look_again(*names: str) -> None:
+    """Let commands say at once whether they can work, and on what: FreeCAD asks only after a change of its own."""
+    import FreeCADGui
+
+    for name in names:
+        command = FreeCADGui.Command.get(name)
+        is_able = bool(command and command.isActive())
+        for action in _actions(name):
+            action.setEnabled(is_able)
+
+
+def _actions(name: str) -> list[Any]:
+    """Return the command's QActions: none before FreeCAD has put it into a toolbar or menu."""
+    import FreeCADGui
+
+    command = FreeCADGui.Command.get(name)
+    return command.getAction() if command else []

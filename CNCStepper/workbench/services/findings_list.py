@@ -1,0 +1,94 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The findings of a proof as a list: one row each, with its weight, its line, what was seen, value and limit."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+from PySide import QtCore, QtGui
+
+from CNCStepper.workbench.services.message_translation import translated
+from CNCStepper.workbench.services.translation import later, tr
+
+if TYPE_CHECKING:
+    from CNCStepper.simulation.finding import Finding
+
+SEVERITIES = {"error": later("Error"), "warning": later("Warning"), "info": later("Note")}
+ICONS = {"error": "SP_MessageBoxCritical", "warning": "SP_MessageBoxWarning", "info": "SP_MessageBoxInformation"}
+FINDING = QtCore.Qt.ItemDataRole.UserRole
+LEAST_LINES = 5
+
+
+class FindingsList(QtGui.QWidget):
+    """A list of findings; `chosen` sends the Finding whose row was clicked or reached by key."""
+
+    chosen = QtCore.Signal(object)
+
+    def __init__(self, parent: Any = None):
+        super().__init__(parent)
+        self.setObjectName("CNCStepper_Findings")
+        self._rows = QtGui.QListWidget(self)
+        self._rows.setObjectName("CNCStepper_Findings_list")
+        self._rows.setWordWrap(True)
+        self._rows.setAlternatingRowColors(True)
+        self._rows.setResizeMode(QtGui.QListView.ResizeMode.Adjust)
+        self._rows.setTextElideMode(QtCore.Qt.TextElideMode.ElideNone)
+        self._rows.setHorizontalScrollBarPolicy(QtCore.Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self._rows.setVerticalScrollMode(QtGui.QAbstractItemView.ScrollMode.ScrollPerPixel)
+        self._rows.setMinimumHeight(LEAST_LINES * self.fontMetrics().lineSpacing())
+        self._rows.itemClicked.connect(self._choose)
+        self._rows.currentItemChanged.connect(self._choose)
+        layout = QtGui.QVBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.addWidget(self._rows)
+
+    def show(self, findings: Sequence[Finding]) -> None:
+        """Show these findings instead of those before; an empty list says that nothing was found."""
+        self._rows.blockSignals(True)
+        self._rows.clear()
+        for row in [self._row(finding) for finding in findings] or [_nothing_found()]:
+            self._rows.addItem(row)
+        self._rows.blockSignals(False)
+
+    def _row(self, finding: Finding) -> Any:
+        icon = self.style().standardIcon(getattr(QtGui.QStyle.StandardPixmap, ICONS[finding.severity]))
+        row = QtGui.QListWidgetItem(icon, sentence(finding))
+        row.setData(FINDING, finding)
+        row.setToolTip(tooltip(finding))
+        return row
+
+    def _choose(self, row: Any, *_: Any) -> None:
+        finding = row.data(FINDING) if row is not None else None
+        if finding is not None:
+            self.chosen.emit(finding)
+
+
+def sentence(finding: Finding) -> str:
+    """Return the weight and the line of a finding, what was seen, its value and limit, and how many moves it is."""
+    weight, line = tr(SEVERITIES[finding.severity]), finding.place.line
+    head = tr("{0}, line {1}").format(weight, line) if line else weight
+    return f"{head}: {translated(finding.text)}{_numbers(finding)}"
+
+
+def tooltip(finding: Finding) -> str:
+    """Return the whole finding with what to do about it."""
+    return "\n".join(part for part in (sentence(finding), translated(finding.advice), f"[{finding.code}]") if part)
+
+
+def _numbers(finding: Finding) -> str:
+    locale = QtCore.QLocale()
+    parts = [
+        text.format(f"{locale.toString(number, 'g', 6)} {finding.unit}".rstrip())
+        for text, number in ((tr("value {0}"), finding.value), (tr("limit {0}"), finding.limit))
+        if number is not None
+    ]
+    if finding.count > 1:
+        parts.append(tr("{0} moves").format(finding.count))
+    return f" ({', '.join(parts)})" if parts else ""
+
+
+def _nothing_found() -> Any:
+    row = QtGui.QListWidgetItem(tr("Nothing was found: the program can be sent."))
+    row.setFlags(QtCore.Qt.ItemFlag.ItemIsEnabled)
+    return row

@@ -1,0 +1,145 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What we say to the person at the window, and the one guard through which Qt and FreeCAD call us.
+
+A refusal of ours becomes a message in its own words. Anything else that escapes is a fault of the program: it
+becomes a message that says where to report it, with the details, and stands in the report view.
+"""
+
+from __future__ import annotations
+
+import functools
+import inspect
+import traceback
+from collections.abc import Callable
+from typing import Any
+
+from CNCStepper.errors import CNCStepperError
+from CNCStepper.workbench.services.message_translation import translated
+from CNCStepper.workbench.services.translation import tr
+
+NAME = "CNCStepper"
+REPORT_AT = "https://github.com/cncstepper/CNCStepper/issues"
+NOTE_MS = 8000
+
+
+def guarded(function: Callable[..., Any], repeat: bool = True) -> Callable[..., Any]:
+    """Return `function` for Qt or FreeCAD to call: nothing it raises leaves it, it is told and None returned.
+
+    Surplus arguments are dropped, as Qt itself does for a slot: `clicked` sends one that few slots take.
+    repeat: whether the same fault is told again when it happens again.
+    """
+    takes = _arguments_taken(function)
+    told: set[str] = set()
+
+    @functools.wraps(function)
+    def call(*arguments: Any, **named: Any) -> Any:
+        try:
+            return function(*arguments[:takes], **named)
+        except Exception as problem:
+            if repeat or str(problem) not in told:
+                told.add(str(problem))
+                error(problem)
+            return None
+
+    del call.__wrapped__  # type: ignore[attr-defined]  # PySide must count the arguments of `call`
+    return call
+
+
+def polled(function: Callable[..., Any]) -> Callable[..., Any]:
+    """Return `function` guarded, for what is called again and again by itself: each fault is told once."""
+    return guarded(function, repeat=False)
+
+
+def _arguments_taken(function: Callable[..., Any]) -> int | None:
+    """Return how many positional arguments a function takes, None for any number."""
+    kinds = [parameter.kind for parameter in inspect.signature(function).parameters.values()]
+    if inspect.Parameter.VAR_POSITIONAL in kinds:
+        return None
+    return sum(kind in (inspect.Parameter.POSITIONAL_ONLY, inspect.Parameter.POSITIONAL_OR_KEYWORD) for kind in kinds)
+
+
+def error(problem: BaseException) -> None:
+    """Show an error and return at once; without a window it is printed."""
+    if isinstance(problem, CNCStepperError):
+        _show("error", "Warning", sentence(problem), translated(problem.advice))
+        return
+    import FreeCAD
+
+    details = "".join(traceback.format_exception(problem))
+    FreeCAD.Console.PrintError(f"{NAME}: {details}\n")
+    what = tr("CNCStepper has a fault: {0}").format(f"{type(problem).__name__}: {problem}")
+    _show("fault", "Critical", what, tr("Please report it, with the details, at {0}").format(REPORT_AT), details)
+
+
+def notice(text: str, more: str = "") -> None:
+    """Show something that concerns the whole workbench in a window of its own, and return at once."""
+    _show("notice", "Information", text, more)
+
+
+def note(text: str) -> None:
+    """Say something in passing, in the status bar."""
+    import FreeCAD
+
+    if FreeCAD.GuiUp:
+        import FreeCADGui
+
+        FreeCADGui.getMainWindow().statusBar().showMessage(text, NOTE_MS)
+    else:
+        FreeCAD.Console.PrintMessage(f"{NAME}: {text}\n")
+
+
+def ask(question: str, yes: str, no: str, more: str = "") -> bool:
+    """Ask a question, wait, and return whether the button `yes` was pressed; Esc and closing mean no."""
+    from PySide import QtGui
+
+    box = _box("ask", "Question", question, more)
+    agree = box.addButton(yes, QtGui.QMessageBox.ButtonRole.AcceptRole)
+    agree.setObjectName("CNCStepper_Tell_yes")
+    refuse = box.addButton(no, QtGui.QMessageBox.ButtonRole.RejectRole)
+    refuse.setObjectName("CNCStepper_Tell_no")
+    box.setEscapeButton(refuse)
+    box.setDefaultButton(refuse)
+    getattr(box, "exec", box.exec_)()
+    agreed = box.clickedButton() is agree
+    box.deleteLater()
+    return agreed
+
+
+def sentence(problem: CNCStepperError) -> str:
+    """Return what an error says, with its place, value and limit, without its advice and code."""
+    limit = problem.limit and tr("limit {0}").format(translated(problem.limit))
+    numbers = [part for part in (problem.value, limit) if part]
+    place = f"{problem.place}: " if problem.place else ""
+    return f"{place}{translated(problem.what)}" + (f" ({', '.join(numbers)})" if numbers else "")
+
+
+def _show(kind: str, icon: str, text: str, more: str = "", details: str = "") -> None:
+    import FreeCAD
+
+    if not FreeCAD.GuiUp:
+        FreeCAD.Console.PrintMessage(f"{NAME}: {text}; {more}\n")
+        return
+    from PySide import QtCore, QtGui
+
+    box = _box(kind, icon, text, more)
+    box.addButton(QtGui.QMessageBox.StandardButton.Ok).setObjectName("CNCStepper_Tell_ok")
+    if details:
+        box.setDetailedText(details)
+    box.setAttribute(QtCore.Qt.WidgetAttribute.WA_DeleteOnClose)
+    box.open() if kind != "notice" else box.show()
+
+
+def _box(kind: str, icon: str, text: str, more: str) -> Any:
+    import FreeCADGui
+    from PySide import QtCore, QtGui
+
+    box = QtGui.QMessageBox(FreeCADGui.getMainWindow())
+    box.setObjectName(f"CNCStepper_Tell_{kind}")
+    box.setModal(kind != "notice")
+    box.setWindowTitle(NAME)
+    box.setIcon(getattr(QtGui.QMessageBox.Icon, icon))
+    box.setTextFormat(QtCore.Qt.TextFormat.PlainText)
+    box.setText(text)
+    box.setInformativeText(more)
+    box.setTextInteractionFlags(QtCore.Qt.TextInteractionFlag.TextSelectableByMouse)
+    return box

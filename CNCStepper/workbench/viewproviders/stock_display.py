@@ -1,0 +1,70 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The edges of a job's stock in the 3D view, where it lies round the work zero, and a small cross at that zero.
+
+Where cuts must stay within the stock's edge, the line that they stay within is drawn on its top.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from CNCStepper.errors import JobError
+from CNCStepper.workbench import packages
+from CNCStepper.workbench.document.stock_of_job import stock_of
+
+RGB = (0.72, 0.53, 0.20)  # of wood: seen on FreeCAD's blue and on white
+CROSS_SHARE = 0.05  # of the stock's length: half an arm of the cross
+POSTS = 4
+SHAPED_BY = ("StockForm", "StockSize", "StockOrigin", "EdgeMargin", "WorkOrigin")
+
+
+class StockBox:
+    """`node` is for the view; `update` follows the job."""
+
+    def __init__(self) -> None:
+        from pivy import coin
+
+        self.node = coin.SoSeparator()
+        self._points, self._lines = coin.SoCoordinate3(), coin.SoLineSet()
+        colour, style, pick = coin.SoBaseColor(), coin.SoDrawStyle(), coin.SoPickStyle()
+        colour.rgb = RGB
+        style.lineWidth = 1.5
+        pick.style = coin.SoPickStyle.UNPICKABLE  # what is drawn inside the stock stays within reach of the mouse
+        for part in (pick, colour, style, self._points, self._lines):
+            self.node.addChild(part)
+
+    def update(self, job: Any) -> None:
+        """Draw the stock as the job says it is; nothing where the job says nonsense, or shapely is missing."""
+        strips = [] if packages.missing("numpy", "shapely") else _strips(job)
+        points = [point for strip in strips for point in strip]
+        self._points.point.setValues(0, len(points), points)
+        self._points.point.setNum(len(points))
+        self._lines.numVertices.setValues(0, len(strips), [len(strip) for strip in strips])
+        self._lines.numVertices.setNum(len(strips))
+
+
+def _strips(job: Any) -> list[list[Any]]:
+    """Return the edges of the stock, the margin at its edge and the cross, in the document's coordinates."""
+    try:
+        stock = stock_of(job)
+    except JobError:
+        return []
+    zero = tuple(job.WorkOrigin)
+    arm = CROSS_SHARE * max(stock.size_mm[:2])
+    cross = [[(-arm, 0.0, 0.0), (arm, 0.0, 0.0)], [(0.0, -arm, 0.0), (0.0, arm, 0.0)]]
+    strips = _edges(stock) + _margin(stock, float(job.EdgeMargin)) + cross
+    return [[tuple(at + shift for at, shift in zip(point, zero, strict=True)) for point in strip] for strip in strips]
+
+
+def _edges(stock: Any) -> list[list[Any]]:
+    """Return the rims of top and bottom, and four posts between them: at a cylinder's sides, at a box's corners."""
+    rim = list(stock.outline.exterior.coords)
+    heights = stock.bottom_mm, stock.top_mm
+    posts = [[(*rim[i * (len(rim) - 1) // POSTS], z) for z in heights] for i in range(POSTS)]
+    return [[(*point, z) for point in rim] for z in heights] + posts
+
+
+def _margin(stock: Any, edge_mm: float) -> list[list[Any]]:
+    """Return the line that cuts stay within, on the top; none where no margin is asked for or none is left."""
+    inside = stock.outline.buffer(-edge_mm, join_style="mitre")
+    return [[(*point, stock.top_mm) for point in inside.exterior.coords]] if edge_mm > 0 and not inside.is_empty else []

@@ -1,0 +1,153 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The process that cuts operations and writes programs for the panels: `python -m CNCStepper.workers.cycle_cutting`.
+
+It knows nothing of FreeCAD. Each line on standard input is a question in JSON; a newer one ends the work on the one
+before. Each line on standard output tells something of the newest:
+
+    {"mark": 3, "compiled": true, "parts": {KEY: PART, ...}}      what is asked; compiled: kernels may be compiled
+
+    {"begun": 3}                                                  before anything else
+    {"stage": "fit"}   {"stage": "cut"}   {"stage": "write"}      what is being done
+    {"key": KEY, "answer": {"fits": {key: [xy, bulge], ...}}}             of a PART {"fit": lines, "tolerance_mm": 0.01}
+    {"key": KEY, "answer": {"figures": {...}, "warnings": [...]}}         of a PART {"cut": job, "machine": machine}:
+                                                                          the first operation of the job
+    {"key": KEY, "answer": {"texts": [[name, text]], "paths": [text]}}    of a PART {"program": job, "machine": machine,
+                                                                          "title": text}: paths are for FreeCAD's Path
+    {"key": KEY, "answer": {"error": {...}}}                      of a part that is refused
+    {"done": 3}                                                   when all parts are answered
+
+When standard input is closed the process ends.
+"""
+
+from __future__ import annotations
+
+import sys
+import time
+import traceback
+from contextlib import nullcontext
+from queue import Empty
+from typing import Any
+
+from CNCStepper.cancellation import interruptible
+from CNCStepper.errors import CNCStepperError
+from CNCStepper.workers.json_lines import Questions, serve, tell
+
+LOOK_EVERY_S = 0.02  # whether a newer question has come
+MOST_CUTS = 16  # kept: a program is asked for after its operations
+
+
+class Outdated(Exception):
+    """Raised where a newer question has come."""
+
+
+def main() -> int:
+    """Answer what standard input asks; return the exit status."""
+    return serve(lambda questions: Answers(questions).run(), "cut-fault", "the cut")
+
+
+class Answers:
+    """The newest question and the cuts that were made last."""
+
+    def __init__(self, questions: Questions):
+        self._questions = questions
+        self._newer: dict[str, Any] | None = None
+        self._looked_s = 0.0
+        self._cuts: list[Any] = []
+
+    def run(self) -> None:
+        """Answer for ever."""
+        while True:
+            question = self._newest()
+            try:
+                self._answer(question)
+            except Outdated:
+                continue
+
+    def _newest(self) -> dict[str, Any]:
+        """Return the newest question; wait where there is none."""
+        question, self._newer = self._newer or self._questions.get(), None
+        try:
+            while True:
+                question = self._questions.get_nowait()
+        except Empty:
+            return question
+
+    def _look(self) -> None:
+        """Raise Outdated where a newer question has come."""
+        now_s = time.monotonic()
+        if now_s < self._looked_s + LOOK_EVERY_S:
+            return
+        self._looked_s = now_s
+        try:
+            self._newer = self._questions.get_nowait()
+        except Empty:
+            return
+        raise Outdated
+
+    def _answer(self, question: dict[str, Any]) -> None:
+        from CNCStepper.kernels import uncompiled
+
+        tell({"begun": question["mark"]})
+        slowly = nullcontext() if question["compiled"] else uncompiled(self._look)
+        with interruptible(self._look), slowly:
+            for key, part in question["parts"].items():
+                tell({"key": key, "answer": self._part(part)})
+        tell({"done": question["mark"]})
+
+    def _part(self, part: dict[str, Any]) -> dict[str, Any]:
+        from CNCStepper.control.session.status import error_to_json
+
+        try:
+            return self._fits(part) if "fit" in part else self._cut(part) if "cut" in part else self._programs(part)
+        except CNCStepperError as refusal:
+            error = refusal
+        except MemoryError:
+            what = "the cut takes more memory than there is"
+            error = CNCStepperError("cut-memory", what, advice="use larger steps or a smaller depth")
+        except Outdated:
+            raise
+        except Exception as fault:  # a fault of ours still has to reach the person who waits
+            traceback.print_exc()
+            what = f"the cut failed by a fault of its own: {type(fault).__name__}: {fault}"
+            error = CNCStepperError("cut-fault", what, advice="please report it, with the program")
+        return {"error": error_to_json(error)}
+
+    def _fits(self, part: dict[str, Any]) -> dict[str, Any]:
+        from CNCStepper.job.spline_fitting import answer_to
+
+        tell({"stage": "fit"})
+        return answer_to(part)
+
+    def _cut(self, part: dict[str, Any]) -> dict[str, Any]:
+        from CNCStepper.job.cut_transfer import setting_from
+
+        tell({"stage": "cut"})
+        job = setting_from(part["cut"], part["machine"])
+        cycle = job.operation[0]
+        answer = self._cut_once(cycle, job.setup(cycle)).answer
+        return {"figures": answer.figures, "warnings": answer.warnings}
+
+    def _programs(self, part: dict[str, Any]) -> dict[str, Any]:
+        from CNCStepper.job.cut_transfer import job_from, machine_from, path_text, program_texts
+
+        tell({"stage": "cut"})
+        machine = machine_from(part["machine"])
+        job = job_from(part["program"], part["machine"])
+        ready = tuple(self._cut_once(cycle, job.setup(cycle)) for cycle in job.operation)
+        tell({"stage": "write"})
+        texts = program_texts(job.model_copy(update={"operation": ready}), machine, part["title"])
+        paths = [path_text(job, machine, text, part["title"]) for _, text in texts]
+        return {"texts": texts, "paths": paths}
+
+    def _cut_once(self, cycle: Any, setup: Any) -> Any:
+        from CNCStepper.job.cycle_cache import CutOnce
+
+        found = next((cut for cut in self._cuts if cut.fits(cycle, setup)), None)
+        if found is None:
+            found = CutOnce(cycle, setup)
+            self._cuts = [*self._cuts[1 - MOST_CUTS :], found]
+        return found
+
+
+if __name__ == "__main__":
+    sys.exit(main())

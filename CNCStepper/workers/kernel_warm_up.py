@@ -1,0 +1,56 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Compiles the kernels by making and reading small cuts: `python -m CNCStepper.workers.kernel_warm_up`.
+
+A window starts it in a process of its own, so that it need not wait for its first cut. The machine code stays in the
+user's cache folder, for this version of Python; the last thing written is the stamp that says that all is there.
+When its standard input is closed the window is gone: it ends, and what is compiled by then is kept.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import threading
+from pathlib import Path
+
+import numpy as np
+
+from CNCStepper import kernel_cache
+from CNCStepper.gcode.dialects import dialect_named
+from CNCStepper.gcode.interpreter.fast_path.compiled_reader import PlainReader
+from CNCStepper.gcode.interpreter.flow.o_word_kernel import goes_beyond_words
+from CNCStepper.gcode.interpreter.interpret import Interpreter
+from CNCStepper.gcode.wire.line_runs import compiled_runs
+from CNCStepper.job.make import cut_operations
+from CNCStepper.job.model import load_job
+
+TEXT = b"G1 X0 F100\nX1\n"
+CUTS = Path(__file__).with_suffix(".toml")
+
+
+def warm() -> None:
+    """Make the cuts, each as a job of its own; what they call is compiled then, and loaded from the cache later."""
+    read_all_ways()
+    job, machine = load_job(CUTS)
+    for operation in job.operation:
+        cut_operations(job.model_copy(update={"operation": (operation,)}).on(machine))
+
+
+def read_all_ways() -> None:
+    """Look over a text, read it and prepare it for sending, all by kernels."""
+    PlainReader(Interpreter()).read(TEXT)
+    list(compiled_runs(TEXT, dialect_named("grbl")))
+    goes_beyond_words(np.frombuffer(TEXT, np.uint8))
+
+
+def _end_when_left() -> None:
+    with contextlib.suppress(OSError):
+        while os.read(0, 1):  # not sys.stdin: its lock would be held when the interpreter ends
+            pass
+    os._exit(1)
+
+
+if __name__ == "__main__":
+    threading.Thread(target=_end_when_left, daemon=True).start()
+    warm()
+    kernel_cache.stamp().touch()

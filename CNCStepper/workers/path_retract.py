@@ -1,0 +1,90 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The process that leads a held job back along its cut for a window: `python -m CNCStepper.workers.path_retract`.
+
+Each line on standard input asks for one thing, in JSON, of the job that the desk of the file "desk" runs; each is
+answered by one line on standard output, in the same order:
+
+    {"desk": FILE, "find": true}         where on its cut the tool stands; nothing moves
+    {"desk": FILE, "back_mm": 5.0}       held where it moves, then back by so much, and proven before
+    {"desk": FILE, "line": 42}           back to where line 42 of the program begins
+    {"desk": FILE, "entry": true}        back to the last entry into the work
+    {"desk": FILE, "forward_mm": 2.0}    forward again, as far as the program was cut at most
+    {"desk": FILE, "aside": true}        nowhere, outputs off: after it the machine can be jogged
+    {"desk": FILE, "resume": true}       cut from here to the program's end
+
+    {"line": 12, "behind_mm": 5.0, "doubt": ""}     the tool stands there; doubt: what to say of the place, if anything
+    {"resumed": true}                               the job goes on
+    {"refused": {...}}                              as `error_to_json`; the process lives on
+
+When standard input is closed nobody asks any more, and the process ends at once; the machine goes on to where it goes.
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+from CNCStepper.errors import CNCStepperError, JobError
+from CNCStepper.workers.json_lines import Questions, serve, tell
+
+
+def main() -> int:
+    """Answer what standard input asks; return the exit status."""
+
+    def answer(questions: Questions) -> None:
+        while True:
+            tell(answered(questions.get()))
+
+    return serve(answer, "back-fault", "the way back along the cut")
+
+
+def answered(question: dict[str, Any]) -> dict[str, Any]:
+    """Return the answer to a question, refused ones too."""
+    from CNCStepper.control.session.status import error_to_json
+
+    try:
+        return _answer(**question)
+    except CNCStepperError as error:
+        return {"refused": error_to_json(error)}
+
+
+def _answer(desk: str, **wish: Any) -> dict[str, Any]:
+    from CNCStepper.control.service.connection_session import DeskSession
+    from CNCStepper.recovery.retract.client import WayBack
+
+    with DeskSession.attach(Path(desk)) as session:
+        back = WayBack(session)
+        if "find" in wish:
+            return _place(back.held())
+        back.hold()
+        held = back.held()
+        if "resume" in wish:
+            back.go(held.rest())
+            return {"resumed": True}
+        back.go(held.aside() if "aside" in wish else held.along(_target(held, **wish)))
+        back.arrive()
+        return _place(back.held())
+
+
+def _target(held: Any, **wish: Any) -> Any:
+    """Return the place that is wished for."""
+    ways: dict[str, Callable[[Any], Any]] = {
+        "back_mm": held.back_by,
+        "line": held.back_to_line,
+        "entry": lambda _: held.back_to_entry(),
+        "forward_mm": held.forward_by,
+    }
+    for kind, way in ways.items():
+        if kind in wish:
+            return way(wish[kind])
+    raise JobError("back-question", "nothing is known that could be asked so", value=str(wish))
+
+
+def _place(held: Any) -> dict[str, Any]:
+    return {"line": held.file_line(held.place), "behind_mm": held.behind_mm, "doubt": held.doubt}
+
+
+if __name__ == "__main__":
+    sys.exit(main())

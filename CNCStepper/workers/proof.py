@@ -1,0 +1,96 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The process that proves: `python -m CNCStepper.workers.proof FOLDER NAME`, the folder as in `proof_folder`,
+with what `proof_folder` adds where the restart of a program is proven.
+
+It tells on standard output the stage that begins, one a line, and `part` once the cut part stands in the folder.
+When its standard input is closed nobody waits for the answer any more: it takes the folder away and ends. NAME is the
+program's in findings. Its exit status is 0 when an answer stands in the folder, else 1: then `error.json` says why.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import shutil
+import sys
+import threading
+import traceback
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from CNCStepper.errors import CNCStepperError, MissingPackage
+
+if TYPE_CHECKING:
+    from CNCStepper.simulation.removal.heightmap import HeightMap
+
+
+def main(arguments: list[str]) -> int:
+    """Prove the program of the folder `arguments[0]`, named `arguments[1]`; return the exit status."""
+    folder, name = Path(arguments[0]), arguments[1]
+    threading.Thread(target=_end_when_left, args=(folder,), daemon=True).start()
+    try:
+        answer(folder, name)
+    except CNCStepperError as error:
+        _refuse(folder, error)
+        return 1
+    except ImportError as error:
+        advice = "install it for the Python that proves (python -m pip install NAME)"
+        _refuse(folder, MissingPackage("package-missing", f"{sys.executable}: {error}", advice=advice))
+        return 1
+    except Exception as error:  # a fault of ours still has to reach the person who waits
+        traceback.print_exc()
+        what = f"the proof failed by a fault of its own: {type(error).__name__}: {error}"
+        _refuse(folder, CNCStepperError("proof-fault", what, advice="please report it, with the program"))
+        return 1
+    return 0
+
+
+def answer(folder: Path, name: str) -> None:
+    """Read the question, prove, and write the answer; raises what the core raises."""
+    from CNCStepper.job.certify import certificate_of
+    from CNCStepper.job.proof_folder import read_question, write_answer, write_part
+    from CNCStepper.job.prove import earlier_proofs, prove_job
+    from CNCStepper.job.start_state_file import read_start
+    from CNCStepper.recovery.restart.proof_folder import read_place, write_restart
+    from CNCStepper.recovery.restart.prove import Entering, certificate_of_restart, restart_job
+
+    program, job, machine = read_question(folder)
+    start, place = read_start(folder), read_place(folder)
+
+    def tell(stage: str) -> None:
+        print(stage, flush=True)
+
+    def see(part: HeightMap) -> None:
+        write_part(folder, part)
+        tell("part")
+
+    earlier = earlier_proofs(job, machine, program, name, start)
+    more: dict[str, Any] = {"file": name, "start": start, "tell": tell, "see": see, "earlier": earlier}
+    if place is None:
+        proof = prove_job(job, machine, program, **more)
+        certificate = certificate_of(proof)
+    else:
+        entering = Entering(place.overlap_mm, place.height_mm)
+        restarted = restart_job(job, machine, program, place.where, entering, **more)
+        proof, certificate = restarted.proof, certificate_of_restart(restarted)
+        write_restart(folder, restarted.restart)
+    write_answer(folder, proof, job, certificate.to_json())
+
+
+def _refuse(folder: Path, error: CNCStepperError) -> None:
+    from CNCStepper.job.proof_folder import write_error
+
+    write_error(folder, error)
+
+
+def _end_when_left(folder: Path) -> None:
+    """End this process when nobody holds the other end of standard input any more."""
+    with contextlib.suppress(OSError):
+        while os.read(0, 1):  # not sys.stdin: its lock would be held when the interpreter ends
+            pass
+    shutil.rmtree(folder, ignore_errors=True)
+    os._exit(1)
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

@@ -1,0 +1,76 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A program goes only to a controller that reads its lines as the proof has read them."""
+
+from __future__ import annotations
+
+import pytest
+from desk_table import Visit
+
+from CNCStepper.control.preflight.dialect import check_sendable
+from CNCStepper.control.program.certificate import FORMAT, VERSION, Certificate
+from CNCStepper.control.program.send_job import SendJob
+from CNCStepper.control.protocol.grbl.firmware import FIRMWARES as KNOWN
+from CNCStepper.errors import MachineRefusal
+from CNCStepper.gcode.dialects import dialect_names
+from CNCStepper.gcode.wire.encoder import prepare
+from CNCStepper.job.certify import send_job
+from CNCStepper.virtual.grbl.firmware import FIRMWARES
+
+READ = {"grbl": {"grbl"}, "grblhal": {"grbl", "grblhal"}, "fluidnc": {"grbl", "fluidnc"}}
+THESIS = ("G90X40Y0F300", "G0X0Y0")  # cuts there; rapids to grbl
+
+
+@pytest.mark.parametrize("allowed", [False, True])
+def test_cut_of_another_language_is_no_rapid_of_this_one(tmp_path, allowed):
+    visit = Visit(tmp_path)
+
+    def person():
+        visit.job(*THESIS, dialect="thesis-a", allow_differences=allowed)
+        yield visit.ended()
+
+    visit.receive(person)
+    error = visit.outcomes[0].error
+    assert error.code == "dialect-differs" and visit.table.x_mm() == 0.0
+    assert "cncstepper convert PROGRAM --dialect thesis-a --to grbl" in error.advice
+
+
+@pytest.mark.parametrize("dialect", [*dialect_names(), ""])
+@pytest.mark.parametrize("firmware", FIRMWARES.values(), ids=lambda firmware: firmware.name)
+def test_each_firmware_takes_its_own_language_and_that_of_grbl(tmp_path, firmware, dialect):
+    visit = Visit(tmp_path, firmware=firmware)
+
+    def person():
+        visit.job("G21G90G94", "G1X-1F1500", dialect=dialect)
+        yield visit.ended()
+
+    visit.receive(person)
+    assert visit.outcomes[0].done is (dialect in READ[firmware.name] | {""})
+
+
+@pytest.mark.parametrize("dialect", dialect_names())
+@pytest.mark.parametrize("controller", [*READ, "linuxcnc", ""])
+def test_what_cannot_be_sent_is_refused_before_a_port_is_opened(dialect, controller):
+    def refused() -> bool:
+        try:
+            check_sendable(dialect, controller)
+        except MachineRefusal as error:
+            assert error.code == "dialect-differs" and error.value == dialect
+            return True
+        return False
+
+    assert refused() is not (dialect in READ.get(controller, set.union(*READ.values())))
+
+
+def test_languages_of_the_firmwares_are_known_ones():
+    assert {name for firmware in KNOWN for name in firmware.dialects} <= set(dialect_names())
+    assert all(firmware.dialects[0] == firmware.key for firmware in KNOWN)
+
+
+def test_job_of_no_known_machine_names_its_language():
+    job = send_job(prepare("G90 X40 Y0 F300\n", "thesis-a"), None, "part.nc", None, "thesis-a")
+    assert SendJob.from_json(job.to_json()).dialect == "thesis-a"
+
+
+def test_certificate_names_the_language_of_its_lines():
+    content = {"format": FORMAT, "version": VERSION, "wire": {"dialect": "grblhal"}, "send": {"lines": ["G0X1"]}}
+    assert Certificate(content).send_job().dialect == "grblhal"

@@ -1,0 +1,79 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What the interpreter says of a program is known to the catalogue, and said again with the same values."""
+
+from __future__ import annotations
+
+import sys
+import xml.etree.ElementTree as ET
+from pathlib import Path
+from types import SimpleNamespace
+
+import pytest
+
+from CNCStepper.control.stream.job_run import KEPT, LOST
+from CNCStepper.errors import ProgramError
+from CNCStepper.gcode.interpreter.interpret import interpret
+from CNCStepper.state import Start
+from CNCStepper.workbench.services import messages
+from CNCStepper.workbench.services.message_translation import CATALOGUE, translated
+
+BAD = sorted((Path(__file__).parents[2] / "bad").glob("*.nc"))
+PORTUGUESE = {
+    (str(context.findtext("name")), str(message.findtext("source"))): str(message.findtext("translation"))
+    for context in ET.parse(CATALOGUE.with_name("CNCStepper_pt-BR.ts")).getroot().iter("context")
+    for message in context.iter("message")
+}
+
+
+@pytest.fixture(autouse=True)
+def portuguese(monkeypatch: pytest.MonkeyPatch) -> None:
+    """FreeCAD speaks Portuguese: what it answers is what the catalogue's source says."""
+    speech = SimpleNamespace(translate=lambda context, text: PORTUGUESE.get((context, text), text))
+    monkeypatch.setitem(sys.modules, "FreeCAD", SimpleNamespace(Qt=speech))
+
+
+def refusal(path: Path) -> ProgramError:
+    text = path.read_text("utf-8")
+    body, expected = text[: text.rindex("; expect")], text.rpartition("; expect")[2].partition(" | ")[0].split()
+    with pytest.raises(ProgramError) as caught:
+        interpret(body, Start(), expected[2] if len(expected) > 2 else "grbl", path.name)
+    return caught.value
+
+
+@pytest.mark.parametrize("path", BAD, ids=lambda path: path.stem)
+def test_every_refusal_is_said_in_portuguese(path: Path) -> None:
+    error = refusal(path)
+    assert translated(error.what) != error.what
+    assert translated(error.sentence).startswith(translated(error.what))
+    assert not error.value or error.value in translated(error.sentence)
+
+
+def test_the_limit_and_the_advice_are_translated_and_the_value_stays() -> None:
+    error = ProgramError("x", "a scale must be above 0", value="at most 3", limit="at most 3", advice="use X or Y")
+    whole = "uma escala deve ser maior que 0 (valor at most 3, limite no máximo 3); use X ou Y"
+    assert translated(error.sentence) == whole
+    assert messages.sentence(error) == "uma escala deve ser maior que 0 (at most 3, limite no máximo 3)"
+
+
+def test_each_advice_is_translated() -> None:
+    error = ProgramError("x", "the comment is not closed", advice="close it with ); take out R; rs274 says no")
+    assert translated(error.sentence) == "o comentário não está fechado; feche-o com ); retire R; rs274 says no"
+
+
+def test_a_name_before_and_a_value_that_is_joined() -> None:
+    english = "Part 1: the pattern cannot be read: a; b (value c)"
+    assert translated(english) == "Part 1: o padrão de busca não pode ser lido: a; b (value c)"
+
+
+def test_only_a_limit_is_said_too() -> None:
+    error = ProgramError("x", "a scale must be above 0", limit="at most 3")
+    assert translated(error.sentence) == "uma escala deve ser maior que 0 (limite no máximo 3)"
+
+
+def test_why_a_job_ended_and_how_its_machine_stands_are_both_translated() -> None:
+    stopped = translated(f"stopped as asked after 60 lines. Now {KEPT}")
+    assert stopped.startswith("parado como pedido após 60 linhas. ") and stopped.endswith(translated(KEPT))
+    assert translated(KEPT) != KEPT
+    error = ProgramError("x", "a scale must be above 0", limit="at most 3")
+    failed = translated(f"the job has ended: {error}. Now {LOST}")
+    assert translated(error.sentence) in failed and failed.endswith(translated(LOST)) and translated(LOST) != LOST
