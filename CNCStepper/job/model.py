@@ -152,6 +152,12 @@ class Job(BaseModel):
                 )
         return self
 
+    @classmethod
+    def load(cls, path: str | Path) -> Job:
+        """Return the job of a TOML or JSON file, its machine as `Machine.load` takes it; raises as `load_job` does."""
+        job, _ = load_job(Path(path))
+        return job.model_copy(update={"machine": _machine_name(job.machine, Path(path).parent)})
+
     @property
     def tools(self) -> dict[int, Tool]:
         """The tools by number."""

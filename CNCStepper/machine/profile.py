@@ -225,6 +225,11 @@ class Machine(_Checked):
             raise ValueError(f'axis.{without[0]}.jerk_mm_s3 is missing: ramp = "s_curve" needs it')
         return self
 
+    @classmethod
+    def load(cls, name_or_path: str | Path) -> Machine:
+        """Return the machine of a profile, as `load_machine` does."""
+        return load_machine(name_or_path)
+
     @property
     def keeps_outputs_back(self) -> bool:
         """Whether spindle and coolant stay on while the tool goes back along its cut."""

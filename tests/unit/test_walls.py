@@ -16,6 +16,7 @@ PACKAGE = ROOT / "CNCStepper"
 
 FLOORS = [  # from the top; rooms on one line do not know each other
     {"workbench", "cli"},
+    {"api"},
     {"workers"},
     {"recovery"},
     {"job"},
@@ -111,6 +112,7 @@ def test_imports_go_downwards_only() -> None:
     found = [
         fault
         for module, path in modules().items()
+        if module != "CNCStepper"  # the public names, of all rooms; test_python_page holds that it loads none of them
         for fault in faults(module, path.read_text("utf-8"), package_of(module, path))
     ]
     assert not found, "\n".join(found)
