@@ -15,11 +15,11 @@ from CNCStepper.gcode.interpreter.interpret import interpret
 from CNCStepper.job.make import is_split, make_parts, make_program
 from CNCStepper.job.model import Job, StockForm, operation_of
 from CNCStepper.job.path_commands import commands, gcode
+from CNCStepper.job.question_key import Content
 from CNCStepper.machine.profile import Machine, validated
 from CNCStepper.machine.tools.tool import Tool
 from CNCStepper.state import Start
 from CNCStepper.toolpath import Toolpath
-from CNCStepper.workbench.calculation.result_cache import Content
 
 _machines: deque[tuple[Machine, Content]] = deque(maxlen=4)
 

@@ -23,6 +23,7 @@ REASONS = {
     "control/journal/journal_file": "O_EXCL; a journal grows line by line and is never replaced",
     "control/session/detached_process": "O_EXCL; a log that grows",
     "control/pulses/ports": "a recording grows while pulses go out; only a recording is opened, links are checked",
+    "cli/program/piped_program": "a temporary folder of 0700 that goes when it is read",
     "control/session/files": OWN_STATE,
     "control/program/spool": OWN_STATE,
     "job/editing/path_segments": PRIVATE,

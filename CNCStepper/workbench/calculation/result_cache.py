@@ -9,9 +9,7 @@ is kept for whoever makes the object now, and asked anew when somebody tries aga
 
 from __future__ import annotations
 
-import functools
 import hashlib
-import json
 import time
 from collections import OrderedDict
 from dataclasses import dataclass
@@ -19,6 +17,7 @@ from typing import Any
 
 from CNCStepper.control.session.status import error_from_json
 from CNCStepper.errors import CNCStepperError
+from CNCStepper.job.question_key import key_of
 
 MOST_BYTES = 64_000_000  # of all that is kept
 ENTRY_BYTES = 1_000  # of an answer besides its texts
@@ -58,36 +57,6 @@ _answers: OrderedDict[str, Answer] = OrderedDict()
 _paths: dict[str, str] = {}  # by the key of a program's text
 _failed_s: dict[str, float] = {}  # when the process failed, by the key of what it was asked
 _bytes = 0
-
-
-class Content(dict[str, Any]):
-    """Plain data that many questions hold: what names it is worked out once. It never changes."""
-
-    @functools.cached_property
-    def digest(self) -> str:
-        """What names it."""
-        return _digest(self)
-
-
-HOLDERS = (Content, dict, list)
-
-
-def key_of(question: dict[str, Any]) -> str:
-    """Return what names a question."""
-    return _digest(_by_names(question))
-
-
-def _by_names(value: Any) -> Any:
-    """Return plain data with the digest of each Content in its place."""
-    if type(value) is Content:
-        return value.digest
-    if type(value) is dict:
-        return {key: _by_names(part) if type(part) in HOLDERS else part for key, part in value.items()}
-    return [part.digest if type(part) is Content else part for part in value]  # a list, whose lists hold none
-
-
-def _digest(value: Any) -> str:
-    return hashlib.sha256(json.dumps(value, sort_keys=True).encode("ascii")).hexdigest()
 
 
 def take(key: str, content: dict[str, Any]) -> None:

@@ -11,6 +11,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import Any
 
+from CNCStepper.job import question_key
 from CNCStepper.job.deferred_fitting import Unfitted, only_looking
 from CNCStepper.workbench.calculation import result_cache
 from CNCStepper.workbench.document import targets
@@ -48,7 +49,7 @@ def _unknown(kind: type[Operation], pairs: Sequence[Pair]) -> dict[str, dict[str
     with only_looking():
         refusals = selected_drawings(kind, pairs).refusals
     questions = [error.question for error in refusals if isinstance(error, Unfitted)]
-    asked = {result_cache.key_of(question): question for question in questions}
+    asked = {question_key.key_of(question): question for question in questions}
     return {key: question for key, question in asked.items() if result_cache.may_ask(key)}
 
 

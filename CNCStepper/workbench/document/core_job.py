@@ -11,10 +11,10 @@ from CNCStepper.job import cut_transfer
 from CNCStepper.job.cut_transfer import content_of, machine_content, program_texts
 from CNCStepper.job.deferred_fitting import once
 from CNCStepper.job.model import Job, StockForm, looks_at_others
+from CNCStepper.job.question_key import Content
 from CNCStepper.machine.profile import validated
 from CNCStepper.toolpath import Toolpath
 from CNCStepper.workbench.calculation import result_cache
-from CNCStepper.workbench.calculation.result_cache import Content
 from CNCStepper.workbench.document.clamps import clamps_content
 from CNCStepper.workbench.document.machine_of_job import machine_of
 from CNCStepper.workbench.document.stock_of_job import stock_content

@@ -9,8 +9,8 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from CNCStepper.errors import CNCStepperError, CycleError
+from CNCStepper.job.question_key import Content
 from CNCStepper.workbench import packages
-from CNCStepper.workbench.calculation.result_cache import Content
 from CNCStepper.workbench.document.input_limits import require_within_reach
 from CNCStepper.workbench.drawings.shapes import Seen, all_same, containers_of, edges_of, require_closed
 from CNCStepper.workbench.features.base import (

@@ -5,9 +5,9 @@ from __future__ import annotations
 
 from typing import Any
 
+from CNCStepper.job.question_key import Content
 from CNCStepper.machine.tools.tool_shapes import SHAPES, foreign_keys
 from CNCStepper.workbench import packages
-from CNCStepper.workbench.calculation.result_cache import Content
 from CNCStepper.workbench.features.base import (
     ANGLE,
     DISTANCE,

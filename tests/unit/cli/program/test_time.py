@@ -56,7 +56,7 @@ def test_they_agree_where_play_is_taken_up(name: str, tmp_path: Path) -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("job", ["brazil-engraving", "plate", "cycles/holes/drill", "cycles/contours/contour"])
+@pytest.mark.parametrize("job", ["brazil-engraving", "plate", "cycles/drill", "cycles/contour"])
 def test_time_and_the_report_of_a_job_agree(job: str, tmp_path: Path) -> None:
     assert called("run", EXAMPLES / f"{job}.toml", "--out", tmp_path).returncode == 0
     assert time_of(tmp_path / "program.nc", "--machine", "table-a") == reported(tmp_path / "report.json")
