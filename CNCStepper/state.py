@@ -30,7 +30,7 @@ WORK_SYSTEMS = ("G54", "G55", "G56", "G57", "G58", "G59", "G59.1", "G59.2", "G59
 ZERO3 = (0.0, 0.0, 0.0)
 ZERO9 = (0.0,) * 9
 FEW = 256  # states that are made at once, rather than kept as feeds
-MOST_SHARED = 65_536  # feeds whose states are shared between runs
+MOST_SHARED = 65_536  # states that are held once wherever they are named
 PIECE = 4096  # states that are forgotten together
 
 
@@ -135,10 +135,13 @@ class States(Sequence[State]):
         self._firsts = [0]
         self._count = len(self._pieces[0])
         self._made = _OfFeeds(State())
+        self._shared: dict[State, State] = {}
 
     def append(self, state: State) -> None:
-        """Add one state."""
-        self._add([state])
+        """Add one state; equal ones are held once, as those of a laser's raster, whose lines have a thousand powers."""
+        if len(self._shared) > MOST_SHARED:
+            self._shared.clear()
+        self._add([self._shared.setdefault(state, state)])
 
     def append_feeds(self, base: State, feeds_mm_min: np.ndarray) -> None:
         """Add the state `base` with each of these feeds, float64[n], which are kept."""

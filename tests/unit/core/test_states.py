@@ -84,3 +84,13 @@ def test_nothing_is_left_of_forgotten_states() -> None:
         sizes.append(sum(map(len, states._pieces)) + len(states._firsts))
         assert states[count - 1].spindle_rpm == count - 1
     assert sizes[0] == sizes[1] <= PIECE + 1
+
+
+def test_equal_states_are_held_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("CNCStepper.state.MOST_SHARED", 20)
+    powers = [float(number % 10) for number in range(100)] + [float(number) for number in range(100)]
+    states = States()
+    for power in powers:
+        states.append(State(spindle_rpm=power))
+    assert len({id(state) for state in states[:100]}) == 10
+    assert [state.spindle_rpm for state in states] == powers and len(states._shared) <= 21
