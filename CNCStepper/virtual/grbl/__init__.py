@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A grbl 1.1h board without hardware.
 
-server ── ports (pty, TCP)
-   └── link (the serial line) ── machine (the board) ─┬─ realtime, suspension, overrides
-                                                      ├─ line_reader ── system ($), execute (g-code)
-                                                      │                    └── parser, checks, words
-                                                      ├─ axes (planner and steps), probe, homing, spindle
-                                                      └─ settings, memory, report, codes
+server/grbl_server ── ports (pty, TCP)
+   └── serial_line ── machine (the board) ─┬─ realtime, suspend, overrides
+                                           ├─ serial_buffer ── system ($), gcode_block, gcode_execute
+                                           │                    └── gcode_parser, gcode_checks, gcode_words
+                                           ├─ axes (planner and steps), probe, homing, spindle_control
+                                           └─ settings, eeprom, report, error_codes
 """

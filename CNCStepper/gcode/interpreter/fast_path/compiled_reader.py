@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Plain programs at speed: runs of simple lines go through the kernel of `scan`, every other line to the interpreter.
+"""Plain programs at speed: runs of simple lines go through the kernel of `line_run_kernel`, others to the interpreter.
 
     bytes ──► run_lines ──► columns ──► table        a run: N, G0-G3, X Y Z, I J K R and F, in the modes that stand
                  │ stops before any other line
