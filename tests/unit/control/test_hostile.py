@@ -298,8 +298,8 @@ def slow(descriptor):
     time.sleep(1.0)
     whole(descriptor)
 os.fsync = slow
-from CNCStepper.control import worker
-sys.exit(worker.main(sys.argv[1:]))
+from CNCStepper.workers import sender
+sys.exit(sender.main(sys.argv[1:]))
 """
 
 
