@@ -28,12 +28,12 @@ MOVES, SHEET_MM = 1_000_000, 300.0
 TOLD = """
 import sys, time
 from CNCStepper.cli.main import main
-from CNCStepper.simulation import first_picture
-save = first_picture.save_first_picture
+from CNCStepper.simulation.views import quick_picture
+save = quick_picture.save_first_picture
 def told(*what):
     save(*what)
     print("PICTURE", time.time(), time.process_time())
-first_picture.save_first_picture = told
+quick_picture.save_first_picture = told
 main()
 """
 
