@@ -146,6 +146,7 @@ def run(command: Sequence[str], folder: Path, home: Path, **more: str) -> None:
 OWN = "from pathlib import Path\nimport CNCStepper\nassert Path(CNCStepper.__file__).is_relative_to({folder!r})\n"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["add-a-cycle", "add-a-dialect", "add-a-controller", "add-a-check"])
 def test_a_recipe_leads_to_what_it_promises(name: str, tmp_path: Path) -> None:
     copy, home = tmp_path / "copy", tmp_path / "home"
