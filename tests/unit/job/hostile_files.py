@@ -27,8 +27,10 @@ BITS = sorted((ROOT / "tests" / "data" / "tools" / "Bit").glob("*.fctb"))
 TABLE = "T1 P1 D6.0 Z+41.5 ;6 mm end mill\nT2 P2 D3 Z10 ;drill 3\nT3 P3 Z1.2 ;probe\nT4 P4 D12.5 X1 Y2 ;ball nose\n"
 WILD_NUMBERS = (1e-308, 1e18, -1.0, 0.0, math.nan, math.inf, -math.inf, 1e5, 1e-9, 10**400, 2**63, -(10**9))
 WILD_VALUES: tuple[Any, ...] = (True, "1.5", "", "\x1b]0;t\x07", [], {}, [[]], {"a": {"b": 1}}, "x" * 5000, 17, [1, 2])
+NAMES = ("peça ç", "a b", "\u202e", "x" * 300, "名")
 LONG = 20_000
 DEEP = 3000
+FILES = (".csv", ".dxf")  # that a job names, beside it
 
 Place = tuple[Any, Any]  # a table or list, and a key or index in it
 
@@ -80,9 +82,13 @@ def whole(dice: random.Random, content: Any) -> None:
 
 
 def renamed(dice: random.Random, content: Any) -> None:
-    for table, key in places(content, lambda value: isinstance(value, str)):
-        if key in ("name", "label", "title"):
-            table[key] = dice.choice(("peça ç", "a b", "\u202e", "x" * 300, "名"))
+    """Give each name another one, also where it is referred to."""
+    texts = places(content, lambda value: isinstance(value, str))
+    old = sorted({table[key] for table, key in texts if key in ("name", "label", "title")})
+    new = {name: f"{dice.choice(NAMES)}{number}" for number, name in enumerate(old)}
+    for table, key in texts:
+        if table[key] in new and key != "cycle":
+            table[key] = new[table[key]]
 
 
 def halved(dice: random.Random, content: Any) -> None:
@@ -209,6 +215,8 @@ def job_case(seed: int) -> Case:
     dice = random.Random(f"job {seed}")
     content = tomllib.loads(dice.choice(JOBS).read_text("utf-8"))
     content["machine"] = dice.choice(("table-a", "table-b"))
+    for table, key in places(content, lambda value: isinstance(value, str) and value.endswith(FILES)):
+        table[key] = str((JOBS[0].parent / table[key]).resolve())
     done = mutated(dice, content, seed)
     return bytes_mutated(dice, Case(".toml", _toml_file(content), done), 0.12)
 
