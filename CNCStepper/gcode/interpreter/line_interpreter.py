@@ -14,8 +14,9 @@ from CNCStepper.gcode.dialects.codes import MOTION_NAMES, NO_MOTION
 from CNCStepper.gcode.dialects.definition import with_axes
 from CNCStepper.gcode.dialects.preprocessor import keeps_moves
 from CNCStepper.gcode.interpreter.active_comments import spoken
+from CNCStepper.gcode.interpreter.block import ProfileReader
 from CNCStepper.gcode.interpreter.canonical_output import Canon
-from CNCStepper.gcode.interpreter.execute import Execution, ProfileReader
+from CNCStepper.gcode.interpreter.execute import Execution
 from CNCStepper.gcode.interpreter.expression_words import Items, is_computed, read_items
 from CNCStepper.gcode.interpreter.fast_path import fast_line
 from CNCStepper.gcode.interpreter.flow.o_words import has_profile, leads
@@ -156,7 +157,7 @@ class Interpreter:
     def leave_call(self, restore: bool) -> None:
         """End a subroutine: its parameters are the caller's again, and what M73 has kept comes back."""
         execution = Execution(self.model.copy(), self.dialect, self.table, self.line_number, self.canon)
-        execution.block(self.grammar.plan([], self.model.motion), [])
+        execution.execute(self.grammar.plan([], self.model.motion), [])
         level = self.model.parameters.level
         self.model.parameters.leave(restore)
         leave_level(execution, level)
@@ -231,7 +232,7 @@ class Interpreter:
         try:
             self._assign(items)
             execution.comments(self._spoken(comments), stops=any(code.act == "stop" for code in plan.codes))
-            execution.block(plan, items.values)
+            execution.execute(plan, items.values)
         except ProgramError:
             self.model.parameters.rollback()
             raise
