@@ -2,6 +2,7 @@
 """The only unit conversions of the project; everything inside is mm, mm/min, seconds and degrees."""
 
 MM_PER_INCH = 25.4
+UNIT_MM = {"mm": 1.0, "inch": MM_PER_INCH}
 S_PER_MIN = 60.0
 
 

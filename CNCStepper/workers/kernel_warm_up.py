@@ -19,7 +19,7 @@ from CNCStepper import kernel_cache
 from CNCStepper.gcode.dialects import dialect_named
 from CNCStepper.gcode.interpreter.fast_path.compiled_reader import PlainReader
 from CNCStepper.gcode.interpreter.flow.o_word_kernel import goes_beyond_words
-from CNCStepper.gcode.interpreter.interpret import Interpreter
+from CNCStepper.gcode.interpreter.line_interpreter import Interpreter
 from CNCStepper.gcode.wire.line_runs import compiled_runs
 from CNCStepper.job.make import cut_operations
 from CNCStepper.job.model import load_job

@@ -16,7 +16,7 @@ import numpy as np
 from CNCStepper.control.program.wire_line import ARCS
 from CNCStepper.control.stream.backlash_side import Gaps
 from CNCStepper.errors import ProgramError
-from CNCStepper.gcode.interpreter.interpret import Interpreter
+from CNCStepper.gcode.interpreter.line_interpreter import Interpreter
 from CNCStepper.state import Start, States
 from CNCStepper.toolpath import ARC_CW, PLANE_AXES, Chunk
 

@@ -9,22 +9,20 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from functools import partial
-from typing import TYPE_CHECKING, NamedTuple
 
 from CNCStepper.canned_drilling import DWELL, FEED, OWN_WORD, PECK_BACK_MM, RAPID, Canned, Place, Stroke
 from CNCStepper.errors import ProgramError
 from CNCStepper.gcode.canned import tapping_and_boring
+from CNCStepper.gcode.canned.sticky_words import Run
 from CNCStepper.gcode.canned.tapping_and_boring import OWN, SENSE, SpindleCycle
 from CNCStepper.gcode.dialects.codes import ALL_AXES, AXES, CYCLES, MOTION_NAMES
+from CNCStepper.gcode.interpreter.block import Block
 from CNCStepper.gcode.interpreter.functions.outputs import OVERRIDE_CALLS
 from CNCStepper.gcode.interpreter.functions.spindle import STOP, need_turning, turn
 from CNCStepper.gcode.interpreter.motion.polar_coordinates import polar_end
+from CNCStepper.gcode.interpreter.state.model import Point
 from CNCStepper.gcode.interpreter.state.stand_alone_position import goes_on_at
 from CNCStepper.toolpath import LINE, PLANE_AXES, PLANE_NAMES, XY
-
-if TYPE_CHECKING:
-    from CNCStepper.gcode.interpreter.execute import Execution
-    from CNCStepper.gcode.interpreter.state.model import Point
 
 MOST_STROKES = 1_000_000  # of one block
 DIGITS = 9  # of a position in the text's units: what the table's millimetres add is no height
@@ -43,21 +41,7 @@ class LinuxCNCCanned(Canned):
             level -= self.own
 
 
-class Run(NamedTuple):
-    """What sticks: the height before the run, and the last block's Z, R and P or Q, as numbers of the text.
-
-    bore: I, J and K of a G87. dwell: the last P of any cycle.
-    """
-
-    initial: float
-    z: float
-    r: float
-    own: float
-    bore: Place = (0.0, 0.0, 0.0)
-    dwell: float = 0.0
-
-
-def run_block(block: Execution, motion: int, before: int) -> None:
+def run_block(block: Block, motion: int, before: int) -> None:
     """Execute a block of the cycle `motion`; `before`: the motion that was modal. Raises ProgramError."""
     axes = PLANE_AXES[PLANE_NAMES.index(block.model.state.plane)]
     name, normal = MOTION_NAMES[motion], axes[2]
@@ -81,7 +65,7 @@ def run_block(block: Execution, motion: int, before: int) -> None:
     _execute(block, cycle, axes, begin, initial, places)
 
 
-def _execute(block: Execution, cycle: Canned, axes: tuple[int, int, int], begin: Place, initial: float, places) -> None:
+def _execute(block: Block, cycle: Canned, axes: tuple[int, int, int], begin: Place, initial: float, places) -> None:
     """Move as the cycle says; what LinuxCNC tells between the moves is told too."""
     lift = cycle.lift(begin, initial)
     for stroke in lift:
@@ -103,7 +87,7 @@ def _execute(block: Execution, cycle: Canned, axes: tuple[int, int, int], begin:
         block.call(call)
 
 
-def _stroke(block: Execution, stroke: Stroke, axes: tuple[int, int, int]) -> None:
+def _stroke(block: Block, stroke: Stroke, axes: tuple[int, int, int]) -> None:
     model, end = block.model, _machine(block, stroke.end, axes)
     if stroke.kind == DWELL:
         block.event("dwell", stroke.seconds)
@@ -116,7 +100,7 @@ def _stroke(block: Execution, stroke: Stroke, axes: tuple[int, int, int]) -> Non
         _spindle_stroke(block, stroke.kind)
 
 
-def _spindle_stroke(block: Execution, kind: str) -> None:
+def _spindle_stroke(block: Block, kind: str) -> None:
     """Do what a cycle does to the spindle; `block.turning` is how it turned before the hole."""
     other = {"cw": "ccw", "ccw": "cw"}[block.turning]
     if kind in (tapping_and_boring.TURN, tapping_and_boring.REVERSE):
@@ -137,7 +121,7 @@ def _spindle_stroke(block: Execution, kind: str) -> None:
                 block.call(f"{'DISABLE' if locks else 'ENABLE'}_{OVERRIDE_CALLS[name]}")
 
 
-def _span_words(block: Execution, cycle: Canned, place: tuple[float, float]) -> dict[str, float]:
+def _span_words(block: Block, cycle: Canned, place: tuple[float, float]) -> dict[str, float]:
     """Return the words of a hole's block in machine mm; seconds for P."""
     model = block.model
     x, y, z = _machine(block, (*place, cycle.z), PLANE_AXES[XY])
@@ -147,7 +131,7 @@ def _span_words(block: Execution, cycle: Canned, place: tuple[float, float]) -> 
     return words | {"G": 98.0 if cycle.to_initial else 99.0}
 
 
-def _cycle(block: Execution, name: str, z: float, r: float, own: float, bore: Place) -> Canned:
+def _cycle(block: Block, name: str, z: float, r: float, own: float, bore: Place) -> Canned:
     to_initial = block.model.to_initial
     if name in OWN:
         middle = bore[2] if block.model.absolute else round(z + bore[2], DIGITS)
@@ -155,7 +139,7 @@ def _cycle(block: Execution, name: str, z: float, r: float, own: float, bore: Pl
     return LinuxCNCCanned(name, z, r, own, block.model.to_initial, PECK_BACK_MM / block.model.scale)
 
 
-def _places(block: Execution, axes: tuple[int, int, int], begin: Place, cycle: Canned) -> list[tuple[float, float]]:
+def _places(block: Block, axes: tuple[int, int, int], begin: Place, cycle: Canned) -> list[tuple[float, float]]:
     """Return where the block's holes stand, as often as L says."""
     slots = block.plan.slots
     count = block.whole("L", 1, int(MOST_STROKES / (4.0 * cycle.pecks) + 1.0)) if "L" in slots else 1
@@ -173,7 +157,7 @@ def _places(block: Execution, axes: tuple[int, int, int], begin: Place, cycle: C
     return places
 
 
-def _polar_places(block: Execution, begin: Place, count: int) -> list[tuple[float, float]]:
+def _polar_places(block: Block, begin: Place, count: int) -> list[tuple[float, float]]:
     """Return where the holes stand that @ and ^ name; under G91 each goes on from the one before."""
     model, here = block.model.local(), complex(*begin[:2]) * block.model.scale
     places = []
@@ -184,7 +168,7 @@ def _polar_places(block: Execution, begin: Place, count: int) -> list[tuple[floa
     return places
 
 
-def _own(block: Execution, name: str, sticky: Run | None) -> float:
+def _own(block: Block, name: str, sticky: Run | None) -> float:
     letter = (OWN_WORD | OWN)[name]
     if letter not in ("P", "Q"):
         return 0.0
@@ -197,7 +181,7 @@ def _own(block: Execution, name: str, sticky: Run | None) -> float:
     return own
 
 
-def _word(block: Execution, letter: str, sticky: float | None, name: str) -> float:
+def _word(block: Block, letter: str, sticky: float | None, name: str) -> float:
     """Return a word's number, or the one that sticks; raises ProgramError where there is neither."""
     if letter in block.plan.slots:
         return block.value(letter)
@@ -207,11 +191,11 @@ def _word(block: Execution, letter: str, sticky: float | None, name: str) -> flo
     return sticky
 
 
-def _last_dwell(block: Execution) -> float:
+def _last_dwell(block: Block) -> float:
     return block.model.run.dwell if block.model.run else 0.0
 
 
-def _bore(block: Execution, name: str, sticky: Run | None) -> Place:
+def _bore(block: Block, name: str, sticky: Run | None) -> Place:
     """Return G87's way aside in the plane, and along its normal the height to bore to."""
     if name != "G87":
         return 0.0, 0.0, 0.0
@@ -221,7 +205,7 @@ def _bore(block: Execution, name: str, sticky: Run | None) -> Place:
     return a, b, c
 
 
-def _check_block(block: Execution, name: str) -> None:
+def _check_block(block: Block, name: str) -> None:
     """Check what no word of the cycle is."""
     block.uncompensated("canned cycles may not be used", name)
     for letter in ALL_AXES[3:6]:
@@ -235,7 +219,7 @@ def _check_block(block: Execution, name: str) -> None:
     block.turning = need_turning(block, name, SENSE[name]) if name in SENSE else "off"
 
 
-def _check_feed(block: Execution, name: str) -> None:
+def _check_feed(block: Block, name: str) -> None:
     state = block.model.state
     if state.feed_mode == "inverse_time":
         advice = "write G94 before"
@@ -258,7 +242,7 @@ def _check_strokes(cycle: Canned, count: int) -> None:
         raise ProgramError("pecks-many", "Q asks for too many pecks", value="Q", limit=limit, advice="make Q larger")
 
 
-def _program(block: Execution, axes: tuple[int, int, int]) -> Place:
+def _program(block: Block, axes: tuple[int, int, int]) -> Place:
     """Return the position in program coordinates and the text's units; only axes with a word may be unknown."""
     model, slots = block.model, block.plan.slots
     needed = [axis for axis in axes if axis == axes[2] or not model.absolute or AXES[axis] not in slots]
@@ -269,7 +253,7 @@ def _program(block: Execution, axes: tuple[int, int, int]) -> Place:
     return a, b, c
 
 
-def _machine(block: Execution, place: Place, axes: tuple[int, int, int]) -> Point:
+def _machine(block: Block, place: Place, axes: tuple[int, int, int]) -> Point:
     model, end = block.model, [0.0, 0.0, 0.0]
     for axis, value in zip(axes, place, strict=True):
         end[axis] = value * model.scale

@@ -2,7 +2,7 @@
 """The G and M codes of RS274/NGC as data: modal group, words, and what each code sets.
 
 Most codes only set fields of the modal snapshot; those are complete here. A code that does more names an
-`act`, a method of `execute.Execution`. `ORDER` is RS274's order of execution within one line.
+`act`, a function in `modal_codes.ACTS`. `ORDER` is RS274's order of execution within one line.
 """
 
 from __future__ import annotations

@@ -114,15 +114,15 @@ class ArcWords(LineWords):
         said = next((token for token in self.tokens if token.name in ARCS), None)
         moves = self.owner in ARCS and any(letter in self.words for letter in "XYZIJKR")
         if self.meaning.motion not in ARCS:
-            self.mapper.motion = ""
+            self.state.motion = ""
         elif said is not None or moves:
             wanted = ARCS[self.meaning.motion] if turned else self.meaning.motion
             if said is not None and wanted != said.name:
                 self.rename(said, wanted)
-            elif said is None and wanted != self.mapper.motion:
+            elif said is None and wanted != self.state.motion:
                 at = next(token.begin for token in self.tokens if token.letter != "N")
                 self.made.append((at, at, wanted + self.blank))
-            self.mapper.motion = wanted
+            self.state.motion = wanted
         for token in self.tokens:
             if turned and token.name in COMPENSATIONS:
                 self.rename(token, COMPENSATIONS[token.name])

@@ -28,7 +28,7 @@ from CNCStepper.gcode.edit.edit_result import Edited, Lines
 from CNCStepper.gcode.edit.executed_lines import is_compensated, require_straight, work_place
 from CNCStepper.gcode.edit.line_and_arc_writer import Run, written
 from CNCStepper.gcode.edit.line_tokens import changed, first_place, is_plain, tokens_of
-from CNCStepper.gcode.interpreter.interpret import Interpreter
+from CNCStepper.gcode.interpreter.line_interpreter import Interpreter
 from CNCStepper.gcode.syntax.words import NUMBER
 from CNCStepper.state import Start
 from CNCStepper.toolpath import LINE

@@ -15,7 +15,7 @@ from CNCStepper.gcode.edit.line_tokens import Token, tokens_of
 from CNCStepper.gcode.interpreter.flow.o_words import is_plain, leads
 from CNCStepper.gcode.interpreter.flow.program_flow import Flow, Limits
 from CNCStepper.gcode.interpreter.flow.subprogram_files import library_of
-from CNCStepper.gcode.interpreter.interpret import Interpreter
+from CNCStepper.gcode.interpreter.line_interpreter import Interpreter
 from CNCStepper.gcode.syntax.words import is_tape_mark, program_lines, split_line
 from CNCStepper.state import UNKNOWN, Start
 from CNCStepper.toolpath import Toolpath

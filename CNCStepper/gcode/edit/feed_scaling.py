@@ -13,7 +13,8 @@ from CNCStepper.gcode.edit.verification import require_same_path
 from CNCStepper.gcode.edit.word_values import Value
 from CNCStepper.gcode.interpreter.flow.program_flow import run
 from CNCStepper.gcode.interpreter.flow.subprogram_files import library_of
-from CNCStepper.gcode.interpreter.interpret import Interpreter, interpret
+from CNCStepper.gcode.interpreter.interpret import interpret
+from CNCStepper.gcode.interpreter.line_interpreter import Interpreter
 from CNCStepper.state import Start
 from CNCStepper.toolpath import RAPID, Toolpath
 

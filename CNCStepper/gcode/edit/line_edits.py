@@ -8,17 +8,17 @@ import numpy as np
 from CNCStepper.gcode.dialects.codes import AXES, UNIT_CODES
 from CNCStepper.gcode.edit.arc_words import ArcWords
 from CNCStepper.gcode.edit.line_tokens import Edit, Token
-from CNCStepper.gcode.edit.line_words import UNIT_MM
 from CNCStepper.gcode.edit.number_format import decimals_of, dialect_decimals, feed_decimals
 from CNCStepper.gcode.edit.word_kinds import CANNED, OTHER_AXES, kinds
 from CNCStepper.gcode.edit.word_values import Value
 from CNCStepper.toolpath import PLANE_AXES, PLANE_NAMES
+from CNCStepper.units import UNIT_MM
 
 INVERSE_DECIMALS = 6  # of F under G93: one a minute is a whole move
 
 
 class Line(ArcWords):
-    """Finds the edits of a line, and tells the mapper where that leads."""
+    """Finds the edits of a line, and notes where that leads."""
 
     def edits(self) -> list[Edit]:
         """Return what is to be replaced."""
@@ -53,11 +53,11 @@ class Line(ArcWords):
             new = Value.total(terms, self.where.shift[axis] if absolute else 0.0)
             carries = not (cycle and not absolute)
             self.put(AXES[axis], new, axis if carries else -1, add_carry=not absolute)
-            self.mapper.free[axis] = False
+            self.state.free[axis] = False
 
     def _check_relative(self, axes: list[int], absolute: bool) -> None:
         """Refuse ways that begin at a place which the edit leaves where it is but ought to move."""
-        loose = [axis for axis in axes if self.mapper.free[axis] and not absolute]
+        loose = [axis for axis in axes if self.state.free[axis] and not absolute]
         if not loose or self.where.units or self.owner in ("G28", "G30"):
             return
         here = np.nan_to_num(np.array(self.meaning.begin[:3]))
@@ -96,7 +96,7 @@ class Line(ArcWords):
         """Give the tool's new place the name that keeps the offset as it was."""
         value = Value.of(self.words[letter], self.from_mm)
         axis = AXES.find(letter)
-        if axis >= 0 and not self.mapper.free[axis]:
+        if axis >= 0 and not self.state.free[axis]:
             if not self.where.moves_only:
                 what = f"{self.owner} sets the zero from where the tool stands after moves of the path"
                 raise self.refused("edit-zero", what, self.words[letter], "set the zero with G10 L2 instead")
@@ -107,7 +107,7 @@ class Line(ArcWords):
         token = self.words.get("F")
         if token is None:
             return
-        factor, decimals = 1.0, dialect_decimals(self.mapper.source.dialect, self.units)
+        factor, decimals = 1.0, dialect_decimals(self.state.source.dialect, self.units)
         if self.meaning.inverse_time:
             factor = 1.0 / self._growth(token)
             decimals = max(decimals, decimals_of(token.written) if token.number is not None else 0, INVERSE_DECIMALS)
@@ -134,7 +134,7 @@ class Line(ArcWords):
         if by_kind.get("machine") or self.owner in ("G28", "G30"):
             named = [AXES.index(letter) for letter in AXES if letter in self.words]
             for axis in named or (range(3) if self.owner in ("G28", "G30") else ()):
-                self.mapper.free[axis], self.mapper.carry_mm[axis] = True, 0.0
+                self.state.free[axis], self.state.carry_mm[axis] = True, 0.0
 
     def _check_axes(self) -> None:
         other = next((token for token in self.tokens if token.letter in OTHER_AXES), None)

@@ -4,34 +4,29 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING
 
 from CNCStepper.errors import ProgramError
 from CNCStepper.gcode.edit.executed_lines import Meaning
 from CNCStepper.gcode.edit.line_tokens import Edit, Token
+from CNCStepper.gcode.edit.transform_state import TransformState
 from CNCStepper.gcode.edit.word_kinds import owner
 from CNCStepper.gcode.edit.word_values import Value
-from CNCStepper.units import MM_PER_INCH
-
-if TYPE_CHECKING:
-    from CNCStepper.gcode.edit.transform_lines import Mapper
-
-UNIT_MM = {"mm": 1.0, "inch": MM_PER_INCH}
+from CNCStepper.units import UNIT_MM
 
 
 class LineWords:
     """words: by letter. owner: the code that uses the axis words. made: the edits found so far."""
 
-    def __init__(self, mapper: Mapper, number: int, meaning: Meaning, tokens: list[Token]):
-        self.mapper = mapper
-        self.where = mapper.where
+    def __init__(self, state: TransformState, number: int, meaning: Meaning, tokens: list[Token]):
+        self.state = state
+        self.where = state.where
         self.number = number
         self.meaning = meaning
         self.tokens = tokens
         self.words = {token.letter: token for token in tokens}
         self.owner = owner(tokens, meaning.motion)
-        self.blank = mapper.blank
-        self.units = mapper.units_of(meaning)
+        self.blank = state.blank
+        self.units = state.units_of(meaning)
         self.from_mm = UNIT_MM[meaning.units]
         self.to_mm = UNIT_MM[self.units]
         self.made: list[Edit] = []
@@ -39,7 +34,7 @@ class LineWords:
     @property
     def step_mm(self) -> float:
         """The last digit of the line's new numbers."""
-        return self.to_mm / 10 ** self.mapper.decimals(self.units)
+        return self.to_mm / 10 ** self.state.decimals(self.units)
 
     def needed(self, axes: list[int]) -> list[int]:
         """Return the axes on which the new words of `axes` depend, in their order."""
@@ -64,8 +59,8 @@ class LineWords:
 
     def put(self, letter: str, value: Value, axis: int, add_carry: bool = False) -> None:
         """Write a value (mm) where its word stands, or beside its neighbour; `axis` keeps what rounding leaves."""
-        decimals = self.mapper.decimals(self.units)
-        carry = self.mapper.carry_mm
+        decimals = self.state.decimals(self.units)
+        carry = self.state.carry_mm
         if axis >= 0 and value.is_number:
             exact = value.number + (carry[axis] if add_carry else 0.0)
             step = self.to_mm / 10**decimals
@@ -107,4 +102,4 @@ class LineWords:
     def refused(self, code: str, what: str, token: Token, advice: str = "") -> ProgramError:
         """Return the error that names this line and a word."""
         value = token.letter + token.written
-        return self.mapper.source.refusal(self.number, code, what, token.begin + 1, value, advice)
+        return self.state.source.refusal(self.number, code, what, token.begin + 1, value, advice)

@@ -9,9 +9,9 @@ from CNCStepper.gcode.edit.cutting_passes import SAME_MM, Pass, Rows
 from CNCStepper.gcode.edit.edit_result import Edited
 from CNCStepper.gcode.edit.executed_lines import Meaning, Source
 from CNCStepper.gcode.edit.line_tokens import Edit, Token, changed, comment_spans
-from CNCStepper.gcode.edit.line_words import UNIT_MM
 from CNCStepper.gcode.edit.number_format import MOST_DECIMALS, decimals_of, dialect_decimals, number_text
 from CNCStepper.toolpath import ARC_CCW, ARC_CW, LINE, PLANE_AXES, PLANE_NAMES
+from CNCStepper.units import UNIT_MM
 
 IN_A_PASS = frozenset("NXYZIJKRPF")
 CODES_IN_A_PASS = frozenset(("G0", "G1", "G2", "G3", *PLANE_CODES))

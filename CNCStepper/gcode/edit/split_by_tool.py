@@ -22,13 +22,14 @@ from CNCStepper.gcode.dialects.codes import CODE_OF_PLANE, MOTION_NAMES, UNIT_CO
 from CNCStepper.gcode.edit.edit_result import Lines
 from CNCStepper.gcode.edit.executed_lines import require_straight, work_place
 from CNCStepper.gcode.edit.line_tokens import changed, tokens_of
-from CNCStepper.gcode.edit.line_words import UNIT_MM
 from CNCStepper.gcode.edit.number_format import MOST_DECIMALS, dialect_decimals, number_text
-from CNCStepper.gcode.interpreter.interpret import Interpreter, interpret
+from CNCStepper.gcode.interpreter.interpret import interpret
+from CNCStepper.gcode.interpreter.line_interpreter import Interpreter
 from CNCStepper.gcode.interpreter.state.modal_words import said_modes
 from CNCStepper.gcode.syntax.words import is_tape_mark
 from CNCStepper.state import Start, State
 from CNCStepper.toolpath import RAPID, Toolpath
+from CNCStepper.units import UNIT_MM
 
 PAUSES = frozenset(("M0", "M1", "T", "N"))
 SAME_MM = 1e-6

@@ -11,7 +11,7 @@ from collections.abc import Callable, Sequence
 from typing import Any, Protocol
 
 from CNCStepper.gcode.interpreter.active_comments import canonical_call
-from CNCStepper.gcode.interpreter.cutter_compensation.move_queue import Held
+from CNCStepper.gcode.interpreter.cutter_compensation.held_moves import Held
 from CNCStepper.gcode.interpreter.motion.moves import Arc
 from CNCStepper.gcode.interpreter.state.model import Model
 from CNCStepper.gcode.interpreter.state.stored_points import length_scale
@@ -30,6 +30,7 @@ HELD_CALLS = (
     "ORIENT",
     "SPINDLE",
 )  # that wait with the moves which compensation holds back; all others are told at once
+SET_FEED = "SET_FEED_RATE({})"
 
 
 class Canon(Protocol):

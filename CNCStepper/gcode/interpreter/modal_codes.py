@@ -7,10 +7,15 @@ Each function is one act of `codes.Code`; it changes the block's copy of the mod
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING
 
 from CNCStepper.gcode.dialects.codes import MOTION_NAMES, RS274, Code
-from CNCStepper.gcode.interpreter.cutter_compensation.compensation_codes import COMPENSATION_ACTS, end_compensation
+from CNCStepper.gcode.interpreter.block import Block
+from CNCStepper.gcode.interpreter.canonical_output import SET_FEED
+from CNCStepper.gcode.interpreter.cutter_compensation.compensation_codes import (
+    COMPENSATION_ACTS,
+    end_compensation,
+    flush,
+)
 from CNCStepper.gcode.interpreter.functions.coordinate_offsets import OFFSET_ACTS, say_rotation, say_work_offset
 from CNCStepper.gcode.interpreter.functions.outputs import OUTPUT_ACTS
 from CNCStepper.gcode.interpreter.functions.spindle import SPINDLE_ACTS, check_spindle
@@ -20,13 +25,8 @@ from CNCStepper.gcode.interpreter.state.modal_state_stack import MODE_ACTS
 from CNCStepper.toolpath import LINE
 from CNCStepper.units import MM_PER_INCH
 
-if TYPE_CHECKING:
-    from CNCStepper.gcode.interpreter.execute import Execution
 
-SET_FEED = "SET_FEED_RATE({})"
-
-
-def feed(block: Execution, code: Code) -> None:
+def feed(block: Block, code: Code) -> None:
     """F: the feed a minute or a turn, in the units that hold for it; in inverse time it belongs to its line's move."""
     f_word = block.not_negative("F")
     mode = block.model.state.feed_mode
@@ -41,7 +41,7 @@ def feed(block: Execution, code: Code) -> None:
     block.lengths(SET_FEED, f_word * scale)
 
 
-def feed_mode(block: Execution, code: Code) -> None:
+def feed_mode(block: Block, code: Code) -> None:
     """G93, G94, G95: what F means from now on; what it was is forgotten where the meaning changes."""
     check_spindle(block)
     mode = {"G93": "inverse_time", "G94": "per_minute", "G95": "per_turn"}[code.name]
@@ -55,7 +55,7 @@ def feed_mode(block: Execution, code: Code) -> None:
     block.call("SET_FEED_RATE(0.0000)")
 
 
-def plane(block: Execution, code: Code) -> None:
+def plane(block: Block, code: Code) -> None:
     """G17, G18, G19: their state is set already; under compensation the plane stays."""
     compensation = block.model.compensation
     if compensation and (block.model.far_plane or compensation.plane != block.model.state.plane):
@@ -64,7 +64,7 @@ def plane(block: Execution, code: Code) -> None:
     block.model.look()
 
 
-def other_plane(block: Execution, code: Code) -> None:
+def other_plane(block: Block, code: Code) -> None:
     """G17.1, G18.1, G19.1: planes of U, V and W, in which no arc and no cycle is read, and no held move is made."""
     if block.model.compensation and block.model.compensation.held:
         block.uncompensated("the plane may not be changed", code.name)
@@ -72,7 +72,7 @@ def other_plane(block: Execution, code: Code) -> None:
     block.model.look()
 
 
-def diameter(block: Execution, code: Code) -> None:
+def diameter(block: Block, code: Code) -> None:
     """G7, G8: X words are diameters from their own line on, or radii."""
     model, on = block.model, code.name == "G7"
     if on == model.diameter:
@@ -86,14 +86,14 @@ def diameter(block: Execution, code: Code) -> None:
     block.call(f'COMMENT("interpreter: Lathe diameter mode changed to {"diameter" if on else "radius"}")')
 
 
-def dwell(block: Execution, code: Code) -> None:
+def dwell(block: Block, code: Code) -> None:
     """G4: stand still."""
     seconds = block.not_negative("P") * block.dialect.dwell_unit_s
     block.event("dwell", seconds)
     block.call(f"DWELL({seconds:.4f})")
 
 
-def blend(block: Execution, code: Code) -> None:
+def blend(block: Block, code: Code) -> None:
     """G64: P is how far corners may be cut, Q how far points may be left out, each in the units of the text."""
     block.uncompensated("the path mode may not be changed", code.name)
     tolerance = max(0.0, block.value("P")) if "P" in block.plan.slots else 0.0
@@ -106,28 +106,28 @@ def blend(block: Execution, code: Code) -> None:
         block.call(call)
 
 
-def path(block: Execution, code: Code) -> None:
+def path(block: Block, code: Code) -> None:
     """G61, G61.1: follow the path exactly, the latter with a stop at each corner."""
     block.uncompensated("the path mode may not be changed", code.name)
     block.model.path_calls = (code.calls[0], block.model.path_calls[1])
     block.model.change(blend_mm=0.0)
 
 
-def retract(block: Execution, code: Code) -> None:
+def retract(block: Block, code: Code) -> None:
     """G98, G99: canned cycles go back to where they began, or to R."""
     block.uncompensated("the retract mode may not be changed", code.name)
     block.model.to_initial = code.name == "G98"
 
 
-def stop(block: Execution, code: Code) -> None:
+def stop(block: Block, code: Code) -> None:
     """M0, M1: pause, after the moves that compensation holds back."""
-    block.flush()
+    flush(block)
     for call in STOP_CALLS[code.name]:
         block.call(call)
     block.event("optional_pause" if code.name == "M1" else "pause", text=block.stop_text)
 
 
-def end(block: Execution, code: Code) -> None:
+def end(block: Block, code: Code) -> None:
     """M2, M30: outputs off and the modes of a fresh start; units, G92 and tool length stay."""
     model = block.model
     end_compensation(block)
@@ -159,7 +159,7 @@ STOP_CALLS = {
     "M1": ("OPTIONAL_PROGRAM_STOP()",),
     "M60": ("PALLET_SHUTTLE()", "PROGRAM_STOP()"),
 }
-ACTS: dict[str, Callable[[Execution, Code], None]] = {
+ACTS: dict[str, Callable[[Block, Code], None]] = {
     **OFFSET_ACTS,
     **TOOL_ACTS,
     **SPINDLE_ACTS,

@@ -8,19 +8,32 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
-from typing import TYPE_CHECKING
+from typing import Protocol
 
 from CNCStepper.errors import Place, ProgramError
+from CNCStepper.gcode.dialects import Dialect
 from CNCStepper.gcode.dialects.preprocessor import Piece, pieces
-
-if TYPE_CHECKING:
-    from CNCStepper.gcode.interpreter.interpret import Interpreter
+from CNCStepper.gcode.interpreter.state.model import Model
+from CNCStepper.toolpath import TableBuilder
 
 _WORD = re.compile(r"[A-Z][ \t]*[+-]?[0-9.]+", re.IGNORECASE)
 _CODE = re.compile(r"([GM])[ \t]*([0-9.]+)", re.IGNORECASE)
 
 
-def read_pieces(reader: Interpreter, line: str, read: Callable[[str], None]) -> None:
+class Reader(Protocol):
+    """Who reads the lines (`line_interpreter.py`), as far as a preprocessor must know it."""
+
+    dialect: Dialect
+    file: str
+    line_number: int
+    model: Model
+    table: TableBuilder
+
+    def forget_motion(self) -> None:
+        """Let no motion be modal."""
+
+
+def read_pieces(reader: Reader, line: str, read: Callable[[str], None]) -> None:
     """Read a line by `read`, which takes text in the form of RS274; raises ProgramError."""
     try:
         found = pieces(line, reader.dialect)
@@ -51,7 +64,7 @@ def _in_line(error: ProgramError, piece: Piece, line: str) -> ProgramError:
     )
 
 
-def _after_record(reader: Interpreter, piece: Piece) -> None:
+def _after_record(reader: Reader, piece: Piece) -> None:
     """A motion lasts until the next G or M; in absolute mode an axis without a word stays, with a warning."""
     code = piece.text.partition("(")[0].upper()
     names = {f"{letter}{float(number):g}" for letter, number in _CODE.findall(code)}

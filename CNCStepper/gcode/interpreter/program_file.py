@@ -8,11 +8,11 @@ from pathlib import Path
 
 from CNCStepper.errors import Place, ProgramError
 from CNCStepper.gcode.dialects import Dialect
-from CNCStepper.gcode.interpreter.fast_path.policy import compiled_reader
+from CNCStepper.gcode.interpreter.fast_path.text_runs import compiled_reader
 from CNCStepper.gcode.interpreter.file_chunks import byte_pieces, encoding_of
 from CNCStepper.gcode.interpreter.flow.program_flow import run_on
 from CNCStepper.gcode.interpreter.flow.subprogram_files import library_of
-from CNCStepper.gcode.interpreter.interpret import Interpreter
+from CNCStepper.gcode.interpreter.line_interpreter import Interpreter
 from CNCStepper.gcode.interpreter.line_store import LineStore
 from CNCStepper.gcode.syntax.text_format import BOM
 from CNCStepper.gcode.syntax.words import program_lines

@@ -8,25 +8,23 @@ the corner after it and C breaks it. O-words and parameters work as ever; #<_x> 
 from __future__ import annotations
 
 from math import sqrt
-from typing import TYPE_CHECKING
 
 from CNCStepper.errors import ProgramError
 from CNCStepper.gcode.dialects.codes import MOTION_NAMES
+from CNCStepper.gcode.interpreter.block import Block
+from CNCStepper.gcode.interpreter.motion.lines_and_arcs import arc, straight
+from CNCStepper.gcode.interpreter.state.model import Model
 from CNCStepper.gcode.lathe.profile import Segment
 from CNCStepper.gcode.lathe.roughing_and_finishing import Turning
 from CNCStepper.gcode.syntax.line_grammar import Plan
+from CNCStepper.gcode.syntax.words import Word
 from CNCStepper.toolpath import ARC_CCW, ARC_CW, LINE, RAPID
-
-if TYPE_CHECKING:
-    from CNCStepper.gcode.interpreter.execute import Execution
-    from CNCStepper.gcode.interpreter.state.model import Model
-    from CNCStepper.gcode.syntax.words import Word
 
 SAME = 1e-4  # of two places along X or Z, in units of the text
 PROFILE_WORDS = "XZUWIKRAC"
 
 
-def run_profile(block: Execution, motion: int, before: int) -> None:
+def run_profile(block: Block, motion: int, before: int) -> None:
     """Read the profile and cut it; raises ProgramError."""
     name = MOTION_NAMES[motion]
     _check(block, name)
@@ -52,7 +50,7 @@ def run_profile(block: Execution, motion: int, before: int) -> None:
     model.change(distance=distance, arc_centres=centres)
 
 
-def _check(block: Execution, name: str) -> None:
+def _check(block: Block, name: str) -> None:
     block.must_have("Q", name)
     block.known_position(range(3))
     block.uncompensated(f"{name} may not be used", name)  # LinuxCNC 2.9 takes G70 then, and cuts elsewhere
@@ -62,7 +60,7 @@ def _check(block: Execution, name: str) -> None:
         raise ProgramError("bad-value", f"I of {name} must be above 0", value="I", advice="correct I")
 
 
-def _place(block: Execution) -> complex:
+def _place(block: Block) -> complex:
     x, _, z = block.model.programmed_work()
     return complex(z, x) / block.model.scale
 
@@ -151,7 +149,7 @@ class _Reader:
 class _Tool:
     """Makes the moves of the cycle as blocks with X and Z would be made."""
 
-    def __init__(self, block: Execution):
+    def __init__(self, block: Block):
         self.block = block
 
     def line(self, end: complex) -> None:
@@ -170,13 +168,12 @@ class _Tool:
             self._move(motion, X=end.imag, Z=end.real, I=centre.imag, K=centre.real)
 
     def _move(self, motion: int, **words: float) -> None:
-        from CNCStepper.gcode.interpreter.motion_codes import MOTIONS
-
         block = self.block
         slots = {letter: place for place, letter in enumerate(words)}
         outer = block.plan, block.values
         block.plan = Plan(slots, (), motion, True, (0, -1, 1), False, False, -1, -1)
         block.values = list(words.values())
-        MOTIONS[motion](block, motion, motion)
+        make = straight if motion in (RAPID, LINE) else arc
+        make(block, motion, motion)
         block.plan, block.values = outer
         block.model.motion = motion

@@ -13,23 +13,22 @@ The table gets the feeds that the commanded speed of the spindle makes of the pi
 from __future__ import annotations
 
 from math import hypot, radians, tan
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 from CNCStepper.errors import ProgramError
 from CNCStepper.gcode.dialects.codes import MOTION_NAMES
-from CNCStepper.gcode.interpreter.functions.spindle import check_spindle, need_turning, rpm_at
+from CNCStepper.gcode.interpreter.block import Block
+from CNCStepper.gcode.interpreter.functions.spindle import check_spindle, need_turning
 from CNCStepper.gcode.interpreter.motion.moves import end_point, further_end
+from CNCStepper.gcode.interpreter.state.model import Point
+from CNCStepper.gcode.interpreter.state.spindle_speed import rpm_at
 from CNCStepper.toolpath import LINE, RAPID
-
-if TYPE_CHECKING:
-    from CNCStepper.gcode.interpreter.execute import Execution
-    from CNCStepper.gcode.interpreter.state.model import Point
 
 MOST_PASSES = 100_000
 OTHER_SENSE = {"cw": "ccw", "ccw": "cw"}
 
 
-def thread(block: Execution, motion: int, before: int) -> None:
+def thread(block: Block, motion: int, before: int) -> None:
     """G33: a line whose pitch K, mm a turn, the spindle drives."""
     _begin(block, motion)
     end, further = _end(block)
@@ -38,7 +37,7 @@ def thread(block: Execution, motion: int, before: int) -> None:
     block.call("STOP_SPEED_FEED_SYNCH()")
 
 
-def tap(block: Execution, motion: int, before: int) -> None:
+def tap(block: Block, motion: int, before: int) -> None:
     """G33.1: down with the spindle, and back with it turning the other way; the tool ends where it was."""
     sense = _begin(block, motion)
     begin, (end, further) = block.model.position, _end(block)
@@ -55,7 +54,7 @@ def tap(block: Execution, motion: int, before: int) -> None:
     block.call("STOP_SPEED_FEED_SYNCH()")
 
 
-def _begin(block: Execution, motion: int) -> str:
+def _begin(block: Block, motion: int) -> str:
     """Check what all these moves need; return in which sense the spindle turns."""
     name = MOTION_NAMES[motion]
     block.model.arc_allowed = True
@@ -70,17 +69,17 @@ def _begin(block: Execution, motion: int) -> str:
     return need_turning(block, name)
 
 
-def _end(block: Execution) -> tuple[Point, tuple[float, ...]]:
+def _end(block: Block) -> tuple[Point, tuple[float, ...]]:
     model = block.model
     return end_point(model, block.plan, block.values), further_end(model, block.plan, block.values)
 
 
-def _synchronised(block: Execution, pitch: float) -> None:
+def _synchronised(block: Block, pitch: float) -> None:
     block.event("synchronised", pitch * block.model.scale, MOTION_NAMES[block.plan.motion])
     block.call(f"START_SPEED_FEED_SYNC({pitch:f},0)")
 
 
-def _feed(block: Execution, pitch: float, end: Point) -> float:
+def _feed(block: Block, pitch: float, end: Point) -> float:
     """Return the feed in mm/min that a pitch (units of the text a turn) makes; raises ProgramError without a speed."""
     feed = abs(pitch) * block.model.scale * rpm_at(block.model, end)
     if feed <= 0 and not block.model.bare:
@@ -109,7 +108,7 @@ class Thread(NamedTuple):
     leaving: bool
 
 
-def run_thread(block: Execution, motion: int, before: int) -> None:
+def run_thread(block: Block, motion: int, before: int) -> None:
     """G76: passes of growing depth, and spring passes at the full one; raises ProgramError."""
     _begin(block, motion)
     end, further = _end(block)
@@ -129,7 +128,7 @@ def run_thread(block: Execution, motion: int, before: int) -> None:
     block.move(RAPID, end, None, 0.0)
 
 
-def _words(block: Execution, end: Point) -> Thread:
+def _words(block: Block, end: Point) -> Thread:
     slots, scale = block.plan.slots, block.model.scale
     _check_words(block)
     own = scale / 2 if block.model.diameter else scale
@@ -151,7 +150,7 @@ def _words(block: Execution, end: Point) -> Thread:
     )
 
 
-def _check_words(block: Execution) -> None:
+def _check_words(block: Block) -> None:
     i, j, k = (block.value(letter) for letter in "IJK")
     wrong = "I" if i == 0 else "J" if j <= 0 else "K" if k <= j else ""
     if wrong:
@@ -159,7 +158,7 @@ def _check_words(block: Execution) -> None:
         raise ProgramError("bad-value", what, value=wrong, advice=f"correct {wrong}")
 
 
-def _pass(block: Execution, words: Thread, depth: float) -> None:
+def _pass(block: Block, words: Thread, depth: float) -> None:
     """One pass: back to the drive line's side, in, along, out."""
     shift = depth * words.slant
     top, target = words.begin[2] - shift, words.end[2] + words.depth * words.slant - shift
@@ -187,7 +186,7 @@ def _pass(block: Execution, words: Thread, depth: float) -> None:
     block.call("ENABLE_FEED_OVERRIDE()")
 
 
-def _to(block: Execution, words: Thread, motion: int, away: float, z: float) -> None:
+def _to(block: Block, words: Thread, motion: int, away: float, z: float) -> None:
     """Move to `away` from the drive line, towards the thread, and to a Z."""
     x, y, _ = words.begin
     end = block.model.machine((x + words.way * away, y, z))

@@ -26,7 +26,7 @@ import numpy as np
 from CNCStepper.errors import Place, ProgramError
 from CNCStepper.gcode.dialects import Dialect, dialect_named
 from CNCStepper.gcode.dialects.codes import MOTION_NAMES
-from CNCStepper.gcode.interpreter.interpret import Interpreter
+from CNCStepper.gcode.interpreter.line_interpreter import Interpreter
 from CNCStepper.gcode.interpreter.state.model import Model
 from CNCStepper.gcode.syntax.words import Word, words_of
 from CNCStepper.gcode.wire.backlash_machine_moves import AsWritten

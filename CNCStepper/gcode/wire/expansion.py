@@ -20,7 +20,7 @@ from CNCStepper.gcode.interpreter.expression_words import Items
 from CNCStepper.gcode.interpreter.flow.o_words import is_plain
 from CNCStepper.gcode.interpreter.flow.program_flow import run_on
 from CNCStepper.gcode.interpreter.flow.subprogram_files import library_of
-from CNCStepper.gcode.interpreter.interpret import Interpreter
+from CNCStepper.gcode.interpreter.line_interpreter import Interpreter
 from CNCStepper.gcode.syntax.line_grammar import Plan
 from CNCStepper.gcode.syntax.words import Comment, Word, program_lines
 from CNCStepper.state import Start

@@ -13,7 +13,8 @@ from CNCStepper.errors import Place, ProgramError
 from CNCStepper.gcode.dialects import Dialect
 from CNCStepper.gcode.interpreter.flow.program_flow import refusals, run_whole
 from CNCStepper.gcode.interpreter.flow.subprogram_files import library_of
-from CNCStepper.gcode.interpreter.interpret import Interpreter, interpret
+from CNCStepper.gcode.interpreter.interpret import interpret
+from CNCStepper.gcode.interpreter.line_interpreter import Interpreter
 from CNCStepper.gcode.syntax.words import program_lines
 from CNCStepper.gcode.wire.encoder import prepare
 from CNCStepper.gcode.wire.expansion import Block, expanded, is_expanded

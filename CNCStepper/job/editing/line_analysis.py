@@ -22,7 +22,7 @@ from CNCStepper.gcode.interpreter.fast_path.compiled_reader import PlainReader
 from CNCStepper.gcode.interpreter.flow.o_words import has_profile, is_plain
 from CNCStepper.gcode.interpreter.flow.program_flow import Flow, Limits
 from CNCStepper.gcode.interpreter.flow.subprogram_files import library_of
-from CNCStepper.gcode.interpreter.interpret import Interpreter
+from CNCStepper.gcode.interpreter.line_interpreter import Interpreter
 from CNCStepper.gcode.interpreter.state.model import Point
 from CNCStepper.gcode.syntax.words import is_tape_mark, split_line, words_of
 from CNCStepper.gcode.wire.encoder import prepare

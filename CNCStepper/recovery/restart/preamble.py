@@ -23,7 +23,6 @@ from pathlib import PurePath
 
 from CNCStepper.gcode.dialects.codes import AXES, CODE_OF_PLANE, MOTION_NAMES, NO_MOTION, PLANE_CODES, UNIT_CODES
 from CNCStepper.gcode.edit.line_tokens import tokens_of
-from CNCStepper.gcode.edit.line_words import UNIT_MM
 from CNCStepper.gcode.edit.number_format import MOST_DECIMALS, dialect_decimals, number_text
 from CNCStepper.gcode.interpreter.state.modal_words import OVERRIDES, PATH_MODES, RETRACT_MODES, said_modes
 from CNCStepper.gcode.interpreter.state.model import Model
@@ -33,6 +32,7 @@ from CNCStepper.recovery.restart.approach import Approach
 from CNCStepper.recovery.restart.entry_point import Entrance
 from CNCStepper.recovery.restart.program import Program
 from CNCStepper.toolpath import LINE, PLANE_AXES
+from CNCStepper.units import UNIT_MM
 
 MORE_DECIMALS = 2  # than programs have, so that a place within a move lies on it
 CENTRES = "IJK"

@@ -20,7 +20,8 @@ from CNCStepper.gcode.dialects import Dialect, dialect_named
 from CNCStepper.gcode.interpreter.flow.o_words import is_plain
 from CNCStepper.gcode.interpreter.flow.program_flow import run_whole
 from CNCStepper.gcode.interpreter.flow.subprogram_files import Library
-from CNCStepper.gcode.interpreter.interpret import Interpreter, interpret
+from CNCStepper.gcode.interpreter.interpret import interpret
+from CNCStepper.gcode.interpreter.line_interpreter import Interpreter
 from CNCStepper.gcode.interpreter.motion.arc_lengths import Ways, ways_of
 from CNCStepper.gcode.interpreter.state.model import Model
 from CNCStepper.gcode.syntax.words import program_lines

@@ -14,7 +14,7 @@ from CNCStepper.control.program.send_job import SendJob
 from CNCStepper.errors import JobError
 from CNCStepper.gcode.interpreter.flow.program_flow import run_whole
 from CNCStepper.gcode.interpreter.flow.subprogram_files import Library
-from CNCStepper.gcode.interpreter.interpret import Interpreter
+from CNCStepper.gcode.interpreter.line_interpreter import Interpreter
 from CNCStepper.gcode.wire.backlash_compensation import play_of
 from CNCStepper.job.start_state_file import start_from
 from CNCStepper.machine.backlash import Play

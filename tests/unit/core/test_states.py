@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from CNCStepper.gcode.interpreter.fast_path.compiled_reader import PlainReader
-from CNCStepper.gcode.interpreter.interpret import Interpreter
+from CNCStepper.gcode.interpreter.line_interpreter import Interpreter
 from CNCStepper.state import FEW, PIECE, Start, State, States
 
 BASES = (State(), State(tool=2, spindle="cw"), State(plane="ZX", feed_mm_min=5.0))

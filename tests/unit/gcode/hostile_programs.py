@@ -9,7 +9,7 @@ from CNCStepper.errors import ProgramError
 from CNCStepper.gcode.dialects import dialect_names
 from CNCStepper.gcode.interpreter.flow.o_words import KEYWORDS
 from CNCStepper.gcode.interpreter.flow.program_flow import Limits, run
-from CNCStepper.gcode.interpreter.interpret import Interpreter
+from CNCStepper.gcode.interpreter.line_interpreter import Interpreter
 from CNCStepper.state import Start
 from CNCStepper.toolpath import Toolpath
 

@@ -10,7 +10,7 @@ from typing import Any
 
 from CNCStepper.errors import ProgramError
 from CNCStepper.gcode.dialects import Dialect
-from CNCStepper.gcode.interpreter.interpret import Interpreter
+from CNCStepper.gcode.interpreter.line_interpreter import Interpreter
 from CNCStepper.gcode.syntax.words import program_lines
 from CNCStepper.state import Start
 from CNCStepper.toolpath import ARC_CW, PLANE_AXES, PLANE_NAMES

@@ -21,13 +21,12 @@ from __future__ import annotations
 
 from cmath import phase, rect
 from math import acos, asin, cos, pi, sin, tan, tau
-from typing import TYPE_CHECKING
 
 from CNCStepper.errors import ProgramError
-from CNCStepper.gcode.interpreter.cutter_compensation.compensation_codes import Compensation, in_plane
+from CNCStepper.gcode.interpreter.block import Block
+from CNCStepper.gcode.interpreter.cutter_compensation.compensation_codes import in_plane
+from CNCStepper.gcode.interpreter.cutter_compensation.held_moves import Compensation, Held, Path3
 from CNCStepper.gcode.interpreter.cutter_compensation.move_queue import (
-    Held,
-    Path3,
     end_held_at,
     hold,
     release,
@@ -38,15 +37,12 @@ from CNCStepper.gcode.interpreter.motion.moves import Arc
 from CNCStepper.gcode.interpreter.state import stand_alone_position
 from CNCStepper.toolpath import ARC_CCW, ARC_CW, LINE, PLANE_AXES, PLANE_NAMES, RAPID
 
-if TYPE_CHECKING:
-    from CNCStepper.gcode.interpreter.execute import Execution
-
 SMALL = 0.05  # rad: corners flatter than this are none (LinuxCNC's TOLERANCE_CONCAVE_CORNER)
 TOUCHING = 1e-4  # cosine of the angle at which the entry arc would be a line
 GOUGE = "the compensated tool cannot reach this corner without gouging"
 
 
-def straight(block: Execution, motion: int, end: tuple[float, float, float], feed: float) -> None:
+def straight(block: Block, motion: int, end: tuple[float, float, float], feed: float) -> None:
     """Make a G0 or G1 to `end` (work mm) beside its path; raises ProgramError where the tool cannot go."""
     ours = _ours(block)
     goal = in_plane(block, end)
@@ -57,7 +53,7 @@ def straight(block: Execution, motion: int, end: tuple[float, float, float], fee
     _now(block, goal, end)
 
 
-def arc(block: Execution, motion: int, end: tuple[float, float, float], arc: Arc, feed: float) -> None:
+def arc(block: Block, motion: int, end: tuple[float, float, float], arc: Arc, feed: float) -> None:
     """Make a G2 or G3 to `end` (work mm) beside its path; raises ProgramError where the tool cannot go."""
     goal, centre = in_plane(block, end), in_plane(block, arc.centre)
     turns = arc.turns if motion == ARC_CCW else -arc.turns
@@ -68,17 +64,17 @@ def arc(block: Execution, motion: int, end: tuple[float, float, float], arc: Arc
     _now(block, goal, end)
 
 
-def _ours(block: Execution) -> Compensation:
+def _ours(block: Block) -> Compensation:
     assert block.model.compensation is not None
     return block.model.compensation
 
 
-def _now(block: Execution, goal: Path3, work: tuple[float, float, float]) -> None:
+def _now(block: Block, goal: Path3, work: tuple[float, float, float]) -> None:
     block.model.compensation = _ours(block)._replace(entered=True, programmed=goal, programmed_work=work)
     block.model.look()
 
 
-def _reach(block: Execution, current: complex, height: float) -> None:
+def _reach(block: Block, current: complex, height: float) -> None:
     """Note where the tool's centre is when the move that is held now has been made."""
     model = block.model
     here = (current.real, current.imag, height)
@@ -93,12 +89,12 @@ def _gouges(value: str = "") -> ProgramError:
     return ProgramError("gouge", GOUGE, value=value, advice="use a smaller tool, or round the corner off")
 
 
-def _here(block: Execution) -> tuple[complex, float]:
+def _here(block: Block) -> tuple[complex, float]:
     x, y, height = in_plane(block, block.model.work(block.model.position))
     return complex(x, y), height
 
 
-def _enter_straight(block: Execution, motion: int, goal: Path3, feed: float) -> None:
+def _enter_straight(block: Block, motion: int, goal: Path3, feed: float) -> None:
     """The first move ends beside its goal, perpendicular to the way there."""
     ours = _ours(block)
     here, _ = _here(block)
@@ -114,7 +110,7 @@ def _enter_straight(block: Execution, motion: int, goal: Path3, feed: float) -> 
     _reach(block, end, goal[2])
 
 
-def _next_straight(block: Execution, motion: int, goal: Path3, feed: float) -> None:
+def _next_straight(block: Block, motion: int, goal: Path3, feed: float) -> None:
     ours = _ours(block)
     current, old = complex(*ours.current[:2]), complex(*ours.programmed[:2])
     new = complex(*goal[:2])
@@ -141,18 +137,18 @@ def _next_straight(block: Execution, motion: int, goal: Path3, feed: float) -> N
     _reach(block, end, goal[2])
 
 
-def _round_outside(block: Execution) -> bool:
+def _round_outside(block: Block) -> bool:
     """Whether the held move is an arc with the tool on its outside."""
     held = _ours(block).held
     return bool(held) and held[0].is_arc and not _inside(block, held[0].turns)
 
 
-def _inside(block: Execution, turns: int) -> bool:
+def _inside(block: Block, turns: int) -> bool:
     """Whether the tool runs inside an arc of that sense."""
     return _ours(block).left == (turns > 0)
 
 
-def _round_corner(block: Execution, motion: int, middle: complex, feed: float) -> None:
+def _round_corner(block: Block, motion: int, middle: complex, feed: float) -> None:
     """Go about a convex corner: an arc; a rapid cuts it off, because there are no rapid arcs."""
     ours = _ours(block)
     current, old = complex(*ours.current[:2]), complex(*ours.programmed[:2])
@@ -166,7 +162,7 @@ def _round_corner(block: Execution, motion: int, middle: complex, feed: float) -
     release(block, middle)
 
 
-def _add_corner_arc(block: Execution, middle: complex, corner: complex, height: float, feed: float) -> None:
+def _add_corner_arc(block: Block, middle: complex, corner: complex, height: float, feed: float) -> None:
     turns = -1 if _ours(block).left else 1
     hold(block, Held(_arc_motion(turns), (middle.real, middle.imag, height), 0j, feed, corner, turns))
 
@@ -175,7 +171,7 @@ def _arc_motion(turns: int) -> int:
     return ARC_CCW if turns > 0 else ARC_CW
 
 
-def _into_concave(block: Execution, way: complex, beta: float, theta: float, gamma: float) -> None:
+def _into_concave(block: Block, way: complex, beta: float, theta: float, gamma: float) -> None:
     """End the held move where its parallel meets that of the line to come."""
     ours = _ours(block)
     if not (ours.held and ours.held[0].is_arc):
@@ -189,7 +185,7 @@ def _into_concave(block: Execution, way: complex, beta: float, theta: float, gam
     release(block, middle)
 
 
-def _arc_meets_line(block: Execution, held: Held, way: complex) -> complex:
+def _arc_meets_line(block: Block, held: Held, way: complex) -> complex:
     """Return where the held arc meets the parallel of a line that begins at the programmed point."""
     ours = _ours(block)
     inside, sense = _inside(block, held.turns), 1.0 if held.turns > 0 else -1.0
@@ -208,7 +204,7 @@ def _arc_meets_line(block: Execution, held: Held, way: complex) -> complex:
 # arcs
 
 
-def _enter_arc(block: Execution, goal: Path3, centre: complex, turns: int, feed: float) -> None:
+def _enter_arc(block: Block, goal: Path3, centre: complex, turns: int, feed: float) -> None:
     """The first move as an arc: through the tool's place and beside the end, tangent there to the programmed arc."""
     ours = _ours(block)
     here, height = _here(block)
@@ -232,7 +228,7 @@ def _enter_arc(block: Execution, goal: Path3, centre: complex, turns: int, feed:
     _reach(block, end, goal[2])
 
 
-def _next_arc(block: Execution, goal: Path3, centre: complex, turns: int, feed: float) -> None:
+def _next_arc(block: Block, goal: Path3, centre: complex, turns: int, feed: float) -> None:
     ours = _ours(block)
     current, old, new = complex(*ours.current[:2]), complex(*ours.programmed[:2]), complex(*goal[:2])
     inside, arc_radius = _inside(block, turns), abs(centre - new)
@@ -269,9 +265,7 @@ def _normal_angle(beta: float) -> float:
     return beta + tau if beta < -pi / 2 else beta
 
 
-def _concave_corner(
-    block: Execution, centre: complex, arc_radius: float, turns: int, beta: float, theta: float
-) -> complex:
+def _concave_corner(block: Block, centre: complex, arc_radius: float, turns: int, beta: float, theta: float) -> complex:
     """Return where the held move meets the parallel of the arc to come."""
     ours = _ours(block)
     inside, sense = _inside(block, turns), 1.0 if turns > 0 else -1.0
@@ -285,7 +279,7 @@ def _concave_corner(
     return centre + rect(radius, angle)
 
 
-def _arc_meets_arc(block: Execution, held: Held, centre: complex, radius: float, sense: float) -> complex:
+def _arc_meets_arc(block: Block, held: Held, centre: complex, radius: float, sense: float) -> complex:
     """Return where two circles meet, on the tool's side."""
     old_radius, apart = abs(held.centre - complex(*held.end[:2])), abs(held.centre - centre)
     if old_radius == 0 or apart == 0:

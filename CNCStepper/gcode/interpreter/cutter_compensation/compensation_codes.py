@@ -1,45 +1,27 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The codes of cutter radius compensation (G40, G41, G42, G41.1, G42.1), and what is in force.
+"""The codes of cutter radius compensation: G40, G41, G42, G41.1, G42.1.
 
 `compensated_path.py` makes the moves. All points are (first, second, normal) of the plane, in work mm, so that one
-text serves XY
-and ZX.
+text serves XY and ZX.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING, NamedTuple
 
 from CNCStepper.errors import ProgramError
 from CNCStepper.gcode.dialects.codes import Code
-from CNCStepper.gcode.interpreter.cutter_compensation.move_queue import Held, Path3, end_held_at, release
+from CNCStepper.gcode.interpreter.block import Block
+from CNCStepper.gcode.interpreter.cutter_compensation.held_moves import Compensation, Path3
+from CNCStepper.gcode.interpreter.cutter_compensation.move_queue import end_held_at, release
 from CNCStepper.gcode.interpreter.functions.tools import NEAR, entry_of
 from CNCStepper.gcode.interpreter.state import stand_alone_position
 from CNCStepper.toolpath import PLANE_AXES, PLANE_NAMES
 
-if TYPE_CHECKING:
-    from CNCStepper.gcode.interpreter.execute import Execution
-
 PLANES = ("XY", "ZX")
 
 
-class Compensation(NamedTuple):
-    """What is in force: radius in mm, never negative; orientation of a lathe tool; `entered`: a move was made."""
-
-    left: bool
-    radius: float
-    orientation: int
-    plane: str
-    entered: bool = False
-    programmed: Path3 = (0.0, 0.0, 0.0)
-    current: Path3 = (0.0, 0.0, 0.0)
-    programmed_work: tuple[float, float, float] = (0.0, 0.0, 0.0)
-    held: tuple[Held, ...] = ()
-    endpoint: complex | None = None  # where the first held move begins
-
-
-def compensation_by_tool(block: Execution, code: Code) -> None:
+def compensation_by_tool(block: Block, code: Code) -> None:
     """G41, G42: the radius of the tool D, or of the one in the spindle."""
     plane = _plane(block, code.name)
     entry = block.model.loaded
@@ -62,7 +44,7 @@ def compensation_by_tool(block: Execution, code: Code) -> None:
     _begin(block, code, plane, diameter / 2, entry.orientation)
 
 
-def compensation_by_word(block: Execution, code: Code) -> None:
+def compensation_by_word(block: Block, code: Code) -> None:
     """G41.1, G42.1: D is the diameter itself, L the orientation of a lathe tool."""
     plane = _plane(block, code.name)
     block.must_have("D", code.name)
@@ -72,7 +54,7 @@ def compensation_by_word(block: Execution, code: Code) -> None:
     _begin(block, code, plane, block.value("D") * block.model.scale / 2, orientation)
 
 
-def _plane(block: Execution, name: str) -> str:
+def _plane(block: Block, name: str) -> str:
     plane = block.model.state.plane
     if plane not in PLANES or block.model.far_plane:
         what = "the tool is compensated in the planes XY and ZX only"
@@ -83,7 +65,7 @@ def _plane(block: Execution, name: str) -> str:
     return plane
 
 
-def _begin(block: Execution, code: Code, plane: str, radius: float, orientation: int) -> None:
+def _begin(block: Block, code: Code, plane: str, radius: float, orientation: int) -> None:
     """A negative radius is the other side."""
     left = code.name.startswith("G41") == (radius >= 0)
     model = block.model
@@ -92,7 +74,7 @@ def _begin(block: Execution, code: Code, plane: str, radius: float, orientation:
     model.look()
 
 
-def compensation_off(block: Execution, code: Code) -> None:
+def compensation_off(block: Block, code: Code) -> None:
     """G40: the text goes on from where it says that the tool is."""
     block.call('COMMENT("interpreter: cutter radius compensation off")')
     ours = block.model.compensation
@@ -101,7 +83,7 @@ def compensation_off(block: Execution, code: Code) -> None:
     end_compensation(block)
 
 
-def end_compensation(block: Execution) -> None:
+def end_compensation(block: Block) -> None:
     """Make the moves that are held; the text goes on from where it says that the tool is."""
     model = block.model
     ours = model.compensation
@@ -113,7 +95,7 @@ def end_compensation(block: Execution) -> None:
     model.look()
 
 
-def stands_here(block: Execution) -> None:
+def stands_here(block: Block) -> None:
     """Take the position for the centre's, though moves are held: LinuxCNC does so after it has asked its machine."""
     ours = block.model.compensation
     if ours and ours.held:
@@ -128,7 +110,7 @@ def stands_here(block: Execution) -> None:
         )
 
 
-def flush(block: Execution) -> None:
+def flush(block: Block) -> None:
     """Make the moves that are held, with the ends that they have."""
     ours = block.model.compensation
     if ours and ours.held:
@@ -136,17 +118,17 @@ def flush(block: Execution) -> None:
         release(block)
 
 
-def active(block: Execution) -> bool:
+def active(block: Block) -> bool:
     """Whether moves are shifted sideways: a tool of no radius stays on its path."""
     return block.model.compensation is not None and block.model.compensation.radius > 0
 
 
-def in_plane(block: Execution, point: tuple[float, float, float]) -> Path3:
+def in_plane(block: Block, point: tuple[float, float, float]) -> Path3:
     """Return a point as (first, second, normal) of the plane."""
     first, second, normal = PLANE_AXES[PLANE_NAMES.index(block.model.state.plane)]
     return point[first], point[second], point[normal]
 
 
-COMPENSATION_ACTS: dict[str, Callable[[Execution, Code], None]] = {
+COMPENSATION_ACTS: dict[str, Callable[[Block, Code], None]] = {
     act.__name__: act for act in (compensation_by_tool, compensation_by_word, compensation_off)
 }

@@ -10,20 +10,14 @@ same point. A move whose way is turned round by its new end would gouge, and is 
 from __future__ import annotations
 
 from cmath import phase
-from collections.abc import Callable
 from math import tau
-from typing import TYPE_CHECKING, NamedTuple
 
 from CNCStepper.errors import ProgramError
+from CNCStepper.gcode.interpreter.block import Block
+from CNCStepper.gcode.interpreter.cutter_compensation.held_moves import Held, Path3
 from CNCStepper.gcode.interpreter.motion.moves import Arc
-from CNCStepper.state import State
-from CNCStepper.toolpath import ARC_CCW, ARC_CW, PLANE_AXES, PLANE_NAMES
+from CNCStepper.toolpath import PLANE_AXES, PLANE_NAMES
 
-if TYPE_CHECKING:
-    from CNCStepper.gcode.interpreter.execute import Execution
-
-Path3 = tuple[float, float, float]  # first and second axis of the plane, then its normal
-ARCS = (ARC_CW, ARC_CCW)
 SAME_RADIUS = 0.01  # units of the text: an arc whose ends differ more in radius is none
 MORE_SWEEP = 0.001  # rad
 LEFT_OF_TIP, RIGHT_OF_TIP = (2, 6, 1), (3, 8, 4)  # orientations of lathe tools, along X
@@ -38,28 +32,7 @@ def turned(begin: complex, centre: complex, turns: int, end: complex) -> float:
     return beta - (alpha + tau if alpha <= beta else alpha) + (turns + 1) * tau
 
 
-class Held(NamedTuple):
-    """A move to `end`; direction: of the programmed line, 0 where it does not matter; sweep: of the programmed arc."""
-
-    motion: int
-    end: Path3
-    direction: complex
-    feed: float
-    centre: complex = 0j
-    turns: int = 0
-    sweep: float = 0.0
-    line: int = 0
-    state: State | None = None
-    further: tuple[float, ...] = ()
-    note: tuple[Callable, tuple] | None = None  # something else that waits
-
-    @property
-    def is_arc(self) -> bool:
-        """Whether it is an arc."""
-        return self.note is None and self.motion in ARCS
-
-
-def hold(block: Execution, move: Held) -> None:
+def hold(block: Block, move: Held) -> None:
     """Put a move behind those that wait."""
     model = block.model
     assert model.compensation is not None
@@ -67,14 +40,14 @@ def hold(block: Execution, move: Held) -> None:
     model.compensation = model.compensation._replace(held=(*model.compensation.held, move))
 
 
-def set_endpoint(block: Execution, begin: complex | None) -> None:
+def set_endpoint(block: Block, begin: complex | None) -> None:
     """Note where the first held move begins."""
     model = block.model
     assert model.compensation is not None
     model.compensation = model.compensation._replace(endpoint=begin)
 
 
-def end_held_at(block: Execution, end: complex) -> None:
+def end_held_at(block: Block, end: complex) -> None:
     """Let all held moves end at `end`; raises ProgramError where one would gouge."""
     model = block.model
     assert model.compensation is not None
@@ -83,7 +56,7 @@ def end_held_at(block: Execution, end: complex) -> None:
     model.compensation = ours._replace(held=moved)
 
 
-def _ended(block: Execution, move: Held, end: complex, begin: complex | None) -> Held:
+def _ended(block: Block, move: Held, end: complex, begin: complex | None) -> Held:
     if move.is_arc:
         difference = abs(abs(complex(*move.end[:2]) - move.centre) - abs(end - move.centre))
         if difference > SAME_RADIUS * block.model.scale:
@@ -101,7 +74,7 @@ def _gouges(what: str) -> ProgramError:
     return ProgramError("gouge", what, advice="use a smaller tool, or another contour")
 
 
-def release(block: Execution, endpoint: complex | None = None) -> None:
+def release(block: Block, endpoint: complex | None = None) -> None:
     """Make the moves that wait, and what waits between them; the next one begins at `endpoint`, where it is known."""
     model = block.model
     assert model.compensation is not None
@@ -114,7 +87,7 @@ def release(block: Execution, endpoint: complex | None = None) -> None:
             _make(block, move)
 
 
-def _make(block: Execution, move: Held) -> None:
+def _make(block: Block, move: Held) -> None:
     model = block.model
     end = _work(block, move.end)
     arc = None
@@ -124,7 +97,7 @@ def _make(block: Execution, move: Held) -> None:
     block.emit(move.motion, model.machine(end), arc, move.feed, move.line, move.state, move.further)
 
 
-def _work(block: Execution, point: Path3) -> Path3:
+def _work(block: Block, point: Path3) -> Path3:
     """Return a point of the plane as X, Y, Z; that of a lathe tool is the tip's, beside the centre of its radius."""
     model, place = block.model, [0.0, 0.0, 0.0]
     assert model.compensation is not None

@@ -13,7 +13,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Generator, Iterator
-from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -30,15 +29,13 @@ from CNCStepper.gcode.interpreter.fast_path.line_run_kernel import (
     new_now,
     run_lines,
 )
+from CNCStepper.gcode.interpreter.line_interpreter import Interpreter
 from CNCStepper.gcode.interpreter.motion.moves import check_arc_words
 from CNCStepper.gcode.interpreter.state.model import Model
 from CNCStepper.gcode.syntax.line_grammar import Grammar, Plan
 from CNCStepper.gcode.syntax.word_kernels import LETTERS, N_LATE, SHAPES, G, after_line_end, new_roles
 from CNCStepper.gcode.syntax.words import words_of
 from CNCStepper.toolpath import CHUNK_ROWS, LINE, PLANE_AXES, PLANE_NAMES
-
-if TYPE_CHECKING:
-    from CNCStepper.gcode.interpreter.interpret import Interpreter
 
 NO_LIMIT = 2**40
 MOST_FEEDS = CHUNK_ROWS  # set in one run, before the table is told

@@ -13,20 +13,16 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 from CNCStepper.errors import Place, ProgramError
-from CNCStepper.gcode.interpreter.fast_path.policy import read_runs, refused_runs
+from CNCStepper.gcode.interpreter.fast_path.text_runs import read_runs, refused_runs
 from CNCStepper.gcode.interpreter.flow.branches_and_loops import Blocks, refused
 from CNCStepper.gcode.interpreter.flow.o_words import CONDITIONS, GLOBAL, FlowLine, leads, read_flow_line, read_m98
 from CNCStepper.gcode.interpreter.flow.subprogram_files import Library, Source
+from CNCStepper.gcode.interpreter.line_interpreter import Interpreter
+from CNCStepper.gcode.interpreter.state.model import Model
 from CNCStepper.gcode.interpreter.state.system_parameters import Known
-from CNCStepper.gcode.syntax.words import is_tape_mark, program_lines
-
-if TYPE_CHECKING:
-    from CNCStepper.gcode.interpreter.interpret import Interpreter
-    from CNCStepper.gcode.interpreter.state.model import Model
-    from CNCStepper.gcode.syntax.words import Word
+from CNCStepper.gcode.syntax.words import Word, is_tape_mark, program_lines
 
 
 @dataclass(frozen=True)

@@ -11,10 +11,10 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from math import isnan
-from typing import TYPE_CHECKING
 
 from CNCStepper.errors import ProgramError
 from CNCStepper.gcode.dialects.codes import Code
+from CNCStepper.gcode.interpreter.block import Block
 from CNCStepper.gcode.interpreter.functions.tools import set_tool
 from CNCStepper.gcode.interpreter.motion.moves import end_point, further_end
 from CNCStepper.gcode.interpreter.state.model import Model, Point, g92_kept
@@ -23,16 +23,13 @@ from CNCStepper.gcode.interpreter.state.stand_alone_position import goes_on_at, 
 from CNCStepper.gcode.interpreter.state.stored_points import ROTATION, store_point, stored_point
 from CNCStepper.state import UNKNOWN, WORK_SYSTEMS, ZERO9
 
-if TYPE_CHECKING:
-    from CNCStepper.gcode.interpreter.execute import Execution
-
 HOMES = {"G28": 5161, "G30": 5181}  # first parameter of each stored position (machine coordinates)
 SIX = "{}, {}, {}, {}, {}, {}"
 SET_G92 = f"SET_G92_OFFSET({SIX})"
 SET_WORK = f"SET_G5X_OFFSET(%d, {SIX})"
 
 
-def work_system(block: Execution, code: Code) -> None:
+def work_system(block: Block, code: Code) -> None:
     """G54 to G59.3: the work system that is in force from now on."""
     block.uncompensated("coordinate systems may not be changed", code.name)
     if code.name == block.model.state.work_system:
@@ -46,18 +43,18 @@ def work_system(block: Execution, code: Code) -> None:
     say_rotation(block)
 
 
-def say_work_offset(block: Execution) -> None:
+def say_work_offset(block: Block) -> None:
     """Tell the canonical call of the work system in force."""
     number = WORK_SYSTEMS.index(block.model.state.work_system) + 1
     block.point(SET_WORK % number, block.model.origin)
 
 
-def say_rotation(block: Execution) -> None:
+def say_rotation(block: Block) -> None:
     """Tell the canonical call of its turn about Z."""
     block.call(f"SET_XY_ROTATION({block.model.state.rotation_deg:.4f})")
 
 
-def set_table(block: Execution, code: Code) -> None:
+def set_table(block: Block, code: Code) -> None:
     """G10: L2 and L20 set an offset, L1, L10 and L11 a tool."""
     kind = block.whole("L", 0, 20)
     if kind in (0, 1, 10, 11):
@@ -75,7 +72,7 @@ def set_table(block: Execution, code: Code) -> None:
     _set_system(block, WORK_SYSTEMS[number - 1] if number else block.model.state.work_system, kind)
 
 
-def _set_system(block: Execution, name: str, kind: int) -> None:
+def _set_system(block: Block, name: str, kind: int) -> None:
     """G10 L2: the offset itself; G10 L20: the offset at which the position has the given coordinates."""
     model = block.model
     in_force = name == model.state.work_system
@@ -107,7 +104,7 @@ def _turn_in_force(model: Model, name: str) -> None:
         goes_on_at(model, model.machine((flat.real, flat.imag, z - model.origin[2])))
 
 
-def _origin_for(block: Execution, name: str, words: dict[int, float]) -> dict[int, float]:
+def _origin_for(block: Block, name: str, words: dict[int, float]) -> dict[int, float]:
     """Return the origin at which the position has the coordinates `words`, for their axes (X and Y turn together)."""
     system = block.model.copy()
     for axis in range(2) if system.parameters.get(offset_number(name) + ROTATION) else words:
@@ -123,7 +120,7 @@ def _origin_for(block: Execution, name: str, words: dict[int, float]) -> dict[in
     return {axis: origin[axis] + (0.0 if isnan(shift[axis]) else shift[axis]) for axis in words}
 
 
-def set_g92(block: Execution, code: Code) -> None:
+def set_g92(block: Block, code: Code) -> None:
     """G92: today's work position gets the given coordinates; what G92 shifts already comes on top."""
     block.uncompensated("axis offsets may not be changed", code.name)
     model = block.model
@@ -137,7 +134,7 @@ def set_g92(block: Execution, code: Code) -> None:
     _keep_g92(block, g92)
 
 
-def set_g52(block: Execution, code: Code) -> None:
+def set_g52(block: Block, code: Code) -> None:
     """G52: the G92 offset itself."""
     block.uncompensated("axis offsets may not be changed", code.name)
     g92 = list(block.model.g92)
@@ -146,39 +143,39 @@ def set_g52(block: Execution, code: Code) -> None:
     _keep_g92(block, g92)
 
 
-def _keep_g92(block: Execution, g92: list[float]) -> None:
+def _keep_g92(block: Block, g92: list[float]) -> None:
     model = block.model
     store_point(model.parameters, FIRST_G92, g92, model.unit_mm, range(9))
     _use_g92(block, tuple(g92), 1.0)
 
 
-def clear_g92(block: Execution, code: Code) -> None:
+def clear_g92(block: Block, code: Code) -> None:
     """G92.1: no shift, and none kept."""
     block.uncompensated("axis offsets may not be changed", code.name)
     store_point(block.model.parameters, FIRST_G92, ZERO9, 1.0, range(9))
     _use_g92(block, ZERO9, 0.0)
 
 
-def suspend_g92(block: Execution, code: Code) -> None:
+def suspend_g92(block: Block, code: Code) -> None:
     """G92.2: no shift, but it is kept."""
     block.uncompensated("axis offsets may not be changed", code.name)
     _use_g92(block, ZERO9, 0.0)
 
 
-def restore_g92(block: Execution, code: Code) -> None:
+def restore_g92(block: Block, code: Code) -> None:
     """G92.3: the shift that is kept."""
     block.uncompensated("axis offsets may not be changed", code.name)
     _use_g92(block, g92_kept(block.model), 1.0)
 
 
-def _use_g92(block: Execution, g92: tuple[float, ...], in_force: float) -> None:
+def _use_g92(block: Block, g92: tuple[float, ...], in_force: float) -> None:
     block.model.parameters.set(G92_IN_FORCE, in_force)
     block.model.g92 = g92
     block.model.change_offset()
     block.point(SET_G92, g92)
 
 
-def keep_home(block: Execution, code: Code) -> None:
+def keep_home(block: Block, code: Code) -> None:
     """G28.1, G30.1: store the position."""
     block.uncompensated("no position may be stored", code.name)
     model = block.model
@@ -186,7 +183,7 @@ def keep_home(block: Execution, code: Code) -> None:
     store_point(model.parameters, HOMES[code.name[:3]], point, model.unit_mm, range(9))
 
 
-def go_home(block: Execution, code: Code) -> None:
+def go_home(block: Block, code: Code) -> None:
     """G28, G30: first to the point given, then the named axes (or all) to the stored position."""
     block.uncompensated("G28 and G30 may not be used", code.name)
     model = block.model
@@ -221,7 +218,7 @@ def _home(model: Model, code: Code) -> tuple[float, ...]:
     return stored_point(model.parameters, first, model.unit_mm) if model.zero_known else (UNKNOWN,) * 3 + ZERO9[3:]
 
 
-OFFSET_ACTS: dict[str, Callable[[Execution, Code], None]] = {
+OFFSET_ACTS: dict[str, Callable[[Block, Code], None]] = {
     act.__name__: act
     for act in (
         work_system,

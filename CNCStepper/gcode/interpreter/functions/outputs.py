@@ -4,13 +4,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING
 
 from CNCStepper.errors import ProgramError
 from CNCStepper.gcode.dialects.codes import Code
-
-if TYPE_CHECKING:
-    from CNCStepper.gcode.interpreter.execute import Execution
+from CNCStepper.gcode.interpreter.block import Block
 
 DIGITAL = {
     "M62": "SET_MOTION_OUTPUT_BIT({})",
@@ -37,7 +34,7 @@ OVERRIDE_CALLS = {
 }
 
 
-def output(block: Execution, code: Code) -> None:
+def output(block: Block, code: Code) -> None:
     """M62 to M65: switch the digital output P."""
     block.must_have("P", code.name)
     block.uncompensated("no output may be set", code.name)
@@ -46,7 +43,7 @@ def output(block: Execution, code: Code) -> None:
     block.call(DIGITAL[code.name].format(number))
 
 
-def analog_output(block: Execution, code: Code) -> None:
+def analog_output(block: Block, code: Code) -> None:
     """M67, M68: give the analogue output E the value Q."""
     block.must_have("E", code.name)
     block.uncompensated("no output may be set", code.name)
@@ -56,7 +53,7 @@ def analog_output(block: Execution, code: Code) -> None:
     block.call(f"{ANALOG[code.name]}({number},{value:f})")
 
 
-def wait_input(block: Execution, code: Code) -> None:
+def wait_input(block: Block, code: Code) -> None:
     """M66: wait for an input; what it answers is not known before the program runs."""
     slots = block.plan.slots
     if ("P" in slots) == ("E" in slots):
@@ -74,7 +71,7 @@ def wait_input(block: Execution, code: Code) -> None:
     block.model.parameters.set(INPUT_RESULT, 0.0 if block.model.bare else float("nan"))
 
 
-def override(block: Execution, code: Code) -> None:
+def override(block: Block, code: Code) -> None:
     """M48, M49: both overrides on or off; M50 to M53: one of them, off with P0."""
     off = code.name == "M49" or ("P" in block.plan.slots and block.value("P") == 0)
     block.uncompensated("overrides may not be switched", code.name)
@@ -85,6 +82,6 @@ def override(block: Execution, code: Code) -> None:
         block.call(("DISABLE_" if off else "ENABLE_") + OVERRIDE_CALLS[kind])
 
 
-OUTPUT_ACTS: dict[str, Callable[[Execution, Code], None]] = {
+OUTPUT_ACTS: dict[str, Callable[[Block, Code], None]] = {
     act.__name__: act for act in (output, analog_output, wait_input, override)
 }

@@ -7,15 +7,11 @@ A machine of this reader has one spindle, number 0; the word $ may name it, or -
 from __future__ import annotations
 
 from collections.abc import Callable
-from math import inf, isnan, tau
-from typing import TYPE_CHECKING
 
 from CNCStepper.errors import ProgramError
 from CNCStepper.gcode.dialects.codes import SPINDLE, Code
-
-if TYPE_CHECKING:
-    from CNCStepper.gcode.interpreter.execute import Execution
-    from CNCStepper.gcode.interpreter.state.model import Model, Point
+from CNCStepper.gcode.interpreter.block import Block
+from CNCStepper.gcode.interpreter.state.spindle_speed import rpm_at
 
 START = {"cw": "START_SPINDLE_CLOCKWISE(0)", "ccw": "START_SPINDLE_COUNTERCLOCKWISE(0)"}
 SENSES = {"M3": "cw", "M4": "ccw", "M5": "off"}
@@ -24,14 +20,14 @@ NO_LIMIT = 1e30  # turns a minute, of G96 without D
 FEET_PER_M = 1 / 0.3048
 
 
-def check_spindle(block: Execution) -> None:
+def check_spindle(block: Block) -> None:
     """Refuse a $ word that names a spindle which is not there."""
     if SPINDLE in block.plan.slots and block.value(SPINDLE) not in (0, -1):
         what = "the machine has one spindle, number 0"
         raise ProgramError("spindle-number", what, value=SPINDLE, limit="0 or -1", advice="drop $")
 
 
-def speed(block: Execution, code: Code) -> None:
+def speed(block: Block, code: Code) -> None:
     """S: turns a minute, or under G96 the speed at the surface."""
     s_word = block.not_negative("S")
     check_spindle(block)
@@ -44,7 +40,7 @@ def speed(block: Execution, code: Code) -> None:
     block.call(f"SET_SPINDLE_SPEED(0, {s_word:.4f})")
 
 
-def surface_speed(block: Execution, code: Code) -> None:
+def surface_speed(block: Block, code: Code) -> None:
     """G96: S, which the line must hold, is metres (or feet) a minute at the distance X; D is the highest speed."""
     largest = abs(block.value("D")) if "D" in block.plan.slots else NO_LIMIT
     block.model.largest_rpm = largest
@@ -52,34 +48,25 @@ def surface_speed(block: Execution, code: Code) -> None:
     block.call(f"SET_SPINDLE_MODE(0 {largest:.4f})")
 
 
-def turning_speed(block: Execution, code: Code) -> None:
+def turning_speed(block: Block, code: Code) -> None:
     """G97: S is turns a minute from now on."""
     block.model.change(surface_m_min=0.0)
     block.call("SET_SPINDLE_MODE(0 0.0000)")
 
 
-def rpm_at(model: Model, end: Point) -> float:
-    """Return the speed in turns a minute at a place: the one commanded, or what the surface speed asks for there."""
-    if not model.state.surface_m_min:
-        return model.state.spindle_rpm
-    radius = abs(model.work(end)[0])
-    rpm = model.state.surface_m_min * 1000.0 / (tau * radius) if radius else inf
-    return 0.0 if isnan(rpm) else min(rpm, model.largest_rpm)
-
-
-def spindle(block: Execution, code: Code) -> None:
+def spindle(block: Block, code: Code) -> None:
     """M3, M4, M5: turn the spindle on or off."""
     check_spindle(block)
     turn(block, SENSES[code.name])
 
 
-def turn(block: Execution, sense: str) -> None:
+def turn(block: Block, sense: str) -> None:
     """Let the spindle turn "cw" or "ccw", or stop ("off")."""
     block.model.change(spindle=sense)
     block.call(START.get(sense, STOP))
 
 
-def orient(block: Execution, code: Code) -> None:
+def orient(block: Block, code: Code) -> None:
     """M19: stop the spindle at the angle R; Q: how long to wait for it at most, s."""
     check_spindle(block)
     slots = block.plan.slots
@@ -95,7 +82,7 @@ def orient(block: Execution, code: Code) -> None:
         block.call(f"SPINDLE.0.WAIT_ORIENT_COMPLETE({block.value('Q'):.4f})")
 
 
-def need_turning(block: Execution, name: str, sense: str = "") -> str:
+def need_turning(block: Block, name: str, sense: str = "") -> str:
     """Return in which sense the spindle turns; raises ProgramError when it stands, or turns the other way."""
     turning = block.model.state.spindle
     if turning == "off" or (sense and turning != sense):
@@ -110,6 +97,6 @@ def need_turning(block: Execution, name: str, sense: str = "") -> str:
     return turning
 
 
-SPINDLE_ACTS: dict[str, Callable[[Execution, Code], None]] = {
+SPINDLE_ACTS: dict[str, Callable[[Block, Code], None]] = {
     act.__name__: act for act in (speed, surface_speed, turning_speed, spindle, orient)
 }

@@ -9,16 +9,14 @@ from __future__ import annotations
 import re
 from collections.abc import Callable
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from CNCStepper.errors import Place, ProgramError
 from CNCStepper.gcode.dialects.codes import ALL_AXES, Code
+from CNCStepper.gcode.interpreter.block import Block
 from CNCStepper.gcode.interpreter.state import stand_alone_position
 from CNCStepper.gcode.interpreter.state.stored_points import length_scale
 from CNCStepper.state import ZERO9, ToolEntry
-
-if TYPE_CHECKING:
-    from CNCStepper.gcode.interpreter.execute import Execution
 
 LARGEST_ORIENTATION = 9
 NEAR = 1e-4  # how far from a whole number a word may be that means one
@@ -56,7 +54,7 @@ def _entry(items: dict[str, str], unit_mm: float) -> ToolEntry:
     )
 
 
-def entry_of(block: Execution, tool: int, value: str) -> ToolEntry:
+def entry_of(block: Block, tool: int, value: str) -> ToolEntry:
     """Return a tool's entry; raises ProgramError, which blames the word `value`, when the table has none."""
     if tool not in block.model.tools:
         what = f"tool {tool} does not stand in the tool table"
@@ -64,7 +62,7 @@ def entry_of(block: Execution, tool: int, value: str) -> ToolEntry:
     return block.model.tools[tool]
 
 
-def tool(block: Execution, code: Code) -> None:
+def tool(block: Block, code: Code) -> None:
     """T: choose a tool, which some dialects load at once."""
     tool = block.whole("T", 0, block.dialect.largest_tool, "tool-number")
     if block.model.bare and tool:
@@ -76,7 +74,7 @@ def tool(block: Execution, code: Code) -> None:
     block.call(f"SELECT_TOOL({tool})")
 
 
-def tool_change(block: Execution, code: Code) -> None:
+def tool_change(block: Block, code: Code) -> None:
     """M6: load the chosen tool; the spindle stands."""
     block.uncompensated("the tool may not be changed", code.name)
     tool = block.model.selected_tool
@@ -87,7 +85,7 @@ def tool_change(block: Execution, code: Code) -> None:
         block.call(call)
 
 
-def tool_is(block: Execution, code: Code) -> None:
+def tool_is(block: Block, code: Code) -> None:
     """M61: another tool is in the spindle than was thought; LinuxCNC's bare interpreter goes on with its length."""
     block.must_have("Q", code.name)
     tool = round(block.not_negative("Q"))
@@ -101,18 +99,18 @@ def tool_is(block: Execution, code: Code) -> None:
     block.call(f"CHANGE_TOOL_NUMBER({_place_in_table(block, tool)})")
 
 
-def _load(block: Execution, tool: int) -> None:
+def _load(block: Block, tool: int) -> None:
     block.model.change(tool=tool)
     block.model.loaded = block.model.tools.get(tool, ToolEntry())
     block.asks_position = True
 
 
-def _place_in_table(block: Execution, tool: int) -> int:
+def _place_in_table(block: Block, tool: int) -> int:
     """Return the line of the table in which a tool stands, from 1; 0 for no tool."""
     return [0, *block.model.tools].index(tool) if tool in block.model.tools else tool
 
 
-def tool_length(block: Execution, code: Code) -> None:
+def tool_length(block: Block, code: Code) -> None:
     """G43, G43.1, G43.2, G49: the offset of the tool that is in force from now on."""
     block.uncompensated("the tool offset may not be changed", code.name)
     model = block.model
@@ -123,11 +121,11 @@ def tool_length(block: Execution, code: Code) -> None:
     block.point(USE_LENGTH, offset)
 
 
-def _no_offset(block: Execution) -> tuple[float, ...]:
+def _no_offset(block: Block) -> tuple[float, ...]:
     return ZERO9
 
 
-def _table_offset(block: Execution) -> tuple[float, ...]:
+def _table_offset(block: Block) -> tuple[float, ...]:
     model = block.model
     if "H" not in block.plan.slots and model.bare:
         return model.loaded.offset_mm
@@ -137,7 +135,7 @@ def _table_offset(block: Execution) -> tuple[float, ...]:
     return entry_of(block, tool, "G43").offset_mm if tool else ZERO9
 
 
-def _given_offset(block: Execution) -> tuple[float, ...]:
+def _given_offset(block: Block) -> tuple[float, ...]:
     words = block.axis_words()
     if not block.dialect.tool_offsets_sideways:
         for axis in (0, 1):
@@ -149,7 +147,7 @@ def _given_offset(block: Execution) -> tuple[float, ...]:
     return tuple(words.get(axis, old) for axis, old in enumerate(block.model.tool_offset))
 
 
-def _more_offset(block: Execution) -> tuple[float, ...]:
+def _more_offset(block: Block) -> tuple[float, ...]:
     """G43.2: the offset of the tool H comes on top of what is in force."""
     block.must_have("H", "G43.2")
     if block.axis_words():
@@ -160,7 +158,7 @@ def _more_offset(block: Execution) -> tuple[float, ...]:
     return tuple(old + added for old, added in zip(block.model.tool_offset, more, strict=True))
 
 
-def set_tool(block: Execution, kind: int) -> None:
+def set_tool(block: Block, kind: int) -> None:
     """G10 L1: an entry of the table; L10, L11: the one with which the position has the given coordinates."""
     if kind == 0:
         raise ProgramError("not-supported", "the tool table cannot be read again", value="L", advice="drop the line")
@@ -178,7 +176,7 @@ def set_tool(block: Execution, kind: int) -> None:
         _say_entry(block, 0, number, entry)
 
 
-def _measures(block: Execution) -> dict[str, Any]:
+def _measures(block: Block) -> dict[str, Any]:
     """Return the fields that R, I, J and Q set."""
     slots = block.plan.slots
     fields: dict[str, Any] = {}
@@ -192,7 +190,7 @@ def _measures(block: Execution) -> dict[str, Any]:
     return fields
 
 
-def _new_offset(block: Execution, entry: ToolEntry, kind: int) -> tuple[float, ...]:
+def _new_offset(block: Block, entry: ToolEntry, kind: int) -> tuple[float, ...]:
     words = block.axis_words()
     offset = list(entry.offset_mm)
     if kind == 1:
@@ -215,7 +213,7 @@ def _new_offset(block: Execution, entry: ToolEntry, kind: int) -> tuple[float, .
     return tuple(wanted)
 
 
-def _say_entry(block: Execution, place: int, number: int, entry: ToolEntry) -> None:
+def _say_entry(block: Block, place: int, number: int, entry: ToolEntry) -> None:
     """Tell an entry in the machine's own unit."""
     unit = block.model.unit_mm
     offset = " ".join(f"{value / length_scale(axis, unit):.4f}" for axis, value in enumerate(entry.offset_mm))
@@ -223,6 +221,6 @@ def _say_entry(block: Execution, place: int, number: int, entry: ToolEntry) -> N
     block.call(f"SET_TOOL_TABLE_ENTRY({place}, {number}, {offset}, {angles})")
 
 
-TOOL_ACTS: dict[str, Callable[[Execution, Code], None]] = {
+TOOL_ACTS: dict[str, Callable[[Block, Code], None]] = {
     act.__name__: act for act in (tool, tool_change, tool_is, tool_length)
 }

@@ -10,33 +10,22 @@ p0 *            * p3       A Bezier curve is a NURBS of its control points with 
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
 from CNCStepper.errors import GeometryError, ProgramError
 from CNCStepper.gcode.dialects.codes import MOTION_NAMES, NO_MOTION, Code
+from CNCStepper.gcode.interpreter.block import Block
 from CNCStepper.gcode.interpreter.motion.moves import Arc, Flat, check_feed, end_point
+from CNCStepper.gcode.interpreter.motion.nurbs import Nurbs, nurbs_knots, nurbs_points
 from CNCStepper.gcode.interpreter.state import stand_alone_position
 from CNCStepper.toolpath import ARC_CCW, ARC_CW, LINE, XY
 
-if TYPE_CHECKING:
-    from CNCStepper.gcode.interpreter.execute import Execution
-
 TOLERANCE_MM = 0.002  # of the arcs that stand for a spline in the table
-LEAST_ORDER = 3
 STRAIGHT = 1e-9  # bulge below which a piece is a line
 
 
-class Nurbs(NamedTuple):
-    """The control points of a G5.2 so far, in work mm, their weights and the order."""
-
-    points: tuple[Flat, ...]
-    weights: tuple[float, ...]
-    order: int = LEAST_ORDER
-
-
-def bezier(block: Execution, motion: int, before: int) -> None:
+def bezier(block: Block, motion: int, before: int) -> None:
     """Execute G5 or G5.1; raises ProgramError."""
     name = MOTION_NAMES[motion]
     block.uncompensated("no spline may be cut", name)
@@ -62,7 +51,7 @@ def bezier(block: Execution, motion: int, before: int) -> None:
     _cut(block, Nurbs(tuple(points), (1.0,) * len(points), len(points)), motion)
 
 
-def _check_feed(block: Execution, motion: int) -> None:
+def _check_feed(block: Block, motion: int) -> None:
     """Refuse a spline without a feed; in inverse time LinuxCNC 2.9 cuts it at the feed that was in force before."""
     if block.model.state.feed_mode == "inverse_time":
         what, name = "no spline is cut in inverse time", MOTION_NAMES[motion]
@@ -70,7 +59,7 @@ def _check_feed(block: Execution, motion: int) -> None:
     check_feed(block.model, motion, block.plan, block.values)
 
 
-def _first_control(block: Execution, name: str, begin: Flat) -> Flat:
+def _first_control(block: Block, name: str, begin: Flat) -> Flat:
     """Return the control point of the beginning: I and J from there, or as the G5 before ended."""
     given = [letter for letter in "IJ" if letter in block.plan.slots]
     if len(given) == 1 or (not given and name == "G5.1"):
@@ -80,7 +69,7 @@ def _first_control(block: Execution, name: str, begin: Flat) -> Flat:
     return begin[0] + i, begin[1] + j
 
 
-def control_point(block: Execution, motion: int, before: int) -> None:
+def control_point(block: Block, motion: int, before: int) -> None:
     """Execute a block of G5.2: a control point more; raises ProgramError."""
     model, slots = block.model, block.plan.slots
     if ("X" in slots) != ("Y" in slots):
@@ -103,7 +92,7 @@ def control_point(block: Execution, motion: int, before: int) -> None:
     model.nurbs = nurbs
 
 
-def end_nurbs(block: Execution, code: Code) -> None:
+def end_nurbs(block: Block, code: Code) -> None:
     """G5.3: cut the NURBS whose control points the blocks of G5.2 have given."""
     nurbs, model = block.model.nurbs, block.model
     other = next((one.name for one in block.plan.codes if one.motion is not None and one.name != "G5.2"), "")
@@ -121,7 +110,7 @@ def end_nurbs(block: Execution, code: Code) -> None:
     _cut(block, nurbs, LINE)
 
 
-def _ends(block: Execution) -> tuple[Flat, Flat]:
+def _ends(block: Block) -> tuple[Flat, Flat]:
     """Return where the block begins and ends, in work mm."""
     local = block.model.local()
     for axis in (0, 1):
@@ -129,7 +118,7 @@ def _ends(block: Execution) -> tuple[Flat, Flat]:
     return local.position[:2], end_point(local, block.plan, block.values)[:2]
 
 
-def _cut(block: Execution, nurbs: Nurbs, motion: int) -> None:
+def _cut(block: Block, nurbs: Nurbs, motion: int) -> None:
     """Tell the call and make a row of each arc; a spline that stays where it is makes none."""
     block.call(f"NURBS_FEED({len(nurbs.points)}, ...)")
     block.unheard = True
@@ -144,7 +133,7 @@ def _cut(block: Execution, nurbs: Nurbs, motion: int) -> None:
     stand_alone_position.spline_made(block.model, stood)
 
 
-def _row(block: Execution, end: tuple[float, float, float], bulge: float, feed: float) -> None:
+def _row(block: Block, end: tuple[float, float, float], bulge: float, feed: float) -> None:
     model = block.model
     x, y, z = model.local().position
     if abs(bulge) < STRAIGHT:
@@ -177,30 +166,4 @@ def _length(nurbs: Nurbs) -> float:
     return float(np.hypot(*np.diff(nurbs_points(nurbs, at), axis=0).T).sum())
 
 
-def nurbs_knots(nurbs: Nurbs) -> np.ndarray:
-    """Return the knots, float64[points + order]: whole steps, `order` times each end (LinuxCNC's choice)."""
-    steps = np.arange(len(nurbs.points) + nurbs.order, dtype=float) - (nurbs.order - 1)
-    return np.clip(steps, 0.0, len(nurbs.points) - nurbs.order + 1)
-
-
-def nurbs_points(nurbs: Nurbs, at: np.ndarray) -> np.ndarray:
-    """Return points of the curve, float64[m, 2], by de Boor's recursion of basis functions (Piegl, Tiller 1997)."""
-    knots, count = nurbs_knots(nurbs), len(nurbs.points)
-    at = np.asarray(at, float)
-    inside = np.minimum(at, np.nextafter(knots[-1], 0.0))  # the last point belongs to the last span
-    basis = [((knots[i] <= inside) & (inside < knots[i + 1])).astype(float) for i in range(len(knots) - 1)]
-    for degree in range(1, nurbs.order):
-        basis = [
-            _share(at - knots[i], knots[i + degree] - knots[i]) * basis[i]
-            + _share(knots[i + degree + 1] - at, knots[i + degree + 1] - knots[i + 1]) * basis[i + 1]
-            for i in range(len(basis) - 1)
-        ]
-    weighted = np.array(basis[:count]) * np.array(nurbs.weights)[:, None]
-    return (weighted.T @ np.array(nurbs.points)) / weighted.sum(axis=0)[:, None]
-
-
-def _share(part: np.ndarray, whole: float) -> np.ndarray:
-    return part / whole if whole else np.zeros_like(part)
-
-
-SPLINE_ACTS: dict[str, Callable[[Execution, Code], None]] = {"end_nurbs": end_nurbs}
+SPLINE_ACTS: dict[str, Callable[[Block, Code], None]] = {"end_nurbs": end_nurbs}

@@ -9,36 +9,18 @@ LinuxCNC writes such blocks as text and executes them; so does this module, with
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING, NamedTuple
 
 from CNCStepper.errors import ProgramError
 from CNCStepper.gcode.dialects.codes import NO_MOTION, UNIT_CODES, Code
+from CNCStepper.gcode.interpreter.block import Block
+from CNCStepper.gcode.interpreter.state.kept_modes import Modes
+from CNCStepper.gcode.interpreter.state.model import Model
 from CNCStepper.gcode.syntax.line_grammar import Grammar
 from CNCStepper.gcode.syntax.words import words_of
-from CNCStepper.state import State
-
-if TYPE_CHECKING:
-    from CNCStepper.gcode.interpreter.execute import Execution
-    from CNCStepper.gcode.interpreter.state.model import Model
 
 FEED_MODES = {"inverse_time": "G93", "per_minute": "G94", "per_turn": "G95"}
 PATHS = {"CANON_EXACT_PATH": "G61", "CANON_EXACT_STOP": "G61.1"}  # by what is told of them
 SPINDLE = {"cw": "M3", "ccw": "M4", "off": "M5"}
-
-
-class Modes(NamedTuple):
-    """The modes of a moment; `on_return`: they come back when the subroutine ends (M73)."""
-
-    state: State
-    feed_number: float
-    plane: str  # its code
-    side: str  # "G40", "G41" or "G42"
-    diameter: bool
-    to_initial: bool
-    path_calls: tuple[str, ...]
-    overrides: frozenset[str]
-    has_length: bool
-    on_return: bool
 
 
 def modes_of(model: Model, on_return: bool = False) -> Modes:
@@ -49,19 +31,19 @@ def modes_of(model: Model, on_return: bool = False) -> Modes:
     return Modes(*first, model.to_initial, model.path_calls, model.overrides, any(model.tool_offset), on_return)
 
 
-def keep_modes(block: Execution, code: Code) -> None:
+def keep_modes(block: Block, code: Code) -> None:
     """M70, M73: keep the modes of this level; after M73 they come back when the subroutine ends."""
     model = block.model
     level = model.parameters.level
     model.saved = {**model.saved, level: modes_of(model, on_return=code.name == "M73" and level > 0)}
 
 
-def forget_modes(block: Execution, code: Code) -> None:
+def forget_modes(block: Block, code: Code) -> None:
     """M71: forget what is kept on this level."""
     block.model.saved = {level: modes for level, modes in block.model.saved.items() if level != _level(block)}
 
 
-def restore_modes(block: Execution, code: Code) -> None:
+def restore_modes(block: Block, code: Code) -> None:
     """M72: bring back what is kept on this level; raises ProgramError where nothing is."""
     if _level(block) not in block.model.saved:
         what = "no modes are kept here"
@@ -69,7 +51,7 @@ def restore_modes(block: Execution, code: Code) -> None:
     restore(block, block.model.saved[_level(block)])
 
 
-def leave_level(block: Execution, level: int) -> None:
+def leave_level(block: Block, level: int) -> None:
     """End a subroutine that ran at `level`: after M73 the modes come back; what was kept there is forgotten."""
     modes = block.model.saved.get(level)
     block.model.saved = {kept: modes for kept, modes in block.model.saved.items() if kept < level}
@@ -77,7 +59,7 @@ def leave_level(block: Execution, level: int) -> None:
         restore(block, modes)
 
 
-def restore(block: Execution, modes: Modes) -> None:
+def restore(block: Block, modes: Modes) -> None:
     """Execute the blocks that bring the modes back."""
     grammar = Grammar(block.dialect)
     now = modes_of(block.model)
@@ -88,12 +70,12 @@ def restore(block: Execution, modes: Modes) -> None:
         _execute(block, grammar, line)
 
 
-def _execute(block: Execution, grammar: Grammar, line: str) -> None:
+def _execute(block: Block, grammar: Grammar, line: str) -> None:
     words = words_of(line)
     plan = grammar.plan(words, NO_MOTION)
     values = [float(word.number) for word in words if word.letter not in "GM"]
     outer = block.plan, block.values
-    block.block(plan, values)
+    block.execute(plan, values)
     block.plan, block.values = outer
 
 
@@ -146,10 +128,10 @@ def _switches(modes: Modes) -> list[str]:
     ]
 
 
-MODE_ACTS: dict[str, Callable[[Execution, Code], None]] = {
+MODE_ACTS: dict[str, Callable[[Block, Code], None]] = {
     act.__name__: act for act in (keep_modes, forget_modes, restore_modes)
 }
 
 
-def _level(block: Execution) -> int:
+def _level(block: Block) -> int:
     return block.model.parameters.level

@@ -6,21 +6,19 @@ from __future__ import annotations
 from cmath import rect
 from dataclasses import replace
 from math import radians
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from CNCStepper.errors import ProgramError
-from CNCStepper.gcode.canned.canned_cycles import Run
+from CNCStepper.gcode.canned.sticky_words import Run
 from CNCStepper.gcode.dialects import Dialect
 from CNCStepper.gcode.dialects.codes import CODE_OF_PLANE
+from CNCStepper.gcode.interpreter.cutter_compensation.held_moves import Compensation
+from CNCStepper.gcode.interpreter.motion.nurbs import Nurbs
+from CNCStepper.gcode.interpreter.state.kept_modes import Modes
 from CNCStepper.gcode.interpreter.state.parameters import G92_IN_FORCE, Parameters, offset_number, parameters_at
 from CNCStepper.gcode.interpreter.state.stored_points import ROTATION, further_of, nine, stored_point
 from CNCStepper.state import ZERO3, ZERO9, Start, State, ToolEntry
 from CNCStepper.units import MM_PER_INCH
-
-if TYPE_CHECKING:
-    from CNCStepper.gcode.interpreter.cutter_compensation.compensation_codes import Compensation
-    from CNCStepper.gcode.interpreter.motion.splines import Nurbs
-    from CNCStepper.gcode.interpreter.state.modal_state_stack import Modes
 
 Point = tuple[float, float, float]
 ZERO: Point = ZERO3

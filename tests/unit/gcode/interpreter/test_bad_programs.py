@@ -14,7 +14,8 @@ from rs274_runs import rs274_calls
 
 from CNCStepper.errors import ProgramError
 from CNCStepper.gcode.interpreter.flow.o_words import leads
-from CNCStepper.gcode.interpreter.interpret import Interpreter, interpret
+from CNCStepper.gcode.interpreter.interpret import interpret
+from CNCStepper.gcode.interpreter.line_interpreter import Interpreter
 from CNCStepper.gcode.syntax.words import program_lines
 from CNCStepper.state import Start
 

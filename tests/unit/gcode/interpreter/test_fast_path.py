@@ -17,7 +17,7 @@ from CNCStepper.gcode.dialects import dialect_names
 from CNCStepper.gcode.interpreter.fast_path import policy
 from CNCStepper.gcode.interpreter.fast_path.compiled_reader import PlainReader
 from CNCStepper.gcode.interpreter.flow.program_flow import refusals as refusals_of_all
-from CNCStepper.gcode.interpreter.interpret import Interpreter
+from CNCStepper.gcode.interpreter.line_interpreter import Interpreter
 from CNCStepper.gcode.wire.encoder import prepare
 from CNCStepper.state import Start
 

@@ -9,7 +9,8 @@ import numpy as np
 import pytest
 
 from CNCStepper.errors import ProgramError
-from CNCStepper.gcode.interpreter.interpret import Interpreter, interpret
+from CNCStepper.gcode.interpreter.interpret import interpret
+from CNCStepper.gcode.interpreter.line_interpreter import Interpreter
 from CNCStepper.gcode.syntax.words import program_lines
 from CNCStepper.state import Start
 from CNCStepper.toolpath import ARC_CCW, ARC_CW, LINE, RAPID, XY, YZ, ZX

@@ -12,7 +12,8 @@ import pytest
 from CNCStepper.errors import ProgramError
 from CNCStepper.gcode.interpreter.functions.tools import read_tool_table
 from CNCStepper.gcode.interpreter.interpret import interpret
-from CNCStepper.gcode.interpreter.motion.splines import TOLERANCE_MM, Nurbs, nurbs_points
+from CNCStepper.gcode.interpreter.motion.nurbs import Nurbs, nurbs_points
+from CNCStepper.gcode.interpreter.motion.splines import TOLERANCE_MM
 from CNCStepper.state import Start
 from CNCStepper.toolpath import ARC_CCW, ARC_CW, LINE, RAPID, Toolpath, require_straight_axes
 

@@ -3,7 +3,7 @@
 
 import pytest
 
-from CNCStepper.gcode.interpreter.interpret import Interpreter
+from CNCStepper.gcode.interpreter.line_interpreter import Interpreter
 from CNCStepper.state import Start
 
 

@@ -53,7 +53,7 @@ def test_pieces_of_any_size_give_the_table_of_the_whole(
 
 def interpret_lines(lines: list[str]) -> list[str]:
     """Return the lines that are not refused, with a comment that is not ASCII."""
-    from CNCStepper.gcode.interpreter.interpret import Interpreter
+    from CNCStepper.gcode.interpreter.line_interpreter import Interpreter
 
     reader, good = Interpreter(ZERO), []
     for line in ["(peça)", *lines]:

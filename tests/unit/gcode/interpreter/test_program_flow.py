@@ -15,7 +15,8 @@ from CNCStepper.gcode.interpreter.fast_path import policy
 from CNCStepper.gcode.interpreter.flow.o_words import is_plain
 from CNCStepper.gcode.interpreter.flow.program_flow import Limits, run
 from CNCStepper.gcode.interpreter.flow.subprogram_files import Library
-from CNCStepper.gcode.interpreter.interpret import Interpreter, interpret
+from CNCStepper.gcode.interpreter.interpret import interpret
+from CNCStepper.gcode.interpreter.line_interpreter import Interpreter
 from CNCStepper.state import Start
 
 ZERO = Start.at_zero()

@@ -11,7 +11,8 @@ from rs274_runs import rs274_calls, run_rs274, same_call
 from CNCStepper.errors import ProgramError
 from CNCStepper.gcode.dialects import dialect
 from CNCStepper.gcode.interpreter.canonical_trace import canonical_calls
-from CNCStepper.gcode.interpreter.interpret import Interpreter, interpret
+from CNCStepper.gcode.interpreter.interpret import interpret
+from CNCStepper.gcode.interpreter.line_interpreter import Interpreter
 from CNCStepper.gcode.interpreter.state.model import model_at
 from CNCStepper.gcode.interpreter.state.system_parameters import Known
 from CNCStepper.gcode.syntax.expressions import Scanner

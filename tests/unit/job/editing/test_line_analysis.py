@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from CNCStepper.gcode.interpreter.interpret import Interpreter
+from CNCStepper.gcode.interpreter.line_interpreter import Interpreter
 from CNCStepper.job.editing.line_analysis import MOST_TOLD, SHORT, Abandoned, Reading, read_program
 from CNCStepper.state import Start
 
