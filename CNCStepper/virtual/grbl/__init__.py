@@ -2,9 +2,12 @@
 """A grbl 1.1h board without hardware.
 
 server ── ports (pty, TCP)
-   └── link (the serial line) ── machine (the board) ─┬─ realtime, suspension, overrides
-                                                      ├─ line_reader ── system ($), execute (g-code)
-                                                      │                    └── parser, checks, words
-                                                      ├─ axes (planner and steps), probe, homing, spindle
-                                                      └─ settings, memory, report, codes
+   └── link (the serial line) ── machine (lines, bytes, time) ─┬─ realtime, suspend
+                                                               ├─ system ($) ── homing
+                                                               └─ gcode_execute ─┬─ gcode_parser, gcode_checks
+                                                                                 └─ canned_cycles, probe_cycle
+all of these change a board ─┬─ axes (planner and steps), probe, input_pins, spindle_control
+                             ├─ overrides, suspend_state, tool_change, serial_buffer
+                             └─ eeprom, settings, firmware, error_codes
+and report tells of it
 """
