@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The two walls of the house: imports go downwards only, and the core needs neither FreeCAD nor Unix."""
+"""The walls of the house: imports go downwards only and never in a circle; the core needs neither FreeCAD nor Unix."""
 
 from __future__ import annotations
 
 import ast
 import subprocess
 import sys
-from collections.abc import Iterator
+from collections import Counter
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 
 import pytest
@@ -159,6 +160,106 @@ def test_the_wall_sees_a_planted_import(module: str, statement: str) -> None:
 )
 def test_the_wall_lets_the_allowed_through(module: str, statement: str) -> None:
     assert not faults(module, statement, module.rpartition(".")[0])
+
+
+IN_CIRCLES = {  # how many modules of a folder may still stand in circles: rows only leave, numbers only fall
+    "CNCStepper.workbench": 101,
+    "CNCStepper.gcode.interpreter": 27,
+    "CNCStepper.gcode.canned": 1,
+    "CNCStepper.gcode.lathe": 2,
+    "CNCStepper.gcode.edit": 4,
+}
+
+
+def graph(sources: Mapping[str, str], packages: Mapping[str, str]) -> dict[str, set[str]]:
+    """Return which of the modules each one imports, wherever in its text: also for types, also inside functions."""
+    found: dict[str, set[str]] = {}
+    for module, source in sources.items():
+        names = {name for name, _ in imported(source, packages[module])}
+        others = sources.keys() - {module}  # its own name from its package is something else there
+        found[module] = {name if name in others else name.rpartition(".")[0] for name in names} & others
+    return found
+
+
+def circles(knows: Mapping[str, set[str]]) -> list[list[str]]:
+    """Return the circles, each with all modules that can be reached from each other, the largest first."""
+    below = {module: reached(module, knows) for module in knows}
+    rings = {frozenset(other for other in below[module] if module in below[other]) for module in knows}
+    return sorted(map(sorted, rings - {frozenset()}), key=lambda ring: (-len(ring), ring))
+
+
+def reached(module: str, knows: Mapping[str, set[str]]) -> set[str]:
+    """Return all modules that a module knows, itself or by others; itself only where a way leads back."""
+    found, waiting = set[str](), [module]
+    while waiting:
+        new = knows[waiting.pop()] - found
+        found |= new
+        waiting += new
+    return found
+
+
+def circle_faults(rings: list[list[str]], allowed: Mapping[str, int]) -> list[str]:
+    """Return which circles are not allowed, and for which rows of `allowed` there is none any more."""
+
+    def row_of(module: str) -> str:
+        return next((folder for folder in allowed if module.startswith(f"{folder}.")), "")
+
+    left = Counter(row_of(module) for ring in rings for module in ring)
+    grown = {row for row in left if left[row] > allowed.get(row, 0)}
+    found = [f"these know each other: {', '.join(ring)}" for ring in rings if grown & set(map(row_of, ring))]
+    return found + [f"{row}: no circle is left here, take the row out" for row in allowed if not left[row]]
+
+
+def test_modules_do_not_know_each_other_in_circles() -> None:
+    paths = {module: path for module, path in modules().items() if module != "CNCStepper"}  # as above
+    sources = {module: path.read_text("utf-8") for module, path in paths.items()}
+    rings = circles(graph(sources, {module: package_of(module, path) for module, path in paths.items()}))
+    found = circle_faults(rings, IN_CIRCLES)
+    assert not found, "\n".join(found)
+
+
+def test_no_circle_may_be_new_and_none_stay_allowed_that_is_gone() -> None:
+    rings = [["CNCStepper.geometry.arc", "CNCStepper.geometry.curve"]]
+    assert not circle_faults(rings, {"CNCStepper.geometry": 2})
+    assert circle_faults(rings, {}) and circle_faults(rings, {"CNCStepper.geometry": 1})
+    assert circle_faults([], {"CNCStepper.geometry": 2}) and not circle_faults([], {})
+
+
+def planted(sources: dict[str, str]) -> list[list[str]]:
+    """Return the circles of modules CNCStepper.room.NAME with these texts."""
+    whole = {f"CNCStepper.room.{name}": source for name, source in sources.items()}
+    return circles(graph(whole, dict.fromkeys(whole, "CNCStepper.room")))
+
+
+@pytest.mark.parametrize(
+    "back",
+    [
+        "from CNCStepper.room.up import Up",
+        "from CNCStepper.room import up",
+        "import CNCStepper.room.up",
+        "from . import up",
+        "from typing import TYPE_CHECKING\nif TYPE_CHECKING:\n    from CNCStepper.room.up import Up",
+        "def f():\n    from CNCStepper.room.up import Up",
+        "class C:\n    def f(self):\n        import CNCStepper.room.up as up",
+        "import importlib\nimportlib.import_module('CNCStepper.room.up')",
+    ],
+)
+def test_a_planted_circle_is_found(back: str) -> None:
+    down = "from CNCStepper.room.down import Down"
+    assert planted({"up": down, "down": back}) == [["CNCStepper.room.down", "CNCStepper.room.up"]]
+    over_a_third = {"up": "from CNCStepper.room.middle import f", "middle": down, "down": back, "beside": down}
+    names = ["CNCStepper.room.down", "CNCStepper.room.middle", "CNCStepper.room.up"]
+    assert planted(over_a_third) == [names]
+
+
+def test_two_planted_circles_are_told_apart() -> None:
+    sources = {"a": "from . import b", "b": "from . import a, c", "c": "from . import d, e", "d": "from . import c, e"}
+    rings = planted(sources | {"e": ""})
+    assert rings == [["CNCStepper.room.a", "CNCStepper.room.b"], ["CNCStepper.room.c", "CNCStepper.room.d"]]
+
+
+def test_two_ways_down_are_no_circle() -> None:
+    assert not planted({"a": "from . import b, c", "b": "from . import d", "c": "from . import d, b", "d": "import e"})
 
 
 AS_ON_WINDOWS = """

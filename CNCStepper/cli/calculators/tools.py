@@ -8,7 +8,8 @@ from pathlib import Path
 import click
 
 from CNCStepper.cli.common.options import FilePath
-from CNCStepper.cli.common.verb import OutputPath, Verb, check_further
+from CNCStepper.cli.common.path_types import OutputPath
+from CNCStepper.cli.common.verb import Verb, check_further
 from CNCStepper.machine.tools.stored_tool import StoredTool, given_keys
 from CNCStepper.machine.tools.tool_files import files_of, read_tools, write_tools
 from CNCStepper.output_files import Output

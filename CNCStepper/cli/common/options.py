@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from CNCStepper.cli.common.verb import TYPED, InputPath
+from CNCStepper.cli.common.path_types import InputPath, as_typed
 from CNCStepper.errors import CNCStepperError, ProgramError
 from CNCStepper.gcode.dialects import dialect as dialect_called
 from CNCStepper.gcode.dialects import dialect_names
@@ -83,11 +83,6 @@ class PointType(click.ParamType):
         if len(numbers) not in (2, 3) or not all(-MOST < number < MOST for number in numbers):
             self.fail(f"'{value}' is no point: two or three numbers in mm, such as 12.5,40 or 12.5,40,-2", param, ctx)
         return numbers
-
-
-def as_typed(param: click.Parameter) -> str:
-    """Return by what a context's `meta` knows the word that was read into the value of a parameter."""
-    return f"{TYPED}{param.name}"
 
 
 class _Named(click.ParamType):

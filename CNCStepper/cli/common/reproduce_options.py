@@ -15,7 +15,7 @@ from typing import Any
 import click
 from click.core import ParameterSource
 
-from CNCStepper.cli.common.options import as_typed
+from CNCStepper.cli.common.path_types import as_typed
 from CNCStepper.machine.profile import profile_names
 
 KEPT = {

@@ -12,7 +12,7 @@ from typing import Any
 import click
 
 from CNCStepper.cli.common.options import FilePath, NumbersType, read_program
-from CNCStepper.cli.common.verb import InputFolder
+from CNCStepper.cli.common.path_types import InputFolder
 from CNCStepper.state import Start
 
 search_option = click.option(

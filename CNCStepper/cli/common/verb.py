@@ -1,88 +1,30 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The class of every verb: before it begins, all files that it is going to write are held against those that it reads.
 
-A verb names its outputs by the type of the option, `OutputPath` or `OutputFolder`, and its inputs by `InputPath`. The
-files that a job, a profile or a tool library names, and the subroutines that a program calls, are inputs too.
+A verb names its outputs by the type of the option, `OutputPath` or `OutputFolder`, and its inputs by `InputPath`, all
+in path_types.py. The files that a job, a profile or a tool library names, and the subroutines that a program calls, are
+inputs too.
 """
 
 from __future__ import annotations
 
 import json
 import re
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
 import click
 
+from CNCStepper.cli.common.option_hints import add_conversion
+from CNCStepper.cli.common.path_types import InputFolder, InputPath, OutputPath, as_typed
 from CNCStepper.errors import ProgramError
-from CNCStepper.input_file import STREAM_NAME, input_kind
-from CNCStepper.output_files import Input, Output, check_outputs, in_folder
-from CNCStepper.safe_text import printable
+from CNCStepper.output_files import Input, Output, check_outputs
 
 OVERWRITE = "CNCStepper.overwrite"  # in a context's meta
-TYPED = "CNCStepper.as_typed."  # and the parameter's name
 LISTS = (".toml", ".json", ".fctl", ".fctb")  # files that name other files
 SUBROUTINES = (".ngc", ".nc")
 CALL = re.compile(r"(?i)o\s*<\s*([^<>]+?)\s*>\s*call")
-
-
-class InputPath(click.Path):
-    """A file that is read: a regular one, or a pipe that the shell itself names ("/dev/stdin", "/dev/fd/63")."""
-
-    def __init__(self, exists: bool = True):
-        super().__init__(exists=exists, dir_okay=False, path_type=Path)
-
-    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
-        """Return the path; a pipe without a writer would let the command wait for ever, a device never ends."""
-        path = super().convert(value, param, ctx)
-        if not STREAM_NAME.fullmatch(str(path)) and (kind := _kind_of(path)):
-            self.fail(f"'{printable(str(path))}' is {kind}, not a file", param, ctx)
-        return path
-
-
-def _kind_of(path: Any) -> str:
-    try:
-        return input_kind(path)
-    except OSError:  # it need not be there, or cannot be looked at: who opens it says so
-        return ""
-
-
-class InputFolder(click.Path):
-    """A folder of subroutines that are read."""
-
-    def __init__(self) -> None:
-        super().__init__(exists=True, file_okay=False)
-
-
-class OutputPath(click.Path):
-    """A file that is written. kind: one of `output_files.MARKS`, "" for what carries no mark."""
-
-    def __init__(self, kind: str):
-        super().__init__(dir_okay=False, path_type=Path)
-        self.kind = kind
-
-    def outputs(self, path: Path, option: str, context: click.Context) -> Iterator[Output]:
-        """Yield what is written under that path."""
-        yield Output(path, option, self.kind)
-
-
-class OutputFolder(OutputPath):
-    """A folder into which files are written.
-
-    names: returns the regular expressions of their whole names, each with its kind, of a command's parameters.
-    """
-
-    def __init__(self, names: Callable[[Mapping[str, Any]], Mapping[str, str]]):
-        super().__init__("")
-        self.file_okay, self.dir_okay, self.name = False, True, "directory"
-        self._names = names
-
-    def outputs(self, path: Path, option: str, context: click.Context) -> Iterator[Output]:
-        """Yield the files in the folder whose place a new one would take."""
-        for names, kind in self._names(context.params).items():
-            for file in in_folder(path, names):
-                yield Output(file, option, kind)
 
 
 class Verb(click.Command):
@@ -105,8 +47,6 @@ class Verb(click.Command):
         try:
             return super().invoke(ctx)
         except ProgramError as error:
-            from CNCStepper.cli.common.option_hints import add_conversion
-
             add_conversion(error, ctx)
             raise
 
@@ -154,7 +94,7 @@ def _inputs(outputs: Sequence[Output], context: click.Context) -> Iterator[Input
     for param, value in _given(context):
         if isinstance(param.type, InputFolder):
             folders.append(Path(value))
-        typed = context.meta.get(TYPED + str(param.name))
+        typed = context.meta.get(as_typed(param))
         if isinstance(param.type, InputPath):
             file = Path(value)
         elif typed is not None and Path(typed).is_file():

@@ -10,9 +10,10 @@ import click
 
 from CNCStepper.cli.common.findings_output import save
 from CNCStepper.cli.common.options import DialectType, NumberType, linuxcnc_option, program_argument, read_program
+from CNCStepper.cli.common.path_types import OutputPath
 from CNCStepper.cli.common.progress import Progress
 from CNCStepper.cli.common.start_state_options import Given, start_options
-from CNCStepper.cli.common.verb import OutputPath, Verb
+from CNCStepper.cli.common.verb import Verb
 from CNCStepper.output_files import MADE_BY
 from CNCStepper.state import Start
 

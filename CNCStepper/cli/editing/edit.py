@@ -12,7 +12,8 @@ import click
 
 from CNCStepper.cli.common.findings_output import save
 from CNCStepper.cli.common.options import MOST, NumbersType, NumberType
-from CNCStepper.cli.common.verb import OutputFolder, Verbs
+from CNCStepper.cli.common.path_types import OutputFolder
+from CNCStepper.cli.common.verb import Verbs
 from CNCStepper.cli.editing.edit_options import Opened, editing_options, reading_options
 
 if TYPE_CHECKING:

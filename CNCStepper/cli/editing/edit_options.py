@@ -23,8 +23,8 @@ from CNCStepper.cli.common.options import (
     stock_of,
     stock_options,
 )
+from CNCStepper.cli.common.path_types import OutputPath
 from CNCStepper.cli.common.start_state_options import Given, start_options
-from CNCStepper.cli.common.verb import OutputPath
 
 if TYPE_CHECKING:
     from CNCStepper.gcode.edit.edit_result import Edited

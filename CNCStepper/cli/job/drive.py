@@ -10,8 +10,9 @@ from typing import TYPE_CHECKING
 import click
 
 from CNCStepper.cli.common.options import dialect_name, dialect_option, machine_option, program_argument, read_program
+from CNCStepper.cli.common.path_types import OutputPath
 from CNCStepper.cli.common.start_state_options import Given, start_options
-from CNCStepper.cli.common.verb import OutputPath, Verb
+from CNCStepper.cli.common.verb import Verb
 from CNCStepper.errors import MachineRefusal
 from CNCStepper.machine.profile import Machine
 

@@ -10,7 +10,8 @@ from typing import TYPE_CHECKING
 import click
 
 from CNCStepper.cli.common.options import FilePath, machine_option
-from CNCStepper.cli.common.verb import InputPath, OutputPath, Verbs
+from CNCStepper.cli.common.path_types import InputPath, OutputPath
+from CNCStepper.cli.common.verb import Verbs
 from CNCStepper.machine.profile import Machine, load_machine
 
 if TYPE_CHECKING:

@@ -26,9 +26,10 @@ from CNCStepper.cli.common.options import (
     stock_of,
     stock_options,
 )
+from CNCStepper.cli.common.path_types import OutputPath
 from CNCStepper.cli.common.progress import Progress
 from CNCStepper.cli.common.start_state_options import Given, start_options
-from CNCStepper.cli.common.verb import OutputPath, Verb
+from CNCStepper.cli.common.verb import Verb
 from CNCStepper.cli.job_file import job_of
 from CNCStepper.cli.program.piped_program import regular_file
 from CNCStepper.errors import ProgramError

@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING
 import click
 
 from CNCStepper.cli.common.options import job_option, stock_of
-from CNCStepper.cli.common.verb import OutputPath, Verb
+from CNCStepper.cli.common.path_types import OutputPath
+from CNCStepper.cli.common.verb import Verb
 from CNCStepper.cli.editing.edit_options import Opened, reading_options
 from CNCStepper.cli.job_file import job_of
 

@@ -24,8 +24,9 @@ from CNCStepper.cli.common.options import (
     stock_of,
     stock_options,
 )
+from CNCStepper.cli.common.path_types import OutputPath
 from CNCStepper.cli.common.start_state_options import Given, start_options
-from CNCStepper.cli.common.verb import OutputPath, Verb
+from CNCStepper.cli.common.verb import Verb
 from CNCStepper.cli.job_file import job_and_machine
 from CNCStepper.machine.profile import Machine, load_machine
 from CNCStepper.machine.tools.tool import Tool

@@ -18,10 +18,11 @@ from CNCStepper.cli.common.options import (
     program_argument,
     read_program,
 )
+from CNCStepper.cli.common.path_types import OutputPath
 from CNCStepper.cli.common.progress import Progress
 from CNCStepper.cli.common.start_state_options import Given, start_options
 from CNCStepper.cli.common.streamed_program import program_chunks
-from CNCStepper.cli.common.verb import OutputPath, Verb
+from CNCStepper.cli.common.verb import Verb
 from CNCStepper.machine.profile import Machine
 
 if TYPE_CHECKING:

@@ -12,7 +12,7 @@ from typing import Any
 import click
 
 from CNCStepper.cli.common.options import NumberType, PointType
-from CNCStepper.cli.common.verb import OutputPath
+from CNCStepper.cli.common.path_types import OutputPath
 
 _PLACE = (
     click.option("--line", type=click.IntRange(1), help="The first line that is not certainly done."),

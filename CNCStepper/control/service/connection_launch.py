@@ -10,7 +10,7 @@ from concurrent.futures import Future
 from pathlib import Path
 
 from CNCStepper.control.processes.python_finder import find_python
-from CNCStepper.control.service.port_owner import check_no_job
+from CNCStepper.control.service.port_of_job import check_no_job
 from CNCStepper.control.session.detached_process import start
 from CNCStepper.control.session.files import DESK, desk_at, new_session, session_folder
 from CNCStepper.errors import CNCStepperError, LinkError

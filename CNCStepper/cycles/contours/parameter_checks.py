@@ -3,19 +3,15 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
+from CNCStepper.cycles.contours.contour_parameters import ContourParameters
 from CNCStepper.cycles.contours.cutting_width import require_contour_tool, require_kerf
 from CNCStepper.cycles.cycle import Setup
 from CNCStepper.cycles.moves import require_setup
 from CNCStepper.errors import CycleError
 from CNCStepper.machine.tools.tool_shapes import BEAMS
 
-if TYPE_CHECKING:
-    from CNCStepper.cycles.contours.contour import Contour
 
-
-def require_cuttable(cycle: Contour, setup: Setup) -> None:
+def require_cuttable(cycle: ContourParameters, setup: Setup) -> None:
     """Raise CycleError for parameters that do not go together, or not with the tool."""
     tool = setup.tool
     require_contour_tool(tool)

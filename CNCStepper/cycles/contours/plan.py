@@ -6,12 +6,12 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 from itertools import accumulate, pairwise
-from typing import TYPE_CHECKING
 
 import numpy as np
 import shapely
 
 from CNCStepper.cycles.contours.contour_levels import Path
+from CNCStepper.cycles.contours.contour_parameters import ContourParameters
 from CNCStepper.cycles.contours.cutting_width import radius_at
 from CNCStepper.cycles.contours.dogbones import Corner, Corners, relieved_mm, rest_warnings, strokes, with_reliefs
 from CNCStepper.cycles.contours.leads import Fitted, Walls, fit_closed, fit_open
@@ -27,9 +27,6 @@ from CNCStepper.geometry.curve import Curve
 from CNCStepper.geometry.cut_order.cut_order import Stop, inside_before_outside, ordered
 from CNCStepper.geometry.fitting.point_fit import fit_points
 from CNCStepper.machine.tools.tool_shapes import BEAMS
-
-if TYPE_CHECKING:
-    from CNCStepper.cycles.contours.contour import Contour
 
 FIT_SHARE = 0.3  # of the tolerance: how far a path may leave its exact parallel to be of fewer lines and arcs
 LEAD_SHARE = 0.35  # of the tolerance: by so much a lead may come nearer to a wall than the tool's radius
@@ -58,7 +55,7 @@ class _Way:
     aside_mm: float
 
 
-def planned(cycle: Contour, setup: Setup) -> Plan:
+def planned(cycle: ContourParameters, setup: Setup) -> Plan:
     """Return the plan of a contour; raises CycleError or GeometryError for what cannot be cut safely."""
     return _Planner(cycle, setup).plan()
 
@@ -66,7 +63,7 @@ def planned(cycle: Contour, setup: Setup) -> Plan:
 class _Planner:
     """Turns the parameters into paths, removals and figures."""
 
-    def __init__(self, cycle: Contour, setup: Setup):
+    def __init__(self, cycle: ContourParameters, setup: Setup):
         self.cycle, self.setup, self.tool = cycle, setup, setup.tool
         require_cuttable(cycle, setup)
         self.radius_mm = cycle.kerf_mm / 2.0 or radius_at(self.tool, cycle.depth_mm, cycle.depth_mm)

@@ -11,10 +11,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
 
 from shapely.geometry.base import BaseGeometry
 
+from CNCStepper.cycles.contours.contour_parameters import ContourParameters
 from CNCStepper.cycles.contours.cutting_width import radius_at
 from CNCStepper.cycles.contours.sides import Sides
 from CNCStepper.cycles.contours.swept_area import swept
@@ -22,12 +22,9 @@ from CNCStepper.cycles.cycle import Removal
 from CNCStepper.geometry.curve import Curve
 from CNCStepper.machine.tools.tool import Tool
 
-if TYPE_CHECKING:
-    from CNCStepper.cycles.contours.contour import Contour
-
 
 def removed(
-    cycle: Contour,
+    cycle: ContourParameters,
     tool: Tool,
     radius_mm: float,
     sides: Sides,

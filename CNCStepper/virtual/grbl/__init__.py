@@ -1,10 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A grbl 1.1h board without hardware.
 
-server/grbl_server ── ports (pty, TCP)
-   └── serial_line ── machine (the board) ─┬─ realtime, suspend, overrides
-                                           ├─ serial_buffer ── system ($), gcode_block, gcode_execute
-                                           │                    └── gcode_parser, gcode_checks, gcode_words
-                                           ├─ axes (planner and steps), probe, homing, spindle_control
-                                           └─ settings, eeprom, report, error_codes
+server ── ports (pty, TCP)
+   └── link (the serial line) ── machine (lines, bytes, time) ─┬─ realtime, suspend
+                                                               ├─ system ($) ── homing
+                                                               └─ gcode_execute ─┬─ gcode_parser, gcode_checks
+                                                                                 └─ canned_cycles, probe_cycle
+all of these change a board ─┬─ axes (planner and steps), probe, input_pins, spindle_control
+                             ├─ overrides, suspend_state, tool_change, serial_buffer
+                             └─ eeprom, settings, firmware, error_codes
+and report tells of it
 """

@@ -9,14 +9,10 @@ bottom  ----v--'       G82 waits P seconds there
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
+from CNCStepper.virtual.grbl.board import Board, Waiting
 from CNCStepper.virtual.grbl.error_codes import refused
 from CNCStepper.virtual.grbl.gcode_block import AXES, CHIP_BREAK, DRILL_DWELL, PECKING, PLANES, Block, Drilling, Parser
 from CNCStepper.virtual.grbl.gcode_words import f32
-
-if TYPE_CHECKING:
-    from CNCStepper.virtual.grbl.machine import Grbl, Waiting
 
 CHIP_BREAK_MM = 0.1  # $28 as delivered
 RELATIVE, TO_INITIAL = 91, 98
@@ -56,7 +52,7 @@ def _own(block: Block, before: Drilling | None, unit_mm: float) -> tuple[float, 
     return (peck if block.modal.motion in PECKING else 0.0), (dwell_s if block.modal.motion == DRILL_DWELL else 0.0)
 
 
-def run(machine: Grbl, block: Block) -> Waiting:
+def run(machine: Board, block: Block) -> Waiting:
     """Queue the moves of all holes of a block; its target is where the last one ends."""
     cycle, (first, second, axis) = block.drilling, PLANES[block.modal.plane]
     assert cycle
@@ -75,7 +71,7 @@ def run(machine: Grbl, block: Block) -> Waiting:
         here[first], here[second] = here[first] + ways[0], here[second] + ways[1]
 
 
-def _hole(machine: Grbl, block: Block, here: list[float]) -> Waiting:
+def _hole(machine: Board, block: Block, here: list[float]) -> Waiting:
     cycle, axis = block.drilling, PLANES[block.modal.plane][2]
     assert cycle
     depth, up = cycle.retract, CHIP_BREAK_MM if block.modal.motion == CHIP_BREAK else float("inf")
@@ -89,7 +85,7 @@ def _hole(machine: Grbl, block: Block, here: list[float]) -> Waiting:
         yield from _to(machine, here, axis, min(depth + up, cycle.retract))
 
 
-def _to(machine: Grbl, here: list[float], axis: int, height: float, feed: float = 0.0) -> Waiting:
+def _to(machine: Board, here: list[float], axis: int, height: float, feed: float = 0.0) -> Waiting:
     """Go straight along an axis, rapidly where no feed is given."""
     here[axis] = height
     yield from machine.queue(list(here), feed, rapid=not feed)

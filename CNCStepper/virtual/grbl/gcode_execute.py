@@ -4,12 +4,12 @@
 from __future__ import annotations
 
 from math import ceil, dist
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from CNCStepper.motion.planner.arc_segments import arc_points
-from CNCStepper.virtual.grbl import canned_cycles, gcode_checks, gcode_parser
+from CNCStepper.virtual.grbl import canned_cycles, gcode_checks, gcode_parser, probe_cycle, suspend
+from CNCStepper.virtual.grbl.board import Board, Waiting
 from CNCStepper.virtual.grbl.error_codes import refused
 from CNCStepper.virtual.grbl.gcode_block import (
     ARCS,
@@ -32,15 +32,12 @@ from CNCStepper.virtual.grbl.settings import ARC_TOLERANCE, LASER, SOFT_LIMITS
 from CNCStepper.virtual.grbl.spindle_control import OFF
 from CNCStepper.virtual.grbl.states import State
 
-if TYPE_CHECKING:
-    from CNCStepper.virtual.grbl.machine import Grbl, Waiting
-
 PAUSE = 0  # M0
 FIRST_PLANE = 17
 DWELL_STEP_S = 0.05
 
 
-def run(machine: Grbl, line: str) -> Waiting:
+def run(machine: Board, line: str) -> Waiting:
     """Read, check and carry out one line of g-code; raises MachineRefusal, then nothing has changed."""
     block = gcode_parser.read_block(line, machine.parser.modal, machine.firmware)
     gcode_checks.complete(block, machine.parser, machine.memory.places)
@@ -68,7 +65,7 @@ def _dwell_s(seconds: float) -> float:
     return ceil(f32(f32(1 / DWELL_STEP_S) * seconds)) * DWELL_STEP_S
 
 
-def jog(machine: Grbl, line: str) -> Waiting:
+def jog(machine: Board, line: str) -> Waiting:
     """Check and queue a `$J=` line; of the parser only the position changes."""
     block = gcode_parser.read_block(line, machine.parser.modal)
     gcode_checks.complete(block, machine.parser, machine.memory.places)
@@ -82,14 +79,14 @@ def jog(machine: Grbl, line: str) -> Waiting:
     machine.parser.position = block.target
 
 
-def _change_tool(machine: Grbl) -> Waiting:
+def _change_tool(machine: Board) -> Waiting:
     """Enter the state Tool; the line itself is done then."""
     yield from machine.wait_for_stop()
     machine.tool_change.begin()
     machine.state = State.TOOL
 
 
-def _set_spindle(machine: Grbl, block: Block) -> Waiting:
+def _set_spindle(machine: Board, block: Block) -> Waiting:
     """F, S, T and M3 to M5. A new speed or direction waits for the moves before it to end."""
     state, laser = machine.parser, machine.memory.settings.on(LASER)
     state.feed = block.feed
@@ -107,7 +104,7 @@ def _set_spindle(machine: Grbl, block: Block) -> Waiting:
         machine.spindle.switch(block.modal.spindle, block.rpm)
 
 
-def _set_flood(machine: Grbl, block: Block) -> Waiting:
+def _set_flood(machine: Board, block: Block) -> Waiting:
     if block.modal.flood != machine.parser.modal.flood and machine.state is not State.CHECK:
         yield from machine.wait_for_stop()
         machine.flood = block.modal.flood
@@ -115,7 +112,7 @@ def _set_flood(machine: Grbl, block: Block) -> Waiting:
     machine.parser.modal.flood = block.modal.flood
 
 
-def _set_offsets(machine: Grbl, block: Block) -> Waiting:
+def _set_offsets(machine: Board, block: Block) -> Waiting:
     """G43.1, G49 and G54 to G59; each change waits for the moves before it, so that reports stay true."""
     state = machine.parser
     if block.axis_command is AxisCommand.TOOL_LENGTH:
@@ -128,12 +125,12 @@ def _set_offsets(machine: Grbl, block: Block) -> Waiting:
         state.system_offset = list(machine.memory.places[block.modal.system])
 
 
-def _note_offset(machine: Grbl) -> Waiting:
+def _note_offset(machine: Board) -> Waiting:
     yield from machine.wait_for_stop()
     machine.status.offset_changed()
 
 
-def _act(machine: Grbl, block: Block) -> Waiting:
+def _act(machine: Board, block: Block) -> Waiting:
     """G10, G28, G30 and G92 in all their forms."""
     state, places = machine.parser, machine.memory.places
     if block.action == SET_DATA:
@@ -157,7 +154,7 @@ def _act(machine: Grbl, block: Block) -> Waiting:
         state.g92 = [0.0, 0.0, 0.0]
 
 
-def _make_motion(machine: Grbl, block: Block) -> Waiting:
+def _make_motion(machine: Board, block: Block) -> Waiting:
     state = machine.parser
     if block.modal.motion in (RAPID, FEED):
         feed = _feed_of_line(block, state.position)
@@ -167,7 +164,7 @@ def _make_motion(machine: Grbl, block: Block) -> Waiting:
     elif block.modal.motion in CYCLES:
         yield from canned_cycles.run(machine, block)
     elif block.modal.motion in PROBES and machine.state is not State.CHECK:
-        yield from machine.probe.run(machine, block)
+        yield from probe_cycle.run(machine, block)
     state.position = block.target
 
 
@@ -176,7 +173,7 @@ def _feed_of_line(block: Block, start_mm: list[float]) -> float:
     return block.feed * dist(start_mm, block.target) if block.modal.feed_mode == 93 else block.feed
 
 
-def _make_arc(machine: Grbl, block: Block) -> Waiting:
+def _make_arc(machine: Board, block: Block) -> Waiting:
     """Queue the arc's chords, one block of the planner each."""
     begin, modal = np.array(machine.parser.position), block.modal
     centre = (begin + block.centre).astype(np.float32)
@@ -188,13 +185,13 @@ def _make_arc(machine: Grbl, block: Block) -> Waiting:
         yield from machine.queue(point, feed)
 
 
-def _stop_program(machine: Grbl, flow: int) -> Waiting:
+def _stop_program(machine: Board, flow: int) -> Waiting:
     """M0 holds until cycle start; M2 and M30 put most modal words back and switch the outputs off."""
     yield from machine.wait_for_stop()
     check = machine.state is State.CHECK
     if flow == PAUSE:
         if not check:
-            machine.pause()
+            suspend.pause(machine)
             yield
         return
     modal = machine.parser.modal
@@ -202,7 +199,7 @@ def _stop_program(machine: Grbl, flow: int) -> Waiting:
     if not check:
         machine.parser.system_offset = list(machine.memory.places[54])
         machine.status.offset_changed()
-        machine.suspension.switch_off(machine)
+        suspend.switch_off(machine)
     machine.overrides.normalize()
     machine.override_motion()
     machine.send("[MSG:Pgm End]")

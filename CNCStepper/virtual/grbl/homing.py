@@ -4,19 +4,16 @@
 from __future__ import annotations
 
 from math import sqrt
-from typing import TYPE_CHECKING
 
+from CNCStepper.virtual.grbl.board import Board, Waiting
 from CNCStepper.virtual.grbl.gcode_block import X, Y, Z
 from CNCStepper.virtual.grbl.settings import DEBOUNCE_MS, HOMING_FEED, HOMING_SEEK, HOMING_SIDES, PULL_OFF, TRAVEL
 from CNCStepper.virtual.grbl.states import State
 
-if TYPE_CHECKING:
-    from CNCStepper.virtual.grbl.machine import Grbl, Waiting
-
 CYCLES = ((Z,), (X, Y))
 
 
-def run(machine: Grbl) -> Waiting:
+def run(machine: Board) -> Waiting:
     """Home all axes; afterwards the machine is idle and its position is true."""
     machine.state = State.HOME
     machine.override_motion()
@@ -26,7 +23,7 @@ def run(machine: Grbl) -> Waiting:
     machine.finish_cycle()
 
 
-def _home(machine: Grbl, axes: tuple[int, ...]) -> Waiting:
+def _home(machine: Board, axes: tuple[int, ...]) -> Waiting:
     settings = machine.memory.settings
     for rate in (settings[HOMING_SEEK], settings[HOMING_FEED]):
         yield from _approach(machine, axes, rate)
@@ -36,11 +33,11 @@ def _home(machine: Grbl, axes: tuple[int, ...]) -> Waiting:
         machine.axes.set_position(axis, place)
 
 
-def _is_low(machine: Grbl, axis: int) -> bool:
+def _is_low(machine: Board, axis: int) -> bool:
     return bool(int(machine.memory.settings[HOMING_SIDES]) & (1 << axis))
 
 
-def _approach(machine: Grbl, axes: tuple[int, ...], rate_mm_min: float) -> Waiting:
+def _approach(machine: Board, axes: tuple[int, ...], rate_mm_min: float) -> Waiting:
     """Move all axes together until the nearest switch closes, then the others, until all stand on theirs."""
     while ways := {axis: way for axis in axes if (way := machine.axes.to_switch_mm(axis, _is_low(machine, axis)))}:
         nearest = min(abs(way) for way in ways.values())
@@ -51,14 +48,14 @@ def _approach(machine: Grbl, axes: tuple[int, ...], rate_mm_min: float) -> Waiti
     yield from machine.wait(machine.memory.settings[DEBOUNCE_MS] / 1000)
 
 
-def _pull_off(machine: Grbl, axes: tuple[int, ...]) -> Waiting:
+def _pull_off(machine: Board, axes: tuple[int, ...]) -> Waiting:
     settings = machine.memory.settings
     way = settings[PULL_OFF]
     yield from _move(machine, {axis: way if _is_low(machine, axis) else -way for axis in axes}, settings[HOMING_SEEK])
     yield from machine.wait(settings[DEBOUNCE_MS] / 1000)
 
 
-def _move(machine: Grbl, ways_mm: dict[int, float], rate_mm_min: float) -> Waiting:
+def _move(machine: Board, ways_mm: dict[int, float], rate_mm_min: float) -> Waiting:
     """Move each axis by its own way; the rate is that of a single axis."""
     target = machine.axes.position_mm
     for axis, way in ways_mm.items():

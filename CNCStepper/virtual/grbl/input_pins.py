@@ -8,16 +8,11 @@ D is a pin of its own only in a firmware built for it; it is here, so that a doo
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 from CNCStepper.errors import MachineRefusal
-
-if TYPE_CHECKING:
-    from CNCStepper.virtual.grbl.machine import Grbl
 
 PROBE, LIMITS, DOOR = "P", "XYZ", "D"
 PINS = f"{PROBE}{LIMITS}{DOOR}RHS"  # in the order of `Pn:`
-ACTING = {DOOR: b"\x84", "R": b"\x18", "H": b"!", "S": b"~"}  # as these bytes of the link
+PIN_BYTES = {DOOR: b"\x84", "R": b"\x18", "H": b"!", "S": b"~"}  # as these bytes of the link
 
 
 class InputPins:
@@ -26,23 +21,17 @@ class InputPins:
     def __init__(self) -> None:
         self.held: set[str] = set()
 
-    def press(self, machine: Grbl, pin: str) -> None:
-        """Switch a pin on; raises MachineRefusal where there is none of that name."""
+    def press(self, pin: str) -> bool:
+        """Hold a pin on; return whether it was off. Raises MachineRefusal where there is none of that name."""
         if pin not in tuple(PINS):
             raise MachineRefusal("no-pin", f"there is no pin '{pin[:20]}'", advice=f"pins are {', '.join(PINS)}")
-        if pin in self.held:
-            return
+        was_off = pin not in self.held
         self.held.add(pin)
-        machine.probe.held = PROBE in self.held
-        if pin in ACTING:
-            machine.receive(ACTING[pin])
-        elif pin in LIMITS:
-            machine.reach_limit()
+        return was_off
 
-    def release(self, machine: Grbl, pin: str) -> None:
-        """Switch a pin off."""
+    def release(self, pin: str) -> None:
+        """Hold a pin on no more."""
         self.held.discard(pin)
-        machine.probe.held = PROBE in self.held
 
     def letters(self, on: set[str]) -> str:
         """Return all pins that are held or `on`, as the status report names them."""

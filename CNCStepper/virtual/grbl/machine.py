@@ -17,9 +17,8 @@ from math import inf
 
 from CNCStepper.errors import MachineRefusal
 from CNCStepper.machine.profile import Machine
-from CNCStepper.virtual.grbl import gcode_execute, report, system
-from CNCStepper.virtual.grbl.axes import Axes
-from CNCStepper.virtual.grbl.eeprom import Memory
+from CNCStepper.virtual.grbl import gcode_execute, suspend, system
+from CNCStepper.virtual.grbl.board import MOMENT_S, Board, Waiting
 from CNCStepper.virtual.grbl.error_codes import (
     ALARM_HARD_LIMIT,
     ALARM_HOMING_NOT_FOUND,
@@ -29,26 +28,17 @@ from CNCStepper.virtual.grbl.error_codes import (
     refused,
 )
 from CNCStepper.virtual.grbl.firmware import GRBL, Firmware
-from CNCStepper.virtual.grbl.gcode_block import Parser
-from CNCStepper.virtual.grbl.input_pins import DOOR, InputPins
-from CNCStepper.virtual.grbl.overrides import Overrides
-from CNCStepper.virtual.grbl.probe import Probe
+from CNCStepper.virtual.grbl.input_pins import LIMITS, PIN_BYTES, PROBE
 from CNCStepper.virtual.grbl.realtime import ACTING, COMMANDS, FIRST_EXTENDED
-from CNCStepper.virtual.grbl.serial_buffer import TOO_LONG, LineReader, RxRing
-from CNCStepper.virtual.grbl.settings import HARD_LIMITS, HOMING, SOFT_LIMITS, Settings
-from CNCStepper.virtual.grbl.spindle_control import Spindle
+from CNCStepper.virtual.grbl.serial_buffer import TOO_LONG
+from CNCStepper.virtual.grbl.settings import HARD_LIMITS, HOMING
 from CNCStepper.virtual.grbl.states import AT_REST, MOVING, State
-from CNCStepper.virtual.grbl.suspend import Suspension
-from CNCStepper.virtual.grbl.tool_change import ToolChange
 
-Waiting = Generator[None, None, None]
 LOCKED = "[MSG:'$H'|'$X' to unlock]"
-MOMENT_S = 1e-9
 STARTS_UP_S = 0.066  # of an ATmega328P as the Arduino Uno's fuses have it: 16 384 clocks and 65 ms
-LIMIT_ALARMS = (ALARM_HARD_LIMIT, ALARM_SOFT_LIMIT)
 
 
-class Grbl:
+class Grbl(Board):
     """A board on a machine, with grbl 1.1h where no other firmware is given.
 
     `homing` sets $22 and so locks the machine at power-up.
@@ -65,21 +55,10 @@ class Grbl:
         probe_height_mm: float | None = None,
         firmware: Firmware = GRBL,
     ):
-        self.firmware: Firmware = firmware
-        self.memory: Memory = Memory(Settings(machine, homing, firmware), firmware)
-        self.ring = RxRing(firmware.receive_bytes)
-        self.reader = LineReader(firmware)
-        self.axes = Axes(self.memory.settings)
-        self.probe = Probe(probe_height_mm)
-        self.inputs = InputPins()
+        super().__init__(machine, homing, probe_height_mm, firmware)
         self.time_s = 0.0
-        self.program_s = 0.0  # stands still while the machine is held
-        self.state = State.ALARM if homing else State.IDLE
-        self.flood = False
         self.starts_up = False
         self.on_step: Callable[[Grbl], None] | None = None  # told after each stretch of one pace
-        self._output = bytearray()
-        self._afterwards: Callable[[], None] | None = None
         self._running: Waiting
         self._begin()
 
@@ -95,12 +74,6 @@ class Grbl:
             elif part[0] < FIRST_EXTENDED:
                 self.ring.put(part)
 
-    def take_output(self) -> bytes:
-        """Return what the board has sent since the last call."""
-        output = bytes(self._output)
-        self._output.clear()
-        return output
-
     def advance(self, dt_s: float) -> None:
         """Let `dt_s` seconds pass, from one moment at which something changes to the next."""
         end_s = self.time_s + dt_s
@@ -114,106 +87,28 @@ class Grbl:
         busy = self.starts_up or self._obeying or self._afterwards
         return at_rest and not busy and self.ring.empty
 
-    # -- what the modules of the board use -----------------------------------------------------------
+    # -- what happens to it --------------------------------------------------------------------------
 
-    def send(self, line: str) -> None:
-        """Print a line; messages as the firmware marks them."""
-        if line.startswith("[MSG:"):
-            line = f"[MSG:{self.firmware.message}{line.removeprefix('[MSG:')}"
-        self._output += line.encode("ascii") + b"\r\n"
-
-    def state_text(self) -> str:
-        """Return the first field of the status report."""
-        if self.state is State.HOLD:
-            return f"Hold:{0 if self.suspension.stopped else 1}"
-        if self.state is State.DOOR:
-            return f"Door:{self.suspension.door_phase(ajar=DOOR in self.inputs.held)}"
-        return self.state.value
-
-    def pins(self) -> str:
-        """Return the input pins that are on, as the status report names them."""
-        on = set(self.axes.pressed_switches()) if self._has_switches else set()
-        return self.inputs.letters(on | ({"P"} if self.probe.touches(self.axes) else set()))
-
-    def start_cycle(self) -> None:
-        """Begin to move where moves wait and nothing speaks against it."""
-        if self.state is State.IDLE and not self.axes.idle:
-            self.state = State.RUN
-
-    def wait_for_stop(self) -> Waiting:
-        """Wait until every move that was queued has been made."""
-        self.start_cycle()
-        while not self.axes.idle or self.state is State.RUN:
-            yield
-
-    def queue(self, target_mm: list[float], feed_mm_min: float, rapid: bool = False) -> Waiting:
-        """Queue a straight move, machine coordinates, once the planner has room for it."""
-        if self.memory.settings.on(SOFT_LIMITS) and self.state is not State.JOG:
-            yield from self._check_soft_limits(target_mm)
-        if self.state is State.CHECK:
+    def press(self, pin: str) -> None:
+        """Switch an input pin on; raises MachineRefusal where there is none of that name."""
+        if not self.inputs.press(pin):
             return
-        while not self.axes.room:
-            self.start_cycle()
-            yield
-        yield from self.wait(self.firmware.planning_s)
-        self.axes.line(target_mm, feed_mm_min, rapid)
+        self.probe.held = PROBE in self.inputs.held
+        if pin in PIN_BYTES:
+            self.receive(PIN_BYTES[pin])
+        elif pin in LIMITS:
+            self.reach_limit()
 
-    def wait(self, seconds: float) -> Waiting:
-        """Wait while the program's clock runs, so that a hold lengthens the wait."""
-        self._wake_s = self.program_s + seconds
-        while self.program_s < self._wake_s - MOMENT_S:
-            yield
-
-    def alarm(self, code: int) -> None:
-        """Enter the alarm state; after a limit nothing but a reset helps."""
-        self.state = State.ALARM
-        self.send(f"ALARM:{code}")
-        if code in LIMIT_ALARMS:
-            self.send("[MSG:Reset to continue]")
-            self.critical = True
+    def release(self, pin: str) -> None:
+        """Switch an input pin off."""
+        self.inputs.release(pin)
+        self.probe.held = PROBE in self.inputs.held
 
     def reach_limit(self) -> None:
         """A limit switch is on: where they are watched ($21), stop and lock until a reset."""
         watched = self.memory.settings.on(HARD_LIMITS) and self.state is not State.HOME
         if watched and not self.critical:
             self.fail(ALARM_HARD_LIMIT)
-
-    def stop_at_once(self) -> None:
-        """Stop the motors without a ramp, switch everything off and forget all moves."""
-        self.axes.reset()
-        self.spindle.switch(5, 0.0)
-        self.flood = False
-
-    def afterwards(self, action: Callable[[], None]) -> None:
-        """Let `action` happen once the line in hand has been answered."""
-        self._afterwards = action
-
-    def pause(self) -> None:
-        """Hold until cycle start, as `!` does."""
-        self.suspension.hold(self)
-        self.state = State.HOLD
-
-    def sleep(self) -> None:
-        """Switch everything off; only a reset wakes the machine, and it is locked then."""
-        self.suspension.hold(self)
-        self.suspension.switch_off(self)
-        self.state = State.SLEEP
-        self.send("[MSG:Sleeping]")
-
-    @property
-    def state_at_rest(self) -> State:
-        """The state after moves, and after a jog while the tool is changed."""
-        return State.TOOL if self.tool_change.pending else State.IDLE
-
-    def finish_cycle(self) -> None:
-        """Be idle again after moves."""
-        self.state = self.state_at_rest
-        self.override_motion()
-
-    def end_tool_change(self) -> None:
-        """Be idle after a change of tools, and read the lines that waited for its end."""
-        self.tool_change.end(self.ring)
-        self.state = State.IDLE
 
     def reset(self) -> None:
         """Do a soft reset: position and memory stay, but in motion the position is declared lost."""
@@ -241,12 +136,6 @@ class Grbl:
         self._running = self._stand_still()
         self.alarm(code)
 
-    def break_homing(self, code: int) -> None:
-        """End a homing as the firmware does where it fails: an alarm, and a reset of its own."""
-        self.stop_at_once()
-        self.alarm(code)
-        self.reset()
-
     def power_up(self) -> None:
         """Come back from a loss of supply: the place counts from 0 again, only the memory is kept.
 
@@ -260,39 +149,12 @@ class Grbl:
         self.state = State.ALARM if self.memory.settings.on(HOMING) else State.IDLE
         self._begin(STARTS_UP_S)
 
-    def sync_position(self) -> None:
-        """Let the parser believe what the axes say."""
-        self.parser.position = self.axes.position_mm
-
-    def override_motion(self) -> None:
-        """Hand the overrides to the planner; a jog, homing or a probing move runs at its own speed."""
-        steady = self.state in (State.JOG, State.HOME) or self.probe.searching
-        self.axes.override(100 if steady else self.overrides.feed, self.overrides.rapid)
-
     # -- inside --------------------------------------------------------------------------------------
-
-    @property
-    def _has_switches(self) -> bool:
-        return self.memory.settings.on(HOMING) or self.memory.settings.on(HARD_LIMITS)
 
     def _begin(self, starts_up_s: float = 0.0) -> None:
         """Begin as after power-up or a reset."""
-        self.ring.clear()
-        self.reader.clear()
-        self.parser = Parser(system_offset=list(self.memory.places[54]))
-        self.overrides = Overrides()
-        self.spindle = Spindle(self.memory.settings, self.overrides)
-        self.suspension = Suspension()
-        self.tool_change = ToolChange()
-        self.status = report.StatusReport()
-        self.probe.begin()
-        self.critical = False
+        self.forget()
         self._obeying = False
-        self._wake_s = 0.0
-        self._afterwards = None
-        self.axes.adopt_settings()
-        self.sync_position()
-        self.override_motion()
         self._running = self._program(starts_up_s)
         next(self._running)
 
@@ -346,22 +208,6 @@ class Grbl:
         elif line:
             yield from gcode_execute.run(self, line)
 
-    def _check_soft_limits(self, target_mm: list[float]) -> Waiting:
-        """Stop with an alarm where a target lies outside; never comes back then."""
-        if self.memory.settings.outside_travel(target_mm):
-            yield from self._stop_and_alarm()
-
-    def _stop_and_alarm(self) -> Waiting:
-        """Come to a controlled stop and raise the alarm of the soft limits; never comes back."""
-        if self.state is State.RUN:
-            self.axes.hold()
-            while not self.axes.stopped:
-                yield
-        self.stop_at_once()
-        self.alarm(ALARM_SOFT_LIMIT)
-        while True:
-            yield
-
     def _until_change_s(self) -> float:
         """Return the time until the planner may get room or the program's wait is over."""
         waits_s = self._wake_s - self.program_s
@@ -391,7 +237,7 @@ class Grbl:
         if self.probe.searching:
             self.probe.watch(self.axes)
         if self.suspension.active:
-            self.suspension.advance(self, dt_s)
+            suspend.advance(self, dt_s)
         elif self.state in (State.RUN, State.JOG) and self.axes.idle:
             self.finish_cycle()
 

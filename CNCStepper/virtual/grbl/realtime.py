@@ -5,8 +5,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
-from typing import TYPE_CHECKING
 
+from CNCStepper.virtual.grbl import report, suspend
+from CNCStepper.virtual.grbl.board import Board
 from CNCStepper.virtual.grbl.error_codes import ALARM_HOMING_DOOR
 from CNCStepper.virtual.grbl.overrides import (
     FEED_CHANGES,
@@ -17,45 +18,42 @@ from CNCStepper.virtual.grbl.overrides import (
 )
 from CNCStepper.virtual.grbl.states import State
 
-if TYPE_CHECKING:
-    from CNCStepper.virtual.grbl.machine import Grbl
-
 FIRST_EXTENDED = 0x80  # from here on a byte that is no command is thrown away
 RESET, STATUS, START, HOLD, DOOR, JOG_CANCEL, SPINDLE_STOP, FLOOD = 0x18, 0x3F, 0x7E, 0x21, 0x84, 0x85, 0x9E, 0xA0
 TOOL_CHANGED = 0xA3  # of grblHAL
 
 
-def _reset(machine: Grbl, byte: int) -> None:
+def _reset(machine: Board, byte: int) -> None:
     machine.reset()
 
 
-def _status(machine: Grbl, byte: int) -> None:
-    machine.send(machine.status.line(machine))
+def _status(machine: Board, byte: int) -> None:
+    machine.send(report.status(machine))
 
 
-def _start(machine: Grbl, byte: int) -> None:
+def _start(machine: Board, byte: int) -> None:
     if machine.state is State.TOOL:
         machine.end_tool_change()
     elif machine.suspension.active:
-        machine.suspension.resume(machine)
+        suspend.resume(machine)
     else:
         machine.start_cycle()
 
 
-def _hold(machine: Grbl, byte: int) -> None:
+def _hold(machine: Board, byte: int) -> None:
     state = machine.state
     if state in (State.IDLE, State.RUN, State.JOG):
-        machine.suspension.hold(machine)
+        suspend.hold(machine)
         if state is not State.JOG:
             machine.state = State.HOLD
 
 
-def _jog_cancel(machine: Grbl, byte: int) -> None:
+def _jog_cancel(machine: Board, byte: int) -> None:
     if machine.state is State.JOG:
-        machine.suspension.hold(machine)
+        suspend.hold(machine)
 
 
-def _door(machine: Grbl, byte: int) -> None:
+def _door(machine: Board, byte: int) -> None:
     if machine.state is State.HOME:
         machine.break_homing(ALARM_HOMING_DOOR)
     elif machine.state not in (State.ALARM, State.CHECK, State.SLEEP):
@@ -63,35 +61,35 @@ def _door(machine: Grbl, byte: int) -> None:
         suspension = machine.suspension
         suspension.restoring_s = None
         suspension.door = True
-        suspension.hold(machine)
+        suspend.hold(machine)
         if machine.state is not State.JOG:
             machine.state = State.DOOR
         if suspension.stopped:
-            suspension.switch_off(machine)
+            suspend.switch_off(machine)
 
 
-def _override(machine: Grbl, byte: int) -> None:
+def _override(machine: Board, byte: int) -> None:
     if machine.overrides.apply(byte):
         machine.status.overrides_changed()
         machine.override_motion()
 
 
-def _spindle_stop(machine: Grbl, byte: int) -> None:
+def _spindle_stop(machine: Board, byte: int) -> None:
     if machine.state is State.HOLD and machine.suspension.stopped:
-        machine.suspension.toggle_spindle(machine)
+        suspend.toggle_spindle(machine)
 
 
-def _flood(machine: Grbl, byte: int) -> None:
+def _flood(machine: Board, byte: int) -> None:
     if machine.state in (State.IDLE, State.RUN, State.HOLD, State.JOG):
         machine.flood = machine.parser.modal.flood = not machine.parser.modal.flood
         machine.status.overrides_changed()
 
 
-def _tool_changed(machine: Grbl, byte: int) -> None:
+def _tool_changed(machine: Board, byte: int) -> None:
     machine.tool_change.acknowledge(machine.ring)
 
 
-Command = Callable[["Grbl", int], None]
+Command = Callable[[Board, int], None]
 OVERRIDES = (FEED_NORMAL, *FEED_CHANGES, *RAPID_VALUES, SPINDLE_NORMAL, *SPINDLE_CHANGES)
 COMMANDS: dict[int, Command] = {
     RESET: _reset,

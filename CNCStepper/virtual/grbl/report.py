@@ -4,21 +4,15 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import TYPE_CHECKING
 
 from CNCStepper.units import inch_from_mm
+from CNCStepper.virtual.grbl.board import Board
 from CNCStepper.virtual.grbl.eeprom import Memory
 from CNCStepper.virtual.grbl.firmware import GRBL, Firmware
 from CNCStepper.virtual.grbl.gcode_block import LAST_SYSTEM, PROBE_TOWARD, Modal, Parser, Z
 from CNCStepper.virtual.grbl.gcode_words import f32
 from CNCStepper.virtual.grbl.settings import INCHES, REPORTS_BUFFER, REPORTS_MPOS, Settings
 from CNCStepper.virtual.grbl.states import BUSY
-
-if TYPE_CHECKING:
-    from CNCStepper.virtual.grbl.machine import Grbl
-
-OFFSET_EVERY_BUSY, OFFSET_EVERY_IDLE = 30, 10  # reports between two WCO fields
-OVERRIDES_EVERY_BUSY, OVERRIDES_EVERY_IDLE = 20, 10
 
 
 def fixed(value: float, decimals: int) -> str:
@@ -78,7 +72,7 @@ def probe_result(position_mm: Iterable[float], found: bool, settings: Settings) 
     return f"[PRB:{coordinates(position_mm, settings)}:{int(found)}]"
 
 
-def parameters(machine: Grbl) -> list[str]:
+def parameters(machine: Board) -> list[str]:
     """Return the answer to `$#`."""
     settings, parser = machine.memory.settings, machine.parser
     lines = [
@@ -97,51 +91,29 @@ def build_info(memory: Memory, firmware: Firmware = GRBL) -> list[str]:
     return [line.format(memory.build_text, blocks) for line in firmware.build]
 
 
-class StatusReport:
-    """The answer to `?`; it counts reports, because offsets and overrides come only now and then."""
-
-    def __init__(self) -> None:
-        self._reports_to_offset = 0
-        self._reports_to_overrides = 0
-
-    def offset_changed(self) -> None:
-        """Let the next report carry WCO."""
-        self._reports_to_offset = 0
-
-    def overrides_changed(self) -> None:
-        """Let the next report carry Ov."""
-        self._reports_to_overrides = 0
-
-    def line(self, machine: Grbl) -> str:
-        """Return one status report."""
-        fields = [machine.state_text(), _position(machine)]
-        if machine.memory.settings.reports(REPORTS_BUFFER):
-            fields.append(f"Bf:{machine.axes.room},{machine.ring.free}")
-        speed_mm_min = machine.axes.rate_mm_min if machine.state in BUSY else 0.0
-        fields.append(f"FS:{rate(speed_mm_min, machine.memory.settings)},{fixed(machine.spindle.rpm, 0)}")
-        pins = machine.pins()
-        if pins:
-            fields.append(f"Pn:{pins}")
-        return f"<{'|'.join(fields + self._occasional(machine))}>"
-
-    def _occasional(self, machine: Grbl) -> list[str]:
-        busy = machine.state in BUSY
-        fields = []
-        if self._reports_to_offset:
-            self._reports_to_offset -= 1
-        else:
-            self._reports_to_offset = (OFFSET_EVERY_BUSY if busy else OFFSET_EVERY_IDLE) - 1
-            self._reports_to_overrides = self._reports_to_overrides or 1  # one of the two a report
-            fields.append(f"WCO:{coordinates(work_offset(machine.parser), machine.memory.settings)}")
-        if self._reports_to_overrides:
-            self._reports_to_overrides -= 1
-        else:
-            self._reports_to_overrides = (OVERRIDES_EVERY_BUSY if busy else OVERRIDES_EVERY_IDLE) - 1
-            fields += _overrides(machine)
-        return fields
+def status(machine: Board) -> str:
+    """Return the answer to `?`."""
+    fields = [machine.state_text(), _position(machine)]
+    if machine.memory.settings.reports(REPORTS_BUFFER):
+        fields.append(f"Bf:{machine.axes.room},{machine.ring.free}")
+    speed_mm_min = machine.axes.rate_mm_min if machine.state in BUSY else 0.0
+    fields.append(f"FS:{rate(speed_mm_min, machine.memory.settings)},{fixed(machine.spindle.rpm, 0)}")
+    pins = machine.pins()
+    if pins:
+        fields.append(f"Pn:{pins}")
+    return f"<{'|'.join(fields + _occasional(machine))}>"
 
 
-def _position(machine: Grbl) -> str:
+def _occasional(machine: Board) -> list[str]:
+    busy, fields = machine.state in BUSY, []
+    if machine.status.offset_is_due(busy):
+        fields.append(f"WCO:{coordinates(work_offset(machine.parser), machine.memory.settings)}")
+    if machine.status.overrides_are_due(busy):
+        fields += _overrides(machine)
+    return fields
+
+
+def _position(machine: Board) -> str:
     settings, position = machine.memory.settings, machine.axes.position_mm
     if settings.reports(REPORTS_MPOS):
         return f"MPos:{coordinates(position, settings)}"
@@ -149,7 +121,7 @@ def _position(machine: Grbl) -> str:
     return f"WPos:{coordinates((here - off for here, off in zip(position, offset, strict=True)), settings)}"
 
 
-def _overrides(machine: Grbl) -> list[str]:
+def _overrides(machine: Board) -> list[str]:
     overrides = machine.overrides
     outputs = {3: "S", 4: "C"}.get(machine.spindle.direction, "") + ("F" if machine.flood else "")
     return [f"Ov:{overrides.feed},{overrides.rapid},{overrides.spindle}", *([f"A:{outputs}"] if outputs else [])]

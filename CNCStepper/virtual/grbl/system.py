@@ -4,23 +4,20 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING
 
-from CNCStepper.virtual.grbl import gcode_execute, homing, report
+from CNCStepper.virtual.grbl import gcode_execute, homing, report, suspend
+from CNCStepper.virtual.grbl.board import Board, Waiting
 from CNCStepper.virtual.grbl.error_codes import refused
 from CNCStepper.virtual.grbl.firmware import HELP
 from CNCStepper.virtual.grbl.gcode_words import read_number
 from CNCStepper.virtual.grbl.settings import HOMING
 from CNCStepper.virtual.grbl.states import State
 
-if TYPE_CHECKING:
-    from CNCStepper.virtual.grbl.machine import Grbl, Waiting
-
 LARGEST_SETTING = 255
 COMMAND_LETTERS = "#SIRN"
 
 
-def run(machine: Grbl, line: str) -> Waiting:
+def run(machine: Board, line: str) -> Waiting:
     """Carry out a `$` line; raises MachineRefusal."""
     state = machine.state
     if line.startswith("$J"):
@@ -47,18 +44,18 @@ def run(machine: Grbl, line: str) -> Waiting:
         _run_at_rest(machine, line)
 
 
-def _list_settings(machine: Grbl) -> None:
+def _list_settings(machine: Board) -> None:
     if machine.state in (State.RUN, State.HOLD):
         raise refused(8)
     for line in machine.memory.settings.lines(machine.firmware.shown_settings):
         machine.send(line)
 
 
-def _show_parser(machine: Grbl) -> None:
+def _show_parser(machine: Board) -> None:
     machine.send(report.parser_state(machine.parser, machine.memory.settings, machine.firmware))
 
 
-def _toggle_check(machine: Grbl) -> None:
+def _toggle_check(machine: Board) -> None:
     if machine.state is State.CHECK:
         machine.afterwards(machine.reset)
         machine.send("[MSG:Disabled]")
@@ -69,13 +66,13 @@ def _toggle_check(machine: Grbl) -> None:
         raise refused(8)
 
 
-def _unlock(machine: Grbl) -> None:
+def _unlock(machine: Board) -> None:
     if machine.state is State.ALARM:
         machine.state = State.IDLE
         machine.send("[MSG:Caution: Unlocked]")
 
 
-AT_ANY_TIME: dict[str, Callable[[Grbl], None]] = {
+AT_ANY_TIME: dict[str, Callable[[Board], None]] = {
     "$$": _list_settings,
     "$G": _show_parser,
     "$C": _toggle_check,
@@ -83,7 +80,7 @@ AT_ANY_TIME: dict[str, Callable[[Grbl], None]] = {
 }
 
 
-def _home(machine: Grbl, line: str) -> Waiting:
+def _home(machine: Board, line: str) -> Waiting:
     if not machine.memory.settings.on(HOMING):
         raise refused(5)
     if line != "$H":
@@ -92,7 +89,7 @@ def _home(machine: Grbl, line: str) -> Waiting:
     yield from machine.run_startup_lines()
 
 
-def _run_at_rest(machine: Grbl, line: str) -> None:
+def _run_at_rest(machine: Board, line: str) -> None:
     """Commands that need the machine idle or locked."""
     if line.startswith("$RST="):
         _restore(machine, line)
@@ -102,21 +99,21 @@ def _run_at_rest(machine: Grbl, line: str) -> None:
         for answer in LISTS[line](machine):
             machine.send(answer)
     elif line == "$SLP":
-        machine.afterwards(machine.sleep)
+        machine.afterwards(lambda: suspend.sleep(machine))
     elif line[1] in COMMAND_LETTERS:
         raise refused(3)
     else:  # any other letter is read as the number of a setting, hence error 2
         _store_setting(machine, line)
 
 
-LISTS: dict[str, Callable[[Grbl], list[str]]] = {
+LISTS: dict[str, Callable[[Board], list[str]]] = {
     "$#": report.parameters,
     "$I": lambda machine: report.build_info(machine.memory, machine.firmware),
     "$N": lambda machine: [f"$N{number}={line}" for number, line in enumerate(machine.memory.startup_lines)],
 }
 
 
-def _restore(machine: Grbl, line: str) -> None:
+def _restore(machine: Board, line: str) -> None:
     memory = machine.memory
     whats = {"$": memory.settings.restore, "#": memory.clear_places, "*": memory.clear_all}
     what = line[len("$RST=") :]
@@ -127,7 +124,7 @@ def _restore(machine: Grbl, line: str) -> None:
     machine.afterwards(machine.reset)
 
 
-def _store_startup_line(machine: Grbl, line: str) -> Waiting:
+def _store_startup_line(machine: Board, line: str) -> Waiting:
     """`$N0=` and `$N1=`: the line is run to see that it is valid, then kept."""
     if machine.state is not State.IDLE:
         raise refused(8)
@@ -139,7 +136,7 @@ def _store_startup_line(machine: Grbl, line: str) -> Waiting:
     machine.memory.startup_lines[int(number)] = line[value_at:]
 
 
-def _store_setting(machine: Grbl, line: str) -> None:
+def _store_setting(machine: Board, line: str) -> None:
     number, value_at = _number_before_equals(line, 1)
     if machine.firmware.read_only:
         raise refused(162)

@@ -47,8 +47,7 @@ class Hand:
         if pin not in tuple(PINS) or verb not in ([], ["PRESS"], ["RELEASE"]):
             self._tell(f"'{line[:40]}' is no press: type P, press P or release P; pins are {', '.join(PINS)}")
             return
-        inputs = self._board.inputs
-        (inputs.release if verb == ["RELEASE"] else inputs.press)(self._board, pin)
+        (self._board.release if verb == ["RELEASE"] else self._board.press)(pin)
         if not verb:
             heapq.heappush(self._due, (self._board.time_s + TAP_S, False, pin))
         self._tell(f"pins that are on: {self._board.pins() or 'none'}")
@@ -57,8 +56,7 @@ class Hand:
         """Press and let go what is due."""
         while self._due and self._due[0][0] <= self._board.time_s:
             _, pressed, pin = heapq.heappop(self._due)
-            inputs = self._board.inputs
-            (inputs.press if pressed else inputs.release)(self._board, pin)
+            (self._board.press if pressed else self._board.release)(pin)
 
     def _press(self, pin: str, at_s: float, for_s: float) -> None:
         heapq.heappush(self._due, (at_s, True, pin))

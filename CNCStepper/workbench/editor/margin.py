@@ -3,25 +3,33 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from collections.abc import Callable, Iterable
+from typing import Any
 
 from PySide import QtCore, QtGui
 
-if TYPE_CHECKING:
-    from CNCStepper.workbench.editor.text_edit import ProgramEdit
+from CNCStepper.workbench.editor.model.error_marks import Marks
 
 LEAST_DIGITS = 3
 GAP = 0.6  # of a digit's width: free on both sides of the numbers
 MARK = 1.2  # of a digit's width: the mark
 
+SeenLines = Callable[[], Iterable[tuple[int, int, int]]]
+
 
 class Margin(QtGui.QWidget):
-    """Stands at the left of the text and scrolls with it."""
+    """Stands at the left of the text of `edit` and scrolls with it.
 
-    def __init__(self, edit: ProgramEdit):
+    seen_lines: returns number (from 0), top and height in pixels of the lines that are seen.
+    """
+
+    def __init__(self, edit: QtGui.QPlainTextEdit, seen_lines: SeenLines, marks: Marks, colours: dict[str, str]):
         super().__init__(edit)
         self.setObjectName("CNCStepper_Editor_margin")
         self._edit = edit
+        self._seen_lines = seen_lines
+        self._marks = marks
+        self.colours = colours
 
     def wanted_px(self) -> int:
         """Return how wide it must be for the numbers of all lines."""
@@ -31,15 +39,15 @@ class Margin(QtGui.QWidget):
     def paintEvent(self, event: Any) -> None:
         """Draw the numbers that are seen."""
         painter = QtGui.QPainter(self)
-        painter.fillRect(event.rect(), QtGui.QColor(self._edit.colours["margin"]))
+        painter.fillRect(event.rect(), QtGui.QColor(self.colours["margin"]))
         painter.setFont(self._edit.font())
         digit_px = self._digit_px()
         width = self.width() - round(GAP * digit_px)
-        for number, top, height in self._edit.seen_lines():
-            if self._edit.marks.at(number + 1):
+        for number, top, height in self._seen_lines():
+            if self._marks.at(number + 1):
                 self._mark(painter, digit_px, top, height)
-            colour = "wrong" if self._edit.marks.at(number + 1) else "digits"
-            painter.setPen(QtGui.QColor(self._edit.colours[colour]))
+            colour = "wrong" if self._marks.at(number + 1) else "digits"
+            painter.setPen(QtGui.QColor(self.colours[colour]))
             painter.drawText(0, top, width, height, QtCore.Qt.AlignmentFlag.AlignRight, str(number + 1))
         painter.end()
 
@@ -55,7 +63,7 @@ class Margin(QtGui.QWidget):
         painter.save()
         painter.setRenderHint(QtGui.QPainter.RenderHint.Antialiasing)
         painter.setPen(QtCore.Qt.PenStyle.NoPen)
-        painter.setBrush(QtGui.QColor(self._edit.colours["wrong"]))
+        painter.setBrush(QtGui.QColor(self.colours["wrong"]))
         side = min(MARK * digit_px, 0.5 * height)
         painter.drawEllipse(QtCore.QRectF(0.4 * digit_px, top + (height - side) / 2, side, side))
         painter.restore()

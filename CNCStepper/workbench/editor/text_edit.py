@@ -38,7 +38,7 @@ class ProgramEdit(QtGui.QPlainTextEdit):
         self.setLineWrapMode(QtGui.QPlainTextEdit.LineWrapMode.NoWrap)
         self.colours = colours_on(255)
         self.marks = Marks()
-        self.margin = Margin(self)
+        self.margin = Margin(self, self.seen_lines, self.marks, self.colours)
         self._highlighter = Highlighter(self.document(), self.colours)
         self._change: Change | None = None
         self._count = 1
@@ -236,7 +236,7 @@ class ProgramEdit(QtGui.QPlainTextEdit):
     def _choose_colours(self) -> None:
         chosen = colours_on(self.palette().color(QtGui.QPalette.ColorRole.Base).lightness())
         if chosen is not self.colours:
-            self.colours = chosen
+            self.colours = self.margin.colours = chosen
             self._highlighter.set_colours(chosen)
             self._see()
 

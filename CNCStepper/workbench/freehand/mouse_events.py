@@ -2,20 +2,17 @@
 """The left mouse button and a few keys of one 3D view, taken before FreeCAD's navigation sees them.
 
 Some navigation styles turn or pan the view with the left button before the scene gets any event; what a
-filter of Qt takes reaches none of them. Everything that a mode does not want goes on to FreeCAD.
+filter of Qt takes reaches none of them. Everything that its listener does not want goes on to FreeCAD.
 """
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import Any, Protocol
 
 from PySide import QtCore
 
 from CNCStepper.workbench.freehand.stroke import Point
 from CNCStepper.workbench.services.messages import guarded
-
-if TYPE_CHECKING:
-    from CNCStepper.workbench.freehand.mode import Mode
 
 TYPE = QtCore.QEvent.Type
 PRESSES = (TYPE.MouseButtonPress, TYPE.MouseButtonDblClick)
@@ -31,12 +28,31 @@ KEYS = {
 }
 
 
-class Pointer(QtCore.QObject):
-    """Hands a view's left button and keys to a mode, from `take` to `give_back`."""
+class Listener(Protocol):
+    """What hears of the left button and of the keys, in pixels of the view; see `Mode`, which is one."""
 
-    def __init__(self, view: Any, mode: Mode):
+    def pressed(self, pixel: Point, shift: bool) -> bool:
+        """The left button went down; return whether that was meant for the listener, as the next two do."""
+
+    def moved(self, pixel: Point, shift: bool) -> bool:
+        """The pointer moved."""
+
+    def released(self, pixel: Point) -> bool:
+        """The button that `pressed` took went up."""
+
+    def wants(self, key: str) -> bool:
+        """Return whether one of the KEYS would do something now."""
+
+    def key(self, key: str) -> None:
+        """Do what a wanted key means."""
+
+
+class Pointer(QtCore.QObject):
+    """Hands a view's left button and keys to a listener, from `take` to `give_back`."""
+
+    def __init__(self, view: Any, listener: Listener):
         super().__init__()
-        self._mode = mode
+        self._listener = listener
         self._view = view
         self._holds = False  # the press was taken, so the release belongs to us as well
 
@@ -75,22 +91,22 @@ class Pointer(QtCore.QObject):
         if kind in (TYPE.ShortcutOverride, TYPE.KeyPress):
             return self._key(event, kind)
         if kind in PRESSES and event.button() == LEFT and event.buttons() == LEFT and not event.modifiers() & OTHERS:
-            self._holds = self._mode.pressed(_pixel(widget, event), bool(event.modifiers() & SHIFT))
+            self._holds = self._listener.pressed(_pixel(widget, event), bool(event.modifiers() & SHIFT))
             return self._holds
         if kind == TYPE.MouseMove and (self._holds or not event.buttons()):
-            return self._mode.moved(_pixel(widget, event), bool(event.modifiers() & SHIFT)) and self._holds
+            return self._listener.moved(_pixel(widget, event), bool(event.modifiers() & SHIFT)) and self._holds
         if kind == TYPE.MouseButtonRelease and event.button() == LEFT and self._holds:
             self._holds = False
-            return self._mode.released(_pixel(widget, event))
+            return self._listener.released(_pixel(widget, event))
         return False
 
     def _key(self, event: QtCore.QEvent, kind: QtCore.QEvent.Type) -> bool:
-        """Take a key that the mode wants; first of all from the shortcuts, where Delete would delete the object."""
+        """Take a key that the listener wants; first of all from the shortcuts, where Delete would delete the object."""
         key = KEYS.get(event.key(), "")
-        if not key or not self._mode.wants(key):
+        if not key or not self._listener.wants(key):
             return False
         if kind == TYPE.KeyPress:
-            self._mode.key(key)
+            self._listener.key(key)
         event.accept()
         return True
 

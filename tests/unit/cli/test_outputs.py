@@ -18,7 +18,8 @@ import pytest
 from click.testing import CliRunner, Result
 
 from CNCStepper import atomic_file
-from CNCStepper.cli.common.verb import InputFolder, InputPath, OutputFolder, OutputPath, Verb
+from CNCStepper.cli.common.path_types import InputFolder, InputPath, OutputFolder, OutputPath
+from CNCStepper.cli.common.verb import Verb
 from CNCStepper.cli.main import FAMILY_OF, group, main
 
 EXAMPLES = Path(__file__).parents[3] / "examples"
@@ -57,7 +58,7 @@ def test_every_path_of_every_verb_is_an_input_or_under_the_rule(names: tuple[str
     for param in command.params:
         if isinstance(param.type, click.Path | click.File):
             known = isinstance(param.type, InputPath | InputFolder | OutputPath)
-            assert known, f"{' '.join(names)} {param.opts}: say what it is with a type of CNCStepper.cli.common.verb"
+            assert known, f"{' '.join(names)} {param.opts}: say what it is with a type of cli/common/path_types.py"
     if outputs_of(command):
         assert isinstance(command, Verb), f"{' '.join(names)} does not check its outputs"
         assert any("--overwrite" in param.opts for param in command.params)

@@ -15,36 +15,36 @@ def pins(grbl) -> str:
 
 def test_pressed_pins_are_reported_in_the_firmwares_order(grbl):
     for pin in "YPX":
-        grbl.board.inputs.press(grbl.board, pin)
+        grbl.board.press(pin)
     assert pins(grbl) == "PXY"
-    grbl.board.inputs.release(grbl.board, "X")
+    grbl.board.release("X")
     assert pins(grbl) == "PY"
 
 
 def test_pin_that_is_not_there_is_refused(grbl):
     with pytest.raises(MachineRefusal, match="no pin 'Q'"):
-        grbl.board.inputs.press(grbl.board, "Q")
+        grbl.board.press("Q")
 
 
 def test_control_pins_do_what_the_firmware_does(grbl):
     board = grbl.board
     grbl.say("G1X-20F1500\n", 0.5)
-    board.inputs.press(board, "H")
+    board.press("H")
     grbl.say(b"", 0.5)
     assert grbl.status()[""] == "Hold:0" and pins(grbl) == "H"
-    board.inputs.release(board, "H")
-    board.inputs.press(board, "S")
+    board.release("H")
+    board.press("S")
     assert grbl.status()[""] == "Run"
-    board.inputs.press(board, "R")
+    board.press("R")
     assert any("ALARM:3" in line for line in grbl.say(b""))
 
 
 def test_door_stays_shut_out_while_it_is_ajar(grbl):
     board = grbl.board
-    board.inputs.press(board, "D")
+    board.press("D")
     grbl.say(b"~", 0.1)
     assert grbl.status()[""] == "Door:1"
-    board.inputs.release(board, "D")
+    board.release("D")
     assert grbl.status()[""] == "Door:0"
     grbl.say(b"~", 0.1)
     assert grbl.status()[""] == "Idle"
@@ -52,18 +52,18 @@ def test_door_stays_shut_out_while_it_is_ajar(grbl):
 
 def test_limit_switch_locks_only_where_it_is_watched(grbl):
     board = grbl.board
-    board.inputs.press(board, "X")
+    board.press("X")
     assert grbl.status()[""] == "Idle"
-    board.inputs.release(board, "X")
+    board.release("X")
     grbl.line("$21=1")
-    board.inputs.press(board, "X")
+    board.press("X")
     assert "ALARM:1" in grbl.say(b"")
 
 
 def test_probe_pressed_by_hand_ends_a_probing_move(grbl):
     board = grbl.board
     grbl.say("G38.2Z-20F100\n", 1.0)
-    board.inputs.press(board, "P")
+    board.press("P")
     said = grbl.until_idle()
     assert (
         any(line.startswith("[PRB:") and line.endswith(":1]") for line in said)

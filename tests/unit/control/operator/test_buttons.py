@@ -220,9 +220,9 @@ def visit(tmp_path):
 def tap(visit: Visit, pin: str):
     """Press a button of the table for a while, as a finger does."""
     board = visit.table.board
-    board.inputs.press(board, pin)
+    board.press(pin)
     yield TAP_S
-    board.inputs.release(board, pin)
+    board.release(pin)
     yield TAP_S
 
 
@@ -267,7 +267,7 @@ def test_stop_button_ends_the_job_and_start_does_not_repeat_it(visit):
 
 def test_button_held_when_the_job_begins_does_not_pause_it(visit):
     def person():
-        visit.table.board.inputs.press(visit.table.board, "P")
+        visit.table.board.press("P")
         visit.job(*LINE, inputs=PANEL)
         yield visit.ended()
 
@@ -282,9 +282,9 @@ def test_switch_is_sent_while_the_machine_is_idle_and_refused_while_it_cuts(visi
     def person():
         visit.job("G4P0.01", inputs=switch)
         yield visit.ended(1)
-        visit.table.board.inputs.press(visit.table.board, "P")
+        visit.table.board.press("P")
         yield lambda: visit.table.board.flood
-        visit.table.board.inputs.release(visit.table.board, "P")
+        visit.table.board.release("P")
         yield lambda: not visit.table.board.flood
         visit.job(*LINE, inputs=switch)
         yield lambda: visit.table.x_mm() < -2

@@ -14,6 +14,7 @@ from CNCStepper.control.protocol.grbl.timeouts import Timing
 from CNCStepper.control.session.status import DONE, FAILED, REFUSED, STOPPED
 from CNCStepper.errors import LinkError
 from CNCStepper.machine.profile import load_machine
+from CNCStepper.virtual.grbl import suspend
 from CNCStepper.virtual.grbl.states import State
 
 SQUARE = ("G21G90G94", "G1X-20F1500", "G1Y-20", "G1X0", "G1Y0")
@@ -494,7 +495,7 @@ def test_jog_onto_a_switch_is_an_alarm_that_wants_a_reset_before_the_unlock(tmp_
 
 def test_sleeping_machine_is_woken_and_unlocked(visit):
     def person():
-        visit.table.board.sleep()
+        suspend.sleep(visit.table.board)
         yield visit.at("alarm")
         assert "sleeps" in visit.desk.status().message
         visit.ask("unlock")

@@ -94,10 +94,10 @@ def test_outputs_that_return_after_a_door_are_no_new_stand(visit):
     def person():
         visit.job("G21G90G94", "M3S9000", "G4P0.5", "G1X-40F1500")
         yield lambda: visit.table.x_mm() < -2.0
-        visit.table.board.inputs.press(visit.table.board, DOOR)
+        visit.table.board.press(DOOR)
         yield lambda: visit.desk.status().machine_state == "Door:1"
         number = stand(visit)
-        visit.table.board.inputs.release(visit.table.board, DOOR)
+        visit.table.board.release(DOOR)
         yield lambda: visit.desk.status().machine_state == "Door:0"
         visit.ask("resume", stand=number)
         yield lambda: visit.desk.status().machine_state == "Door:3"

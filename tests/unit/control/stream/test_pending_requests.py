@@ -26,9 +26,9 @@ def machine() -> Machine:
 def tap(cut: Cut | Visit, pin: str):
     """Press a button of the table for a while, as a finger does."""
     board = cut.table.board
-    board.inputs.press(board, pin)
+    board.press(pin)
     yield TAP_S
-    board.inputs.release(board, pin)
+    board.release(pin)
     yield TAP_S
 
 

@@ -1,0 +1,41 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Whether a job that was sent from a command line has a machine's port; a desk asks it before it is launched."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from CNCStepper.control.processes.process_file import is_alive
+from CNCStepper.control.session.client import SessionClient
+from CNCStepper.control.session.files import session_near
+from CNCStepper.control.session.status import SenderStatus
+from CNCStepper.errors import LinkError, MachineRefusal
+
+
+def check_no_job(port: str, folder: Path | None = None) -> None:
+    """Raise MachineRefusal where a job that was sent from a command line has the port; a killed one has it no more."""
+    if session := session_near(port, folder):
+        try:
+            with SessionClient.attach(session) as client:
+                status = client.status() if client.outcome is None else None
+        except LinkError as error:  # it was killed, and its journal tells of it, or it does not answer
+            check_over(session, port, error)
+            return
+        if status:
+            raise held_by_job(session, port, status)
+
+
+def check_over(file: Path, port: str, error: LinkError) -> None:
+    """Raise MachineRefusal where the process that could not be reached lives: then it has the port."""
+    if is_alive(file):
+        what = f"{port} is held by a process of yours that does not answer"
+        raise MachineRefusal("port-held", what, advice=error.advice) from error
+
+
+def held_by_job(file: Path, port: str, status: SenderStatus) -> MachineRefusal:
+    """Return the refusal of a port that a job has, by the file of its session or desk."""
+    return MachineRefusal(
+        "port-held",
+        f"{port} is held by a job of yours, {status.file or 'a program'}, which is {status.phase}",
+        advice=f"go on with it or stop it where it was started, or with: cncstepper back --session {file.stem}",
+    )
