@@ -9,7 +9,7 @@ from dataclasses import replace
 from CNCStepper.machine.profile import AXIS_NAMES
 from CNCStepper.motion.planner.live_motion import Motion
 from CNCStepper.motion.planner.machine_limits import Limits
-from CNCStepper.virtual.grbl.gcode_words import f32
+from CNCStepper.virtual.grbl.gcode.words import f32
 from CNCStepper.virtual.grbl.settings import ALWAYS_ON_MS, IDLE_DELAY_MS, STEPS, TRAVEL, Settings
 
 COASTING_STEPS = 3  # of every axis, when motors that turn are stopped without a ramp

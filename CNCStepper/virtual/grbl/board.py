@@ -15,7 +15,7 @@ from CNCStepper.virtual.grbl.axes import Axes
 from CNCStepper.virtual.grbl.eeprom import Memory
 from CNCStepper.virtual.grbl.error_codes import ALARM_HARD_LIMIT, ALARM_SOFT_LIMIT
 from CNCStepper.virtual.grbl.firmware import Firmware
-from CNCStepper.virtual.grbl.gcode_block import Parser
+from CNCStepper.virtual.grbl.gcode.block import Parser
 from CNCStepper.virtual.grbl.input_pins import DOOR, InputPins
 from CNCStepper.virtual.grbl.occasional_fields import OccasionalFields
 from CNCStepper.virtual.grbl.overrides import Overrides

@@ -9,7 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 from CNCStepper.virtual.grbl.firmware import GRBL, Firmware
-from CNCStepper.virtual.grbl.gcode_block import FIRST_SYSTEM
+from CNCStepper.virtual.grbl.gcode.block import FIRST_SYSTEM
 from CNCStepper.virtual.grbl.settings import Settings
 
 

@@ -6,7 +6,7 @@ from __future__ import annotations
 from math import sqrt
 
 from CNCStepper.virtual.grbl.board import Board, Waiting
-from CNCStepper.virtual.grbl.gcode_block import X, Y, Z
+from CNCStepper.virtual.grbl.gcode.block import X, Y, Z
 from CNCStepper.virtual.grbl.settings import DEBOUNCE_MS, HOMING_FEED, HOMING_SEEK, HOMING_SIDES, PULL_OFF, TRAVEL
 from CNCStepper.virtual.grbl.states import State
 

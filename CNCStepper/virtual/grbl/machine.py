@@ -17,7 +17,7 @@ from math import inf
 
 from CNCStepper.errors import MachineRefusal
 from CNCStepper.machine.profile import Machine
-from CNCStepper.virtual.grbl import gcode_execute, suspend, system
+from CNCStepper.virtual.grbl import suspend, system
 from CNCStepper.virtual.grbl.board import MOMENT_S, Board, Waiting
 from CNCStepper.virtual.grbl.error_codes import (
     ALARM_HARD_LIMIT,
@@ -28,6 +28,7 @@ from CNCStepper.virtual.grbl.error_codes import (
     refused,
 )
 from CNCStepper.virtual.grbl.firmware import GRBL, Firmware
+from CNCStepper.virtual.grbl.gcode import execute
 from CNCStepper.virtual.grbl.input_pins import LIMITS, PIN_BYTES, PROBE
 from CNCStepper.virtual.grbl.realtime import ACTING, COMMANDS, FIRST_EXTENDED
 from CNCStepper.virtual.grbl.serial_buffer import TOO_LONG
@@ -206,7 +207,7 @@ class Grbl(Board):
         elif line and self.state in (State.ALARM, State.JOG):
             raise refused(9)
         elif line:
-            yield from gcode_execute.run(self, line)
+            yield from execute.run(self, line)
 
     def _until_change_s(self) -> float:
         """Return the time until the planner may get room or the program's wait is over."""

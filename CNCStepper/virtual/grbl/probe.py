@@ -6,7 +6,7 @@ from __future__ import annotations
 from math import floor
 
 from CNCStepper.virtual.grbl.axes import Axes
-from CNCStepper.virtual.grbl.gcode_block import Z
+from CNCStepper.virtual.grbl.gcode.block import Z
 
 
 class Probe:

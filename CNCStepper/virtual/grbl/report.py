@@ -9,8 +9,8 @@ from CNCStepper.units import inch_from_mm
 from CNCStepper.virtual.grbl.board import Board
 from CNCStepper.virtual.grbl.eeprom import Memory
 from CNCStepper.virtual.grbl.firmware import GRBL, Firmware
-from CNCStepper.virtual.grbl.gcode_block import LAST_SYSTEM, PROBE_TOWARD, Modal, Parser, Z
-from CNCStepper.virtual.grbl.gcode_words import f32
+from CNCStepper.virtual.grbl.gcode.block import LAST_SYSTEM, PROBE_TOWARD, Modal, Parser, Z
+from CNCStepper.virtual.grbl.gcode.words import f32
 from CNCStepper.virtual.grbl.settings import INCHES, REPORTS_BUFFER, REPORTS_MPOS, Settings
 from CNCStepper.virtual.grbl.states import BUSY
 

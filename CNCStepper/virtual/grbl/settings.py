@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from CNCStepper.machine.profile import AXIS_NAMES, Axis, Machine
 from CNCStepper.virtual.grbl.error_codes import refused
 from CNCStepper.virtual.grbl.firmware import GRBL, Firmware
-from CNCStepper.virtual.grbl.gcode_words import f32
+from CNCStepper.virtual.grbl.gcode.words import f32
 
 STEPS, RATE, ACCELERATION, TRAVEL = 100, 110, 120, 130
 PULSE, IDLE_DELAY_MS, REPORT, DEVIATION, ARC_TOLERANCE, INCHES = 0, 1, 10, 11, 12, 13

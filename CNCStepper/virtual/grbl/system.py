@@ -5,11 +5,12 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from CNCStepper.virtual.grbl import gcode_execute, homing, report, suspend
+from CNCStepper.virtual.grbl import homing, report, suspend
 from CNCStepper.virtual.grbl.board import Board, Waiting
 from CNCStepper.virtual.grbl.error_codes import refused
 from CNCStepper.virtual.grbl.firmware import HELP
-from CNCStepper.virtual.grbl.gcode_words import read_number
+from CNCStepper.virtual.grbl.gcode import execute
+from CNCStepper.virtual.grbl.gcode.words import read_number
 from CNCStepper.virtual.grbl.settings import HOMING
 from CNCStepper.virtual.grbl.states import State
 
@@ -25,7 +26,7 @@ def run(machine: Board, line: str) -> Waiting:
             raise refused(8)
         if not line.startswith("$J="):
             raise refused(3)
-        yield from gcode_execute.jog(machine, line)
+        yield from execute.jog(machine, line)
     elif line[:2] in AT_ANY_TIME:
         if len(line) > 2:
             raise refused(3)
@@ -132,7 +133,7 @@ def _store_startup_line(machine: Board, line: str) -> Waiting:
     if number >= len(machine.memory.startup_lines):
         raise refused(3)
     if line[value_at:]:
-        yield from gcode_execute.run(machine, line[value_at:])
+        yield from execute.run(machine, line[value_at:])
     machine.memory.startup_lines[int(number)] = line[value_at:]
 
 

@@ -11,8 +11,8 @@ from __future__ import annotations
 
 from CNCStepper.virtual.grbl.board import Board, Waiting
 from CNCStepper.virtual.grbl.error_codes import refused
-from CNCStepper.virtual.grbl.gcode_block import AXES, CHIP_BREAK, DRILL_DWELL, PECKING, PLANES, Block, Drilling, Parser
-from CNCStepper.virtual.grbl.gcode_words import f32
+from CNCStepper.virtual.grbl.gcode.block import AXES, CHIP_BREAK, DRILL_DWELL, PECKING, PLANES, Block, Drilling, Parser
+from CNCStepper.virtual.grbl.gcode.words import f32
 
 CHIP_BREAK_MM = 0.1  # $28 as delivered
 RELATIVE, TO_INITIAL = 91, 98

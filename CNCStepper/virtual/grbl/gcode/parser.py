@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The grbl parser, part one: a line becomes a block of words, each legal by itself.
 
-Part two, `gcode_checks.py`, holds the block against the machine's state. Nothing changes until both have
+Part two, `checks.py`, holds the block against the machine's state. Nothing changes until both have
 passed. Written from grbl's documentation; the order of the tests is the firmware's, because it decides
 which error a line with two faults gets.
 """
@@ -10,8 +10,8 @@ from __future__ import annotations
 
 from CNCStepper.virtual.grbl.error_codes import refused
 from CNCStepper.virtual.grbl.firmware import GRBL, Firmware
-from CNCStepper.virtual.grbl.gcode_block import CYCLES, FIRST_SYSTEM, LAST_SYSTEM, AxisCommand, Block, Modal
-from CNCStepper.virtual.grbl.gcode_words import read_words
+from CNCStepper.virtual.grbl.gcode.block import CYCLES, FIRST_SYSTEM, LAST_SYSTEM, AxisCommand, Block, Modal
+from CNCStepper.virtual.grbl.gcode.words import read_words
 
 GROUP_OF_G = {
     **dict.fromkeys((4, 10, 28, 30, 53, 92), "action"),

@@ -10,9 +10,9 @@ from __future__ import annotations
 from math import sqrt
 
 from CNCStepper.units import MM_PER_INCH
-from CNCStepper.virtual.grbl import canned_cycles
 from CNCStepper.virtual.grbl.error_codes import refused
-from CNCStepper.virtual.grbl.gcode_block import (
+from CNCStepper.virtual.grbl.gcode import canned_cycles
+from CNCStepper.virtual.grbl.gcode.block import (
     ARC_CW,
     ARCS,
     AXES,
@@ -34,7 +34,7 @@ from CNCStepper.virtual.grbl.gcode_block import (
     Parser,
     Z,
 )
-from CNCStepper.virtual.grbl.gcode_words import f32
+from CNCStepper.virtual.grbl.gcode.words import f32
 
 LARGEST_LINE_NUMBER = 10_000_000
 JOG_GROUPS = {"G distance", "G units", "G action"}

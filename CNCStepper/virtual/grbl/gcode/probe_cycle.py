@@ -6,7 +6,7 @@ from __future__ import annotations
 from CNCStepper.virtual.grbl import report
 from CNCStepper.virtual.grbl.board import Board, Waiting
 from CNCStepper.virtual.grbl.error_codes import ALARM_PROBE_NO_CONTACT, ALARM_PROBE_START
-from CNCStepper.virtual.grbl.gcode_block import PROBE_AWAY, PROBE_AWAY_QUIET, PROBE_TOWARD_QUIET, Block
+from CNCStepper.virtual.grbl.gcode.block import PROBE_AWAY, PROBE_AWAY_QUIET, PROBE_TOWARD_QUIET, Block
 
 QUIET = (PROBE_TOWARD_QUIET, PROBE_AWAY_QUIET)  # G38.3 and G38.5 raise no alarm
 AWAY = (PROBE_AWAY, PROBE_AWAY_QUIET)

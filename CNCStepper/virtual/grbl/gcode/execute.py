@@ -8,10 +8,11 @@ from math import ceil, dist
 import numpy as np
 
 from CNCStepper.motion.planner.arc_segments import arc_points
-from CNCStepper.virtual.grbl import canned_cycles, gcode_checks, gcode_parser, probe_cycle, suspend
+from CNCStepper.virtual.grbl import suspend
 from CNCStepper.virtual.grbl.board import Board, Waiting
 from CNCStepper.virtual.grbl.error_codes import refused
-from CNCStepper.virtual.grbl.gcode_block import (
+from CNCStepper.virtual.grbl.gcode import canned_cycles, checks, parser, probe_cycle
+from CNCStepper.virtual.grbl.gcode.block import (
     ARCS,
     CLEAR_OFFSET,
     CYCLES,
@@ -27,7 +28,7 @@ from CNCStepper.virtual.grbl.gcode_block import (
     Block,
     Modal,
 )
-from CNCStepper.virtual.grbl.gcode_words import f32
+from CNCStepper.virtual.grbl.gcode.words import f32
 from CNCStepper.virtual.grbl.settings import ARC_TOLERANCE, LASER, SOFT_LIMITS
 from CNCStepper.virtual.grbl.spindle_control import OFF
 from CNCStepper.virtual.grbl.states import State
@@ -39,8 +40,8 @@ DWELL_STEP_S = 0.05
 
 def run(machine: Board, line: str) -> Waiting:
     """Read, check and carry out one line of g-code; raises MachineRefusal, then nothing has changed."""
-    block = gcode_parser.read_block(line, machine.parser.modal, machine.firmware)
-    gcode_checks.complete(block, machine.parser, machine.memory.places)
+    block = parser.read_block(line, machine.parser.modal, machine.firmware)
+    checks.complete(block, machine.parser, machine.memory.places)
     if machine.state is State.TOOL and block.axis_command is AxisCommand.MOTION:
         raise refused(40)
     if block.changes_tool and machine.state is not State.CHECK:
@@ -67,8 +68,8 @@ def _dwell_s(seconds: float) -> float:
 
 def jog(machine: Board, line: str) -> Waiting:
     """Check and queue a `$J=` line; of the parser only the position changes."""
-    block = gcode_parser.read_block(line, machine.parser.modal)
-    gcode_checks.complete(block, machine.parser, machine.memory.places)
+    block = parser.read_block(line, machine.parser.modal)
+    checks.complete(block, machine.parser, machine.memory.places)
     settings = machine.memory.settings
     if settings.on(SOFT_LIMITS) and settings.outside_travel(block.target):
         raise refused(15)
