@@ -4,8 +4,8 @@
 server ── ports (pty, TCP)
    └── link (the serial line) ── machine (lines, bytes, time) ─┬─ realtime, suspend
                                                                ├─ system ($) ── homing
-                                                               └─ gcode_execute ─┬─ gcode_parser, gcode_checks
-                                                                                 └─ canned_cycles, probe_cycle
+                                                               └─ gcode: execute ─┬─ parser, checks
+                                                                                  └─ canned_cycles, probe_cycle
 all of these change a board ─┬─ axes (planner and steps), probe, input_pins, spindle_control
                              ├─ overrides, suspend_state, tool_change, serial_buffer
                              └─ eeprom, settings, firmware, error_codes
