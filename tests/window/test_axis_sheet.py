@@ -15,7 +15,7 @@ from hand import Hand
 from PySide import QtGui
 
 from CNCStepper.workbench import api
-from CNCStepper.workbench.panels import open_panel
+from CNCStepper.workbench.panels import edit_object
 
 P = "CNCStepper_Panel"
 A = f"{P}_axis"
@@ -37,7 +37,7 @@ def job(hand: Hand) -> Iterator[Any]:
 
 
 def open_sheet(hand: Hand, job: Any) -> None:
-    hand.main(open_panel.edit, job)
+    hand.main(edit_object.edit, job)
     hand.wait(lambda: places.visible(f"{P}_group_axis"), what="the panel")
     hand.settle()
     hand.main(lambda: places.scroll_to(places.find(f"{P}_group_axis")))

@@ -15,7 +15,7 @@ from hand import Hand
 from PySide import QtGui
 
 from CNCStepper.workbench import api
-from CNCStepper.workbench.panels import open_panel as editing
+from CNCStepper.workbench.panels import edit_object as editing
 
 P = "CNCStepper_Panel"
 ADD, REMOVE = f"{P}_clamps_add", f"{P}_clamps_remove"

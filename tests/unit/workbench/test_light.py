@@ -31,7 +31,7 @@ def modules_of(folder: str) -> list[str]:
         [*modules_of("commands"), "CNCStepper.workbench.opening", "CNCStepper.workbench.services.missing_packages"],
         [
             *modules_of("viewproviders"),
-            "CNCStepper.workbench.panels.open_panel",
+            "CNCStepper.workbench.panels.edit_object",
             "CNCStepper.workbench.proving.save_program",
         ],
     ],
