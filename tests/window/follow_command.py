@@ -89,10 +89,16 @@ def install(command: str, work: Path) -> None:
     (python,) = re.findall(r"^\S+", command)
     programs = work / "bin"
     programs.mkdir()
-    if shutil.which(python) is None:
+    if not runs(python):
         stand_in(programs / python, python.removeprefix("python"))
-    path = f"{os.environ['PATH']}{os.pathsep}{programs}"
+    path = f"{programs}{os.pathsep}{os.environ['PATH']}"
     subprocess.run(command, shell=True, check=True, timeout=INSTALL_S, env={**os.environ, "PATH": path})
+
+
+def runs(python: str) -> bool:
+    """Return whether a Python of that name is there and runs: a version manager's may only say that it does not."""
+    found = shutil.which(python)
+    return found is not None and subprocess.run([found, "-c", ""], capture_output=True).returncode == 0
 
 
 def stand_in(program: Path, version: str) -> None:
