@@ -12,9 +12,11 @@ from typing import Any
 import FreeCAD
 import FreeCADGui
 import pytest
-from hand import Hand
+from hand import PICTURES, Hand
 
+from CNCStepper.job.model import save_job
 from CNCStepper.workbench import api
+from CNCStepper.workbench.document.core_job import proven_with
 from CNCStepper.workbench.features.base import proxy_type
 
 DOCK, PANEL, PLAYER = "CNCStepper_Dock_", "CNCStepper_Panel_", "CNCStepper_Simulation_"
@@ -46,9 +48,19 @@ def state(hand: Hand, words: str, seconds: float = 60.0) -> None:
 
 
 def step(hand: Hand, title: str, seconds: float = 120.0) -> None:
-    hand.wait(
-        lambda: hand.exists(f"{DOCK}FlowTitle") and title in hand.text(f"{DOCK}FlowTitle"), seconds, f"the step {title}"
-    )
+    """Wait for a step of the dock; where it does not come, what was to be sent is kept beside the pictures."""
+    try:
+        hand.wait(lambda: hand.exists(f"{DOCK}FlowTitle") and title in hand.text(f"{DOCK}FlowTitle"), seconds, title)
+    except AssertionError as error:
+        hand.main(keep_what_is_sent)
+        raise AssertionError(f"{error}; the dock says: {hand.text(f'{DOCK}FlowTitle')}") from None
+
+
+def keep_what_is_sent() -> None:
+    """Write the job's program, and the job with which it is proven, as road-failed.nc and .json."""
+    (job,) = ours("Job")
+    (PICTURES / "road-failed.nc").write_text(api.program_text(job), "utf-8")
+    save_job(proven_with(job), PICTURES / "road-failed.json")
 
 
 @pytest.mark.window("plain", "scaled")
