@@ -6,10 +6,12 @@ from __future__ import annotations
 from typing import Any
 
 import FreeCAD
+import FreeCADGui
 import Part
 import pytest
 from FreeCAD import Vector
 from hand import Hand
+from PySide import QtGui
 from test_typing import hidden_view
 
 from CNCStepper.workbench import api
@@ -83,3 +85,13 @@ def test_a_cut_that_takes_long_is_ended_and_made_beside_the_window(
     assert refusal is not None and refusal.code == jit_guard.LONG
     assert watch.max_cpu_ms < 1000 * jit_guard.MOST_S + SPARE_MS, watch
     hand.wait(lambda: not pocket.Proxy.refusal and not job.Message, 120, "the cut made beside the window")
+
+
+def test_a_hidden_view_gets_its_place_back(hand: Hand) -> None:
+    def width() -> int:
+        return int(FreeCADGui.getMainWindow().findChild(QtGui.QMdiArea).width())
+
+    before = hand.main(width)
+    with hidden_view(hand):
+        pass
+    hand.wait(lambda: abs(width() - before) <= 2, 5, f"the view's {before} pixels")

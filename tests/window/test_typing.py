@@ -349,16 +349,31 @@ def test_a_new_operation_whose_drawing_is_gone_when_it_is_fitted_is_not_made(han
 
 @contextmanager
 def hidden_view(hand: Hand) -> Iterator[None]:
-    """Hide what FreeCAD draws of the document."""
-
-    def show(seen: bool) -> None:
-        FreeCADGui.getMainWindow().findChild(QtGui.QMdiArea).setVisible(seen)
-
-    hand.main(show, False)
+    """Hide what FreeCAD draws of the document; the panels beside it, which take its room, get their sizes back."""
+    sizes = hand.main(panel_sizes)
+    hand.main(show_view, False)
     try:
         yield
     finally:
-        hand.main(show, True)
+        hand.main(show_view, True)
+        hand.settle()
+        hand.main(resize_panels, sizes)
+
+
+def show_view(seen: bool) -> None:
+    FreeCADGui.getMainWindow().findChild(QtGui.QMdiArea).setVisible(seen)
+
+
+def panel_sizes() -> dict[Any, tuple[int, int]]:
+    """Return width and height of each panel that is docked and seen."""
+    docks = FreeCADGui.getMainWindow().findChildren(QtGui.QDockWidget)
+    return {dock: (dock.width(), dock.height()) for dock in docks if dock.isVisible() and not dock.isFloating()}
+
+
+def resize_panels(sizes: dict[Any, tuple[int, int]]) -> None:
+    window, (widths, heights) = FreeCADGui.getMainWindow(), zip(*sizes.values(), strict=True)
+    window.resizeDocks(list(sizes), list(widths), QtCore.Qt.Orientation.Horizontal)
+    window.resizeDocks(list(sizes), list(heights), QtCore.Qt.Orientation.Vertical)
 
 
 def type_into_all(hand: Hand, kind: str, obj: Any) -> None:
