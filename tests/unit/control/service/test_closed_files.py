@@ -15,8 +15,7 @@ import pytest
 from CNCStepper.cli.job.running_job import session_file
 from CNCStepper.cli.main import main
 from CNCStepper.control.journal import store
-from CNCStepper.control.processes import file_lock
-from CNCStepper.control.processes import process_file
+from CNCStepper.control.processes import file_lock, process_file
 from CNCStepper.control.processes.process_file import OwnFile, is_alive, is_closed
 from CNCStepper.control.service import connection_session
 from CNCStepper.control.service.connection_client import DeskClient
