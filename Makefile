@@ -29,14 +29,15 @@ demo: setup
 	@.venv/bin/python examples/demo.py
 
 # A test that failed beside another runs once more, alone: a fault is there again, a shared core is not.
+# One that waits for ever fails, with what each thread was doing, and the others go on.
 define pytest
 	@.venv/bin/python -m pytest --cache-clear -n 2 $(1) || { [ $$? = 1 ] && echo "make: what failed runs once more, alone" && \
 		.venv/bin/python -m pytest --last-failed --last-failed-no-failures none $(1); }
 endef
 
 test: setup lint
-	$(call pytest,--dist loadfile --no-loadscope-reorder -m "not freecad")
-	$(call pytest,--dist worksteal -m "freecad$(if $(filter matrix,$(MAKECMDGOALS)), and not matrix)")
+	$(call pytest,--timeout 600 --dist loadfile --no-loadscope-reorder -m "not freecad")
+	$(call pytest,--timeout 1800 --dist worksteal -m "freecad$(if $(filter matrix,$(MAKECMDGOALS)), and not matrix)")
 
 # `make test matrix` runs in the system's FreeCAD once what both have (marked "matrix").
 matrix:
@@ -45,7 +46,7 @@ matrix:
 
 quick:
 	@tools/setup.sh python
-	@.venv/bin/python -m pytest -n 2 --dist loadfile --no-loadscope-reorder -m "not slow and not freecad"
+	@.venv/bin/python -m pytest --timeout 60 -n 2 --dist loadfile --no-loadscope-reorder -m "not slow and not freecad"
 
 RUNS := 500
 FAULT_RUNS := $(if $(filter command,$(firstword $(origin RUNS))),$(RUNS),5000)

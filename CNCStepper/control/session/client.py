@@ -18,7 +18,7 @@ from CNCStepper.control.program.send_job import SendJob
 from CNCStepper.control.program.spool import write_spool
 from CNCStepper.control.session.detached_process import start
 from CNCStepper.control.session.files import LOG, OUTCOME, WIRE, new_session, read_private
-from CNCStepper.control.session.local_socket import Address
+from CNCStepper.control.session.local_socket import Address, close_in_order
 from CNCStepper.control.session.status import Outcome, SenderStatus, take_refusal
 from CNCStepper.control.session.unreachable import GARBLED, closed, garbled, lost, silent, unreadable
 from CNCStepper.errors import LinkError
@@ -28,6 +28,7 @@ START_LIMIT_S = 30.0
 READ_BYTES = 65_536
 ANSWER_LIMIT_S = 10.0
 WELCOME_LIMIT_S = 3.0  # from a connection to the first word on it; where it is not let in, it tries again
+CLOSE_LIMIT_S = 1.0  # for the session to have read what was asked last
 LOOK_EVERY_S = 0.02
 
 
@@ -135,10 +136,11 @@ class SessionClient:
         return self.outcome
 
     def close(self) -> None:
-        """Detach; the session goes on."""
+        """Detach; what was asked before still arrives, and the session goes on."""
         self._early = []
         if self._connection:
-            self._connection.close()
+            self._connection.settimeout(CLOSE_LIMIT_S)
+            close_in_order(self._connection)
             self._connection = None
 
     def __enter__(self) -> SessionClient:

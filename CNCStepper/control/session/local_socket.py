@@ -127,6 +127,15 @@ def is_own_peer(connection: socket.socket) -> bool:
     return user in (0, os.geteuid())
 
 
+def close_in_order(connection: socket.socket) -> None:
+    """Close a connection so that what was sent before still arrives, waiting for the other end as its timeout says."""
+    with suppress(OSError):  # nothing left to read, or no connection
+        connection.shutdown(socket.SHUT_WR)
+        while connection.recv(UNREAD_BYTES):  # unread bytes would make a reset of it, which discards the rest
+            pass
+    connection.close()
+
+
 def socket_paths(session_file: Path) -> list[Path]:
     """Return where the Unix socket of a session may be, the best first; none where no path is short enough."""
     if not _has_unix_sockets():

@@ -7,10 +7,9 @@ import json
 import select
 import socket
 from collections.abc import Mapping
-from contextlib import suppress
 from typing import Any
 
-from CNCStepper.control.session.local_socket import Address, is_own_peer
+from CNCStepper.control.session.local_socket import Address, close_in_order, is_own_peer
 
 READ_BYTES = 262_144  # in one look, so that a flood does not keep the window
 OUTBOX_LIMIT_BYTES = 100_000
@@ -59,11 +58,7 @@ class LineSocket:
         if self.closed:
             return
         self.closed = True
-        with suppress(OSError):  # nothing left to read, or no connection
-            self._socket.shutdown(socket.SHUT_WR)
-            while self._socket.recv(READ_BYTES):  # unread bytes would make a reset of it, which discards the rest
-                pass
-        self._socket.close()
+        close_in_order(self._socket)
 
     def _connect(self, address: Address) -> None:
         try:

@@ -85,6 +85,10 @@ class Peer:
         """Whether something is still to be sent to it."""
         return bool(self.sending or self.backlog)
 
+    def hears_no_more(self) -> None:
+        """Forget what is still to be sent to it."""
+        self.sending, self.backlog = memoryview(b""), Backlog()
+
 
 class SessionServer:
     """Listens where `Listener` says for the session of a file; `address` is for that file.
@@ -327,9 +331,8 @@ class SessionServer:
                 peer.sending = peer.sending[peer.connection.send(peer.sending) :]
         except BlockingIOError:
             pass
-        except OSError:
-            self._drop(peer)
-            return
+        except OSError:  # it has closed: what it asked before that is still to be read, and `_read` finds the end
+            peer.hears_no_more()
         if peer.is_behind != peer.has_more:
             peer.is_behind = peer.has_more
             events = selectors.EVENT_READ | (selectors.EVENT_WRITE if peer.is_behind else 0)

@@ -20,7 +20,14 @@ from CNCStepper.control.session import local_socket
 from CNCStepper.control.session.command import Command
 from CNCStepper.control.session.event_queue import LIMIT_BYTES, LIMIT_COUNT, TEXT_LIMIT, Backlog, News, line_of
 from CNCStepper.control.session.files import new_session
-from CNCStepper.control.session.local_socket import LOOPBACK, TRANSPORT, Address, make_private, socket_paths
+from CNCStepper.control.session.local_socket import (  # fmt: skip
+    LOOPBACK,
+    TRANSPORT,
+    Address,
+    close_in_order,
+    make_private,
+    socket_paths,
+)
 from CNCStepper.control.session.server import KNOWN_LIMIT, STRANGER_LIMIT, SessionServer
 from CNCStepper.control.session.status import SenderStatus
 
@@ -37,6 +44,7 @@ class Job:
         self.asked: list[str] = []
         self.stopped = False
         self.shown = SenderStatus(phase="running")
+        self.on_status: Callable[[], object] = lambda: None  # called once, in the server's thread
 
     def ask(self, command: Command) -> None:
         self.asked.append(command.name)
@@ -45,6 +53,8 @@ class Job:
         self.stopped = True
 
     def status(self) -> SenderStatus:
+        on_status, self.on_status = self.on_status, lambda: None
+        on_status()
         return self.shown
 
 
@@ -192,6 +202,25 @@ def test_a_command_is_heard_while_the_machine_floods(served):
     finally:
         over.set()
         flooding.join()
+
+
+@pytest.mark.parametrize("has_read", [True, False])
+def test_a_command_of_a_client_that_has_closed_is_heard_before_it_is_dropped(served, has_read):
+    """It asks and closes between the server's look at its peers and what the server has to tell them."""
+    connection = attached_to(served)
+    has_gone = threading.Event()
+
+    def stop_and_go() -> None:
+        served.job.shown = SenderStatus(phase="paused")  # so that a status is sent, to a closed connection
+        served.ask(connection, "stop")
+        connection.setblocking(False)
+        close_in_order(connection) if has_read else connection.close()
+        has_gone.set()
+
+    served.job.on_status = stop_and_go
+    assert has_gone.wait(LIMIT_S)
+    until(lambda: not served.server._peers)
+    assert served.job.asked == ["stop"]
 
 
 def test_whoever_comes_late_hears_the_phases_first_and_the_present_last(served):
