@@ -10,7 +10,7 @@ import FreeCADGui
 class CNCStepperWorkbench(FreeCADGui.Workbench):
     """The entry in FreeCAD's list of workbenches."""
 
-    from CNCStepper.workbench import packages
+    from CNCStepper.workbench import packages, viewproviders
 
     MenuText = "CNCStepper"
     ToolTip = "From a drawing to a cut part on stepper-driven tables"
@@ -34,5 +34,6 @@ class CNCStepperWorkbench(FreeCADGui.Workbench):
 
 
 FreeCADGui.addWorkbench(CNCStepperWorkbench())
+CNCStepperWorkbench.viewproviders.register()
 FreeCADGui.addLanguagePath(str(CNCStepperWorkbench.packages.ROOT / "resources" / "translations"))
 FreeCADGui.updateLocale()  # FreeCAD chose its language before it knew this folder

@@ -138,9 +138,7 @@ def load_program(job: Any, path: str | Path) -> Any:
 
     One that was read from the same file before takes its text. Raises JobError for a file that cannot be read.
     """
-    from CNCStepper.workbench.editor.program_source import FileSource
-
-    text = FileSource(Path(path)).text()
+    text, _ = program_file.read(Path(path))
     found = (obj for obj in job.InList if is_of_a_file(obj) and obj.File == str(path))
     obj = next(found, None) or _add(job.Document, "App::FeaturePython", Program, {"job": job})
     obj.Label, obj.File = Path(path).name, str(path)

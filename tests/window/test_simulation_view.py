@@ -59,9 +59,13 @@ def job(hand: Hand) -> Iterator[Any]:
     ProofRun._last = None
 
 
+def no_restart(job: Any, line: int) -> None:
+    raise AssertionError(f"nobody restarts {job.Label} at {line}")
+
+
 def opened(hand: Hand, job: Any) -> SimulationTask:
     """Open the simulation and wait until all of it is shown."""
-    task = hand.main(open_simulation, job)
+    task = hand.main(open_simulation, job, no_restart)
     hand.wait(lambda: task._result is not None and not task._loader.isActive(), PROVEN_S)
     return task
 
@@ -147,7 +151,7 @@ def opened_up_to_the_part(hand: Hand, job: Any) -> tuple[SimulationTask, int]:
         os.kill(processes[0], signal.SIGSTOP)
 
     def open_and_listen() -> SimulationTask:
-        task = open_simulation(job)
+        task = open_simulation(job, no_restart)
         task._run.part.connect(halt)
         return task
 
@@ -358,14 +362,14 @@ def test_a_part_without_an_answer_leaves_the_view(hand: Hand, job: Any, end: str
 
 
 def test_closing_it_ends_the_process(hand: Hand, job: Any) -> None:
-    task = hand.main(open_simulation, job)
+    task = hand.main(open_simulation, job, no_restart)
     hand.wait(lambda: task._run is not None and task._run._process is not None, 20)
     process = task._run._process
     hand.shot("simulation-proves")
     hand.button("Close")
     hand.wait(lambda: not FreeCADGui.Control.activeDialog(), 5)
     assert task._run is None and process is not None
-    again = hand.main(open_simulation, job)
+    again = hand.main(open_simulation, job, no_restart)
     hand.wait(lambda: again._run is not None and again._run._process is not None, 20)
     hand.main(FreeCAD.closeDocument, job.Document.Name)
     hand.wait(lambda: not FreeCADGui.Control.activeDialog() and again._run is None, 5)
@@ -425,7 +429,7 @@ def test_no_call_takes_long_while_a_long_program_is_proven_and_played(hand: Hand
 
     hand.main(store)
     with hand.watchdog() as watch:
-        task = hand.main(open_simulation, job)
+        task = hand.main(open_simulation, job, no_restart)
         hand.wait(lambda: task._result is not None and not task._loader.isActive(), 120)
         hand.click("CNCStepper_Simulation_play")
         time.sleep(3)

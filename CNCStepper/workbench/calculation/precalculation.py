@@ -13,8 +13,8 @@ from CNCStepper.job import question_key
 from CNCStepper.job.deferred_fitting import Unfitted, on_trial, only_looking
 from CNCStepper.workbench.calculation import result_cache
 from CNCStepper.workbench.calculation.cut_process import Parts, process
+from CNCStepper.workbench.document.operation_order import active_operations
 from CNCStepper.workbench.features.base import FAILED, JOB, edit, entry_of, named, proxy_type
-from CNCStepper.workbench.features.job import active_operations
 
 
 @dataclass

@@ -34,9 +34,10 @@ class Simulate(Command):
 
     def take(self, program: Any) -> None:
         """Open the simulation of a job or of an edited program."""
-        from CNCStepper.workbench import freehand
+        from CNCStepper.workbench import dock, freehand
+        from CNCStepper.workbench.restart import open_restart
         from CNCStepper.workbench.simulation import open_simulation
 
         freehand.leave()
         prove_program.make(program)
-        open_simulation(program)
+        open_simulation(program, lambda job, line: open_restart(job, dock.send, line))

@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import sys
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
@@ -22,13 +21,9 @@ def send(job: Any, place: RestartPlace | None = None) -> None:
 
     place: where it is to be restarted, None for the whole program.
     """
-    show().widget().sending.send(job, place)
+    from CNCStepper.workbench.dock import window
 
-
-def start_here() -> Any:
-    """Return the start state of the machine that this window is connected to, None where it is not known."""
-    opened = sys.modules.get(f"{__name__}.window")  # no dock was ever opened before this is loaded
-    return opened.start_here() if opened else None
+    window.send(job, place)
 
 
 def greet() -> None:

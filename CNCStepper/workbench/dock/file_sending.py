@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -18,14 +19,15 @@ DOES = later("Check a G-code file with the job's machine, stock, tools and clamp
 class FileSending:
     """The button, and what it does."""
 
-    def __init__(self) -> None:
-        self.button = widgets.button("SendFile", tr("Send a G-code file…"), self._send)
+    def __init__(self, send: Callable[[Any], None]) -> None:
+        self._send = send
+        self.button = widgets.button("SendFile", tr("Send a G-code file…"), self._ask)
 
     def lock(self, moment: Moment) -> None:
         """Enable the button while nothing is cut."""
         widgets.lock(self.button, why_not_now(moment), DOES)
 
-    def _send(self) -> None:
+    def _ask(self) -> None:
         """Ask which file, and send it for the job that is meant."""
         from CNCStepper.workbench.document import targets
         from CNCStepper.workbench.editor.file_dialogs import ask_which
@@ -41,7 +43,9 @@ class FileSending:
             self._take(targets.job(), path)
 
     def _take(self, job: Any, path: Path) -> None:
-        from CNCStepper.workbench.commands.send import Send
         from CNCStepper.workbench.editor.active_program import of_file
+        from CNCStepper.workbench.proving import prove_program
 
-        Send().take(of_file(job, path))
+        program = of_file(job, path)
+        prove_program.make(program)
+        self._send(program)

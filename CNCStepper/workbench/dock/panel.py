@@ -29,6 +29,7 @@ from CNCStepper.workbench.dock.views.override_view import OverrideView
 from CNCStepper.workbench.dock.views.retract_view import BackView
 from CNCStepper.workbench.dock.views.send_steps_view import FlowView
 from CNCStepper.workbench.dock.views.state_view import PositionView, StateView
+from CNCStepper.workbench.proving.latest_proof import Sender
 from CNCStepper.workbench.services import messages
 from CNCStepper.workbench.services.findings_list import FindingsList
 from CNCStepper.workbench.services.message_translation import translated
@@ -40,9 +41,12 @@ MARGINS = (8, 4, 8, 4)
 
 
 class Panel(KeyboardArea):
-    """All of the dock's content; `link` is its controller, `sending` the job on its way, `language` FreeCAD's then."""
+    """All of the dock's content; `link` is its controller, `sending` the job on its way, `language` FreeCAD's then.
 
-    def __init__(self, link: Link) -> None:
+    send: begins to send a program, or its restart at a place, with the dock in front.
+    """
+
+    def __init__(self, link: Link, send: Sender) -> None:
         super().__init__()
         widgets.named(self, "Panel")
         self.language = FreeCADGui.getLocale()
@@ -53,7 +57,7 @@ class Panel(KeyboardArea):
         self.connection = ConnectionView(self.connect_chosen, self._leave, self._ports)
         self.state = StateView()
         self.flow = FlowView(self.findings, self.sending.onward, self.sending.away)
-        self.file_sending, self.recovery = FileSending(), Recovery(self.link)
+        self.file_sending, self.recovery = FileSending(send), Recovery(self.link, send)
         self.position = PositionView(lengths, point, lambda axes: self.link.command("set_zero", axes))
         self.backing = Backing(self, self.link, self.log.say, self.refresh)
         self.back = BackView(lengths, point, self.backing.go)

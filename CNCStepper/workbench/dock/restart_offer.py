@@ -23,6 +23,7 @@ from CNCStepper.workbench.services.translation import tr
 if TYPE_CHECKING:
     from CNCStepper.control.journal.replay import Story
     from CNCStepper.workbench.dock.connection import Link
+    from CNCStepper.workbench.proving.latest_proof import Sender
 
 WORKER = "CNCStepper.workers.unfinished_job"
 
@@ -30,8 +31,8 @@ WORKER = "CNCStepper.workers.unfinished_job"
 class Recovery:
     """What the view's two buttons do; the offer is looked for whenever a controller was met."""
 
-    def __init__(self, link: Link):
-        self._link, self._reading = link, Reading()
+    def __init__(self, link: Link, send: Sender):
+        self._link, self._send, self._reading = link, send, Reading()
         self._met = False
         self.view = RecoveryView(self._restart, self._ask)
         lost = CNCStepperError("unfinished-lost", "the process that reads the last job has ended", advice="try again")
@@ -62,7 +63,7 @@ class Recovery:
         if program is None:
             return
         prove_program.make(program)
-        restart.open_restart(program)
+        restart.open_restart(program, self._send)
 
     def _ask(self) -> None:
         """Ask for the job that did not end, of this machine where there is one."""
@@ -99,7 +100,7 @@ class Recovery:
             return
         from CNCStepper.workbench import restart
 
-        restart.open_restart(program, job["line"], said)
+        restart.open_restart(program, self._send, job["line"], said)
 
     def _failed(self, error: CNCStepperError) -> None:
         self.view.show_offer("")

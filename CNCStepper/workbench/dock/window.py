@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import FreeCADGui
 from PySide import QtCore, QtGui
@@ -14,8 +14,12 @@ from CNCStepper.workbench import packages
 from CNCStepper.workbench.dock.close_guard import ClosingGuard
 from CNCStepper.workbench.dock.connection import Link
 from CNCStepper.workbench.dock.panel import Panel
+from CNCStepper.workbench.proving import latest_proof
 from CNCStepper.workbench.services import messages
 from CNCStepper.workbench.services.translation import tr
+
+if TYPE_CHECKING:
+    from CNCStepper.recovery.restart.proof_folder import RestartPlace
 
 NAME = "CNCStepper_Dock"
 
@@ -52,6 +56,11 @@ def open_dock() -> Any:
     return shown
 
 
+def send(job: Any, place: RestartPlace | None = None) -> None:
+    """Show the dock in front and begin to send a job object, or its restart at a place."""
+    open_dock().widget().sending.send(job, place)
+
+
 def open_unless_connected() -> None:
     """Show the dock, unless this window has a controller already, whose dock may have been closed on purpose."""
     found = FreeCADGui.getMainWindow().findChild(QtGui.QDockWidget, NAME)
@@ -63,6 +72,9 @@ def start_here() -> Start | None:
     """Return the start state of the machine that this window's dock is connected to, None where it is not known."""
     found = FreeCADGui.getMainWindow().findChild(QtGui.QDockWidget, NAME)
     return found.widget().link.start if found else None
+
+
+latest_proof.start_here = start_here
 
 
 def attach_running(shown: Panel) -> None:
@@ -90,4 +102,4 @@ def _made(window: Any) -> Any:
 def _fill(dock: Any, link: Link) -> None:
     """Give a dock its title and its panel."""
     dock.setWindowTitle(tr("Controller"))
-    dock.setWidget(Panel(link))
+    dock.setWidget(Panel(link, send))

@@ -17,9 +17,9 @@ from CNCStepper.toolpath import Toolpath
 from CNCStepper.workbench.calculation import result_cache
 from CNCStepper.workbench.document.clamps import clamps_content
 from CNCStepper.workbench.document.machine_of_job import machine_of
+from CNCStepper.workbench.document.operation_order import active_operations
 from CNCStepper.workbench.document.stock_of_job import stock_content
 from CNCStepper.workbench.features.base import problem_of, values
-from CNCStepper.workbench.features.job import active_operations
 from CNCStepper.workbench.features.program import is_of_a_file, job_behind
 from CNCStepper.workbench.features.tool import model_of, tool_content
 

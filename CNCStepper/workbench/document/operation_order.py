@@ -21,6 +21,11 @@ def is_operation(obj: Any) -> bool:
     return bool(getattr(getattr(obj, "Proxy", None), "CYCLE", ""))
 
 
+def active_operations(job: Any) -> list[Any]:
+    """Return the operations that the program holds, in order."""
+    return [operation for operation in job.Operations if operation.Active]
+
+
 def job_of(part: Any) -> Any:
     """Return the job that holds an operation or a tool, None where none does."""
     if part is None:

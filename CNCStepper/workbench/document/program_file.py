@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The program text inside the document: an included file, saved with it byte for byte; no bytes mean no program."""
+"""The text of a program: a file inside the document, saved with it byte for byte; or a G-code file."""
 
 from __future__ import annotations
 
@@ -7,7 +7,12 @@ import tempfile
 from pathlib import Path
 from typing import Any
 
+from CNCStepper.gcode.syntax.text_format import FileForm, decoded
+from CNCStepper.gcode.syntax.words import with_line_feeds
+from CNCStepper.input_file import read_input
+
 NAME = "program.nc"
+LARGEST_BYTES = 256_000_000
 
 
 def store(job: Any, text: str) -> None:
@@ -21,3 +26,15 @@ def store(job: Any, text: str) -> None:
 def load(job: Any) -> str:
     """Return the job's program, "" when it has none."""
     return Path(job.Program).read_bytes().decode("utf-8") if job.Program else ""
+
+
+def read(path: Path) -> tuple[str, FileForm]:
+    """Return the text of a G-code file, each line with its end, and how the file writes it; raises JobError."""
+    text, form = decoded(read_input(path, LARGEST_BYTES))
+    return ended(text), form
+
+
+def ended(text: str) -> str:
+    """Return a text whose lines all end with a line feed, the last one too."""
+    text = with_line_feeds(text)
+    return f"{text}\n" if text and not text.endswith("\n") else text

@@ -6,7 +6,7 @@ Asked several times a second, so nothing here loads the editor: where no program
 
 from __future__ import annotations
 
-import sys
+from collections.abc import Callable
 from typing import Any
 
 from CNCStepper.workbench.document import targets
@@ -15,13 +15,18 @@ from CNCStepper.workbench.proving import prove_program
 from CNCStepper.workbench.services import missing_packages
 from CNCStepper.workbench.services.translation import tr
 
-EDITORS = "CNCStepper.workbench.editor.window"
+
+def _none() -> Any:
+    return None
+
+
+dock_in_front: Callable[[], Any] = _none
+"""Returns the dock of the editor in front, or None; the editors' window fills this when it is loaded."""
 
 
 def editor() -> Any:
     """Return the panel of the editor in front, None where the tree counts or the object of its text is gone."""
-    window = sys.modules.get(EDITORS)
-    dock = window.dock_in_front() if window else None
+    dock = dock_in_front()
     return dock.panel if dock is not None and dock.panel.source.alive else None
 
 

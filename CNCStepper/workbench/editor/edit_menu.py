@@ -3,18 +3,18 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from PySide import QtCore, QtGui
 
 from CNCStepper.control.session.status import error_from_json
 from CNCStepper.workbench.editor.diff_dialog import DiffDialog, agreed
+from CNCStepper.workbench.editor.reader_client import ProgramReader
+from CNCStepper.workbench.editor.text_edit import ProgramEdit
 from CNCStepper.workbench.services import messages
 from CNCStepper.workbench.services.translation import later, tr
-
-if TYPE_CHECKING:
-    from CNCStepper.workbench.editor.panel import EditorPanel
 
 NAME = "CNCStepper_Editor_verb_"
 CONVERT = "convert"
@@ -70,11 +70,11 @@ VERBS = (
 
 
 class Verbs(QtCore.QObject):
-    """The menu of one editor."""
+    """The menu of one editor; `send_typed` passes the newest text to the reader."""
 
-    def __init__(self, panel: EditorPanel):
+    def __init__(self, panel: Any, edit: ProgramEdit, reader: ProgramReader, send_typed: Callable[[], None]):
         super().__init__(panel)
-        self._panel = panel
+        self._panel, self._edit, self._reader, self._send_typed = panel, edit, reader, send_typed
         self._verb: Verb | None = None
         self._actions: dict[str, Any] = {}
         self.menu = QtGui.QMenu(panel)
@@ -84,7 +84,7 @@ class Verbs(QtCore.QObject):
             action.setObjectName(NAME + verb.name)
             action.triggered.connect(messages.guarded(lambda verb=verb: self._begin(verb)))
             self._actions[verb.name] = action
-        panel.reader.edited.connect(messages.guarded(self._show))
+        reader.edited.connect(messages.guarded(self._show))
 
     def trigger(self, name: str) -> None:
         """Do what choosing that verb in the menu does."""
@@ -95,8 +95,8 @@ class Verbs(QtCore.QObject):
         values = _ask(verb, self._panel) if verb.fields else {}
         if values is not None:
             self._verb = verb
-            self._panel.send_typed()  # an answer about an older text is not heard
-            self._panel.reader.ask({"edit": {"verb": verb.name, "values": values}})
+            self._send_typed()  # an answer about an older text is not heard
+            self._reader.ask({"edit": {"verb": verb.name, "values": values}})
 
     def _show(self, answer: dict[str, Any]) -> None:
         """Show what would change, and change it when that is wanted."""
@@ -108,9 +108,9 @@ class Verbs(QtCore.QObject):
         elif not answer["changes"]:
             messages.note(tr("Nothing changes."))
         elif agreed(DiffDialog(tr(verb.title).rstrip("…"), answer, self._panel)):
-            path = self._panel.reader.folder / answer["text"]
+            path = self._reader.folder / answer["text"]
             text = path.read_bytes().decode("utf-8", "surrogatepass")
-            self._panel.edit.replace_all(text.replace("\r\n", "\n"))
+            self._edit.replace_all(text.replace("\r\n", "\n"))
 
 
 def _ask(verb: Verb, parent: Any) -> dict[str, Any] | None:

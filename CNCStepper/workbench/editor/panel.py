@@ -260,7 +260,7 @@ class EditorPanel(QtGui.QWidget):
         self.bar.machine_changed.connect(guarded(lambda: self.reader.begin(self._language())))
 
     def _arrange(self) -> None:
-        self.verbs = Verbs(self)
+        self.verbs = Verbs(self, self.edit, self.reader, self.send_typed)
         self.bar = EditorBar(self.verbs.menu)
         self.find = FindBar(self.edit)
         self.refusals = RefusalList()

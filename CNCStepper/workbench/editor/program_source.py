@@ -12,21 +12,12 @@ from typing import Any
 
 from CNCStepper.atomic_file import write_whole
 from CNCStepper.errors import JobError, Place
-from CNCStepper.gcode.syntax.text_format import FileForm, decoded
-from CNCStepper.gcode.syntax.words import with_line_feeds
-from CNCStepper.input_file import read_input
+from CNCStepper.gcode.syntax.text_format import FileForm
 from CNCStepper.workbench.document import program_file
 from CNCStepper.workbench.editor.reader_client import Language
 from CNCStepper.workbench.features.base import JOB, proxy_type
 from CNCStepper.workbench.features.program import job_behind
 from CNCStepper.workbench.services.translation import tr
-
-LARGEST_BYTES = 256_000_000
-
-
-def _ended(text: str) -> str:
-    text = with_line_feeds(text)
-    return f"{text}\n" if text and not text.endswith("\n") else text
 
 
 class FileSource:
@@ -59,8 +50,8 @@ class FileSource:
         """Return the text, each line with its end; raises JobError for a file that cannot be read."""
         if self.path is None:
             return ""
-        text, self._form = decoded(read_input(self.path, LARGEST_BYTES))
-        return _ended(text)
+        text, self._form = program_file.read(self.path)
+        return text
 
     def language(self, machine: Any) -> Language:
         """Return how it is read, on a machine's profile."""
@@ -128,7 +119,7 @@ class ObjectSource:
 
     def text(self) -> str:
         """Return the text, each line with its end."""
-        return _ended(program_file.load(self.obj))
+        return program_file.ended(program_file.load(self.obj))
 
     def language(self, machine: Any) -> Language:
         """Return how it is read: as its job says."""

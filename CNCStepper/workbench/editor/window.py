@@ -8,6 +8,7 @@ from typing import Any
 import FreeCADGui
 from PySide import QtCore, QtGui
 
+from CNCStepper.workbench.editor import active_program
 from CNCStepper.workbench.editor.active_editor import Front
 from CNCStepper.workbench.editor.panel import EditorPanel
 from CNCStepper.workbench.services import messages
@@ -91,6 +92,9 @@ def docks() -> list[EditorDock]:
 def dock_in_front() -> EditorDock | None:
     """Return the dock of the editor in front, None where a person has turned to the tree since, or there is none."""
     return _front[0].dock(docks()) if _front else None
+
+
+active_program.dock_in_front = dock_in_front
 
 
 def open_source(source: Any) -> EditorDock:

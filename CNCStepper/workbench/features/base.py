@@ -15,6 +15,7 @@ from typing import Any
 
 from CNCStepper.errors import CNCStepperError, JobError
 from CNCStepper.units import mm_min_from_mm_s, mm_s_from_mm_min
+from CNCStepper.workbench.services import object_observers
 from CNCStepper.workbench.services.jit_guard import patience
 from CNCStepper.workbench.services.translation import later
 
@@ -91,7 +92,7 @@ class Feature:
     def __init__(self, obj: Any):
         obj.Proxy = self
         self.add_properties(obj)
-        show_in_window(obj)
+        object_observers.announce(obj)
 
     def add_properties(self, obj: Any) -> None:
         """Add the properties and choices that `obj` lacks, which in a document of an older version may be some."""
@@ -161,7 +162,7 @@ class Feature:
     def onDocumentRestored(self, obj: Any) -> None:
         """Let a document of an older version catch up; FreeCAD calls this after opening it."""
         self.add_properties(obj)
-        show_in_window(obj)
+        object_observers.announce(obj)
 
     def __getstate__(self) -> None:
         """Keep nothing in the proxy: all state is in properties (FreeCAD before 0.21)."""
@@ -184,16 +185,6 @@ def _add_property(obj: Any, entry: Property) -> None:
         set_value(obj, entry, entry.default)
     if entry.output:
         obj.setEditorMode(entry.name, 1)
-
-
-def show_in_window(obj: Any) -> None:
-    """Give `obj` the view of its kind where there is a window; one made without gets it when it is opened in one."""
-    if getattr(obj, "ViewObject", None) is not None:
-        from CNCStepper.workbench import viewproviders
-        from CNCStepper.workbench.calculation import deferred_cuts
-
-        viewproviders.attach(obj)
-        deferred_cuts.begin()
 
 
 def original_of(obj: Any) -> Any:

@@ -10,6 +10,7 @@ from CNCStepper.state import WORK_SYSTEMS
 from CNCStepper.workbench import packages
 from CNCStepper.workbench.document import clamps, program_file
 from CNCStepper.workbench.document.input_limits import require_within_reach
+from CNCStepper.workbench.document.operation_order import active_operations
 from CNCStepper.workbench.document.stock_of_job import FORMS, stock_content, stock_of
 from CNCStepper.workbench.document.undo_observer import follow
 from CNCStepper.workbench.features.base import (
@@ -168,8 +169,3 @@ def _part(obj: Any, parts: int) -> int:
             advice="choose one of them",
         )
     return int(obj.ProgramPart)
-
-
-def active_operations(job: Any) -> list[Any]:
-    """Return the operations that the program holds, in order."""
-    return [operation for operation in job.Operations if operation.Active]

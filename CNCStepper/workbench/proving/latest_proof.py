@@ -1,16 +1,30 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""One proof at a time, for who wants to know of the newest question only."""
+"""One proof at a time, for a caller that wants the newest answer only; where it begins, and where it leads."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Protocol
 
 from CNCStepper.workbench.services.messages import guarded
 
 if TYPE_CHECKING:
     from CNCStepper.recovery.restart.proof_folder import RestartPlace
     from CNCStepper.state import Start
+
+
+class Sender(Protocol):
+    """Begins to send a job object or an edited program, or its restart at a place, and returns at once."""
+
+    def __call__(self, job: Any, place: RestartPlace | None = None) -> None: ...
+
+
+def _unknown() -> Start | None:
+    return None
+
+
+start_here: Callable[[], Start | None] = _unknown
+"""Returns the start state of the machine that this window is connected to; the dock fills this when it is loaded."""
 
 
 class LatestProof:

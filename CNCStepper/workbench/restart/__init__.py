@@ -4,14 +4,17 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from CNCStepper.workbench.proving.latest_proof import Sender
 
 
-def open_restart(program: Any, line: int = 0, said: Sequence[tuple[str, str]] = ()) -> Any:
+def open_restart(program: Any, send: Sender, line: int = 0, said: Sequence[tuple[str, str]] = ()) -> Any:
     """Open the task panel in which the restart of a job or an edited program is chosen; return it.
 
-    line: from which it is proposed, 0 for none. said: what is known of the job that did not end, a name and its words
-    each, shown on top.
+    send: is given the program and the place that were chosen. line: from which it is proposed, 0 for none.
+    said: what is known of the job that did not end, a name and its words each, shown on top.
     Raises JobError when another task panel stands open.
     """
     import FreeCADGui
@@ -20,7 +23,7 @@ def open_restart(program: Any, line: int = 0, said: Sequence[tuple[str, str]] = 
     from CNCStepper.workbench.services.task_panel_in_use import require_free
 
     require_free()
-    task = RestartTask(program, line, said)
+    task = RestartTask(program, send, line, said)
     FreeCADGui.Control.showDialog(task)
     task.begin()
     return task

@@ -14,7 +14,6 @@ from PySide import QtCore
 from CNCStepper.control.session.status import error_from_json
 from CNCStepper.recovery.restart.places import Where
 from CNCStepper.recovery.restart.proof_folder import RestartPlace
-from CNCStepper.workbench import dock
 from CNCStepper.workbench.dock.model.controller_state import sentences
 from CNCStepper.workbench.document import program_file
 from CNCStepper.workbench.document.core_job import machine_of
@@ -23,7 +22,8 @@ from CNCStepper.workbench.editor.reader_client import ProgramReader
 from CNCStepper.workbench.editor.view_session import EditorStage
 from CNCStepper.workbench.features.program import job_behind
 from CNCStepper.workbench.panels.view_task_panel import ViewTask
-from CNCStepper.workbench.proving.latest_proof import LatestProof
+from CNCStepper.workbench.proving import latest_proof
+from CNCStepper.workbench.proving.latest_proof import LatestProof, Sender
 from CNCStepper.workbench.restart.panel import RestartPanel
 from CNCStepper.workbench.restart.places import Row, line_of, rows_of
 from CNCStepper.workbench.services import messages
@@ -41,10 +41,10 @@ SETTLED_MS = 400  # so long a choice stands still before it is proven
 class RestartTask(ViewTask):
     """What FreeCAD's task panel is given; `form` is its widget. An edit of the program is shown, or told, at once."""
 
-    def __init__(self, program: Any, line: int = 0, said: Sequence[tuple[str, str]] = ()):
-        """line: the one that is proposed, 0 for none. said: what is known of the job that did not end."""
+    def __init__(self, program: Any, send: Sender, line: int = 0, said: Sequence[tuple[str, str]] = ()):
+        """Take what `open_restart` is given."""
         self.form = RestartPanel(program.Label, said)
-        self._program, self._document_name = program, program.Document.Name
+        self._program, self._document_name, self._sender = program, program.Document.Name, send
         self._source = ObjectSource(program)
         self._where = Where(line=line) if line else None
         self._proof = LatestProof(self.form.show_result, self._refuse, lambda text: self.form.say(text, busy=True))
@@ -154,7 +154,7 @@ class RestartTask(ViewTask):
     # ---- the proof ----
 
     def _prove(self) -> None:
-        self._proof.begin(self._program, dock.start_here(), self._place)
+        self._proof.begin(self._program, latest_proof.start_here(), self._place)
 
     def _refuse(self, error: CNCStepperError) -> None:
         """Say why there is no restart; a line that is run more than once lets its run be chosen."""
@@ -167,7 +167,7 @@ class RestartTask(ViewTask):
         """Hand the restart to the dock, which asks for the work zero and sends it."""
         program, place = self._program, self._place
         self.reject()
-        dock.send(program, place)
+        self._sender(program, place)
 
     # ---- what happens to the program meanwhile ----
 

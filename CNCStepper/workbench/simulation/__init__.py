@@ -3,13 +3,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
 
-def open_simulation(job_object: Any) -> Any:
+def open_simulation(job_object: Any, restart: Callable[[Any, int], object]) -> Any:
     """Open the task panel of a job's simulation and return it; another task panel that stands open is left alone.
 
-    Raises JobError when there is one.
+    restart: what its button does with the program and the line under way. Raises JobError when there is one.
     """
     import FreeCADGui
 
@@ -17,7 +18,7 @@ def open_simulation(job_object: Any) -> Any:
     from CNCStepper.workbench.simulation.task import SimulationTask
 
     require_free()
-    task = SimulationTask(job_object)
+    task = SimulationTask(job_object, restart)
     FreeCADGui.Control.showDialog(task)
     task.begin()
     return task

@@ -6,14 +6,14 @@ The part is shown as soon as it is cut, the rest when all is proven; without a p
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from itertools import chain
 from typing import TYPE_CHECKING, Any
 
 from PySide import QtCore
 
-from CNCStepper.workbench import dock
 from CNCStepper.workbench.panels.view_task_panel import ViewTask
+from CNCStepper.workbench.proving import latest_proof
 from CNCStepper.workbench.proving.proof_process import ProofResult, ProofRun
 from CNCStepper.workbench.services import messages
 from CNCStepper.workbench.services.message_translation import translated
@@ -35,14 +35,14 @@ if TYPE_CHECKING:
 class SimulationTask(ViewTask):
     """What FreeCAD's task panel is given; `form` is its widget. An edit of the program is shown, or told, at once."""
 
-    def __init__(self, job: Any):
+    def __init__(self, job: Any, restart: Callable[[Any, int], object]):
         self.form = SimulationPanel(job.Label)
         self.form.again.connect(messages.guarded(self.begin))
         self.form.path_shown.connect(messages.guarded(self._show_path))
         self.form.keep.connect(messages.guarded(self._want_mesh))
         self.form.restart.connect(messages.guarded(self._restart))
         self.form.destroyed.connect(self._leave)  # however FreeCAD closes the panel
-        self._job = job
+        self._job, self._open_restart = job, restart
         self._document_name = job.Document.Name
         self._watch = ProgramWatch(job, self._changed, self._deleted, self._document_closing)
         self._run: ProofRun | None = None
@@ -62,7 +62,7 @@ class SimulationTask(ViewTask):
         """Prove the program as it now stands in the document."""
         self._leave_result()
         self.form.clear()
-        self._run = ProofRun(self._job, begins=dock.start_here())
+        self._run = ProofRun(self._job, begins=latest_proof.start_here())
         self._run.progress.connect(self._tell_stage)
         self._run.part.connect(messages.guarded(self._show_part))
         self._run.finished.connect(messages.guarded(self._show))
@@ -187,12 +187,10 @@ class SimulationTask(ViewTask):
 
     def _restart(self) -> None:
         """Leave the simulation, and choose the restart from the line under way."""
-        from CNCStepper.workbench.restart import open_restart
-
         if self._player is not None:
             program, line = self._job, self._player.line
             self.reject()
-            open_restart(program, line)
+            self._open_restart(program, line)
 
     def _show_path(self, shown: bool) -> None:
         if self._scene is not None:

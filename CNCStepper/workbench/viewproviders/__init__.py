@@ -8,18 +8,31 @@ from __future__ import annotations
 
 from typing import Any
 
+from CNCStepper.workbench.services import object_observers
+
+
+def register() -> None:
+    """Attach a view provider to each object that is made or opened in FreeCAD's window from now on."""
+    object_observers.observe(attach)
+
 
 def attach(obj: Any) -> None:
-    """Give an object of ours the view provider of its kind, unless it has it; the window must be there.
+    """Give an object of ours the view provider of its kind, unless it has it; its long cuts are deferred.
 
     FreeCAD opens what was made without a window hidden: that, which has no view provider at all, is shown.
     """
-    view, kind = obj.ViewObject, _kind(obj)
+    view = getattr(obj, "ViewObject", None)
+    if view is None:
+        return
+    from CNCStepper.workbench.calculation import deferred_cuts
+
+    kind = _kind(obj)
     made_without = view.Proxy is None
     if not isinstance(view.Proxy, kind):
         kind(view)
     if made_without:
         view.Visibility = True
+    deferred_cuts.begin()
 
 
 def _kind(obj: Any) -> type:
