@@ -14,8 +14,7 @@ import screen_places as places
 from hand import Hand
 from PySide import QtGui
 
-from CNCStepper.workbench import api
-from CNCStepper.workbench.panels import edit_object
+from CNCStepper.workbench import api, panels
 
 P = "CNCStepper_Panel"
 A = f"{P}_axis"
@@ -37,7 +36,7 @@ def job(hand: Hand) -> Iterator[Any]:
 
 
 def open_sheet(hand: Hand, job: Any) -> None:
-    hand.main(edit_object.edit, job)
+    hand.main(panels.edit, job)
     hand.wait(lambda: places.visible(f"{P}_group_axis"), what="the panel")
     hand.settle()
     hand.main(lambda: places.scroll_to(places.find(f"{P}_group_axis")))

@@ -19,10 +19,9 @@ from hand import Hand
 from PySide import QtCore, QtGui
 
 from CNCStepper.errors import CNCStepperError
-from CNCStepper.workbench import api
+from CNCStepper.workbench import api, panels
 from CNCStepper.workbench.features.base import problem_of, proxy_type
 from CNCStepper.workbench.features.catalogue import OPERATIONS
-from CNCStepper.workbench.panels import edit_object
 from CNCStepper.workbench.panels.tool_field import tool_words
 from CNCStepper.workbench.proving.proof_process import ProofRun
 
@@ -292,7 +291,7 @@ def test_a_rectangle_and_a_circle_selected_together(hand: Hand) -> None:
     hand.wait(lambda: len(job.Operations[0].Drawings) == 2, 10, "the circle to be taken again")
     accept(hand)
     hand.main(lambda: (job.Document.removeObject("Circle"), job.Document.recompute()))
-    hand.main(edit_object.edit, hand.main(lambda: job.Operations[0]))
+    hand.main(panels.edit, hand.main(lambda: job.Operations[0]))
     hand.wait(lambda: hand.exists(f"{PANEL}ok"), 60, "the panel")
     assert hand.main(listed) == {"Rectangle": True, "Circle (deleted)": True}
     hand.shot("drawings-2-deleted")
@@ -352,7 +351,7 @@ def test_every_panel_is_seen_whole_in_portuguese(hand: Hand, portuguese: None) -
     job = hand.main(every_panel)
     for operation in hand.main(lambda: list(job.Operations)):
         name = hand.main(proxy_type, operation).removeprefix("CNCStepper_")
-        hand.main(edit_object.edit, operation)
+        hand.main(panels.edit, operation)
         hand.wait(lambda: FreeCADGui.Control.activeDialog(), 10, f"the panel of {name}")
         hand.main(unfold)
         hand.settle()

@@ -14,8 +14,7 @@ from FreeCAD import Rotation, Vector
 from hand import Hand
 from PySide import QtGui
 
-from CNCStepper.workbench import api
-from CNCStepper.workbench.panels import edit_object as editing
+from CNCStepper.workbench import api, panels
 
 P = "CNCStepper_Panel"
 ADD, REMOVE = f"{P}_clamps_add", f"{P}_clamps_remove"
@@ -58,7 +57,7 @@ def bench(hand: Hand) -> Iterator[Bench]:
 
 
 def open_panel(hand: Hand, job: Any) -> None:
-    hand.main(editing.edit, job)
+    hand.main(panels.edit, job)
     hand.wait(keyboard_in_panel, what="the panel with the keyboard")
     hand.settle()
 

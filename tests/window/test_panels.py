@@ -20,12 +20,11 @@ from FreeCAD import Vector
 from hand import Hand
 from PySide import QtCore, QtGui
 
-from CNCStepper.workbench import api
+from CNCStepper.workbench import api, panels
 from CNCStepper.workbench.commands.create_object import create
 from CNCStepper.workbench.document import program_file
 from CNCStepper.workbench.features.base import problem_of, proxy_type, value_of
 from CNCStepper.workbench.features.operation import Operation
-from CNCStepper.workbench.panels import edit_object
 
 DEPTH, STEPOVER, OK, CANCEL = (f"CNCStepper_Panel_{name}" for name in ("depth_mm", "stepover_mm", "ok", "cancel"))
 NEVER_A_NUMBER = ["", "abc", "nan", "inf", "mm", "-", "("]  # nor is any of their beginnings
@@ -60,7 +59,7 @@ class Bench:
         FreeCADGui.SendMsgToActiveView("ViewFit")
 
     def open(self, obj: Any) -> None:
-        self.hand.main(edit_object.edit, obj)
+        self.hand.main(panels.edit, obj)
         self.opened()
 
     def opened(self) -> None:

@@ -33,13 +33,12 @@ from PySide import QtCore, QtGui
 from test_cycle_panels import PANEL, every_panel, unfold
 
 from CNCStepper.job import spline_fitting
-from CNCStepper.workbench import api
+from CNCStepper.workbench import api, panels
 from CNCStepper.workbench.calculation import deferred_drawing, result_cache
 from CNCStepper.workbench.calculation.cut_process import process
 from CNCStepper.workbench.features.base import problem_of, proxy_type, values
 from CNCStepper.workbench.features.catalogue import OPERATIONS
 from CNCStepper.workbench.features.preview import Preview
-from CNCStepper.workbench.panels import edit_object
 
 TEXTS = ("10 m", "10 mm + 2 in", "1e3 mm", "0,5 mm", "-3 mm", "1/0", "99999999 mm", "abc", "10 mm", "")
 WHOLE = [text for text in TEXTS if not any(other.startswith(text) for other in TEXTS if other != text)]
@@ -79,7 +78,7 @@ class Typist:
         self.watch: Any = None  # the watchdog, while it watches
         self.shown: queue.Queue[str] = queue.Queue()  # what the line that is typed into has shown, key by key
         self.typed: list[str] = []  # the same, since its text was typed anew
-        hand.main(edit_object.edit, obj)
+        hand.main(panels.edit, obj)
         hand.wait(lambda: self.panel() is not None, 10, "the panel")
         hand.main(unfold)
         hand.settle()
@@ -203,7 +202,7 @@ def test_the_picture_is_drawn_when_the_keys_pause(hand: Hand) -> None:
 
 def test_garbage_collections_pass_over_what_freecad_has_loaded(hand: Hand) -> None:
     plate = hand.main(draw, limit_s=120)
-    hand.main(edit_object.edit, plate["job"])
+    hand.main(panels.edit, plate["job"])
     hand.settle()
 
     def collect_ms() -> float:

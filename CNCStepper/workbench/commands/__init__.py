@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import itertools
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 
 from CNCStepper.workbench.services.command import Command
 
@@ -18,28 +18,23 @@ def register() -> tuple[list[str], list[str]]:
     """
     import FreeCADGui
 
-    from CNCStepper.workbench.commands.contour import Contour
-    from CNCStepper.workbench.commands.controller import Controller
-    from CNCStepper.workbench.commands.edit_program import EditProgram, OpenProgram
-    from CNCStepper.workbench.commands.elliptical_pocket import EllipticalPocket
-    from CNCStepper.workbench.commands.engrave import Engrave
+    from CNCStepper.workbench.commands import operations
     from CNCStepper.workbench.commands.freehand import Freehand
-    from CNCStepper.workbench.commands.holes import Bore, Drill, Thread
-    from CNCStepper.workbench.commands.import_tools import ImportTools
-    from CNCStepper.workbench.commands.new_job import NewJob
-    from CNCStepper.workbench.commands.pockets import CircularPocket, Face, Pocket, RectangularPocket
+    from CNCStepper.workbench.commands.job import ImportTools, NewJob
+    from CNCStepper.workbench.commands.program import Controller, EditProgram, OpenProgram, Send, Simulate
     from CNCStepper.workbench.commands.reorder import COMMANDS as ORDERING
-    from CNCStepper.workbench.commands.send import Send
-    from CNCStepper.workbench.commands.simulate import Simulate
 
     drawing = (NewJob(), ImportTools(), Freehand())
-    areas = (Face(), Pocket(), RectangularPocket(), CircularPocket(), EllipticalPocket())
-    lines_and_holes = (Contour(), Drill(), Bore(), Thread(), Engrave())
+    areas, lines_and_holes = _made(operations.AREAS), _made(operations.LINES_AND_HOLES)
     machine = (EditProgram(), OpenProgram(), Simulate(), Send(), Controller())
-    order = tuple(kind() for kind in ORDERING)
+    order = _made(ORDERING)
     for command in (*drawing, *areas, *lines_and_holes, *order, *machine):
         FreeCADGui.addCommand(command.name, command)
     return _names(drawing, areas, lines_and_holes, machine), _names(drawing, areas, lines_and_holes, order, machine)
+
+
+def _made(kinds: Iterable[type[Command]]) -> tuple[Command, ...]:
+    return tuple(kind() for kind in kinds)
 
 
 def _names(*groups: Sequence[Command]) -> list[str]:

@@ -1,15 +1,28 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the commands share that make an object: one undo step, and nothing left behind by a refusal."""
+"""What the commands share that make an object: one undo step, and nothing left behind by a refusal.
+
+Curved lines of the selected drawings are fitted beside the window before a new operation is made of them:
+
+click ──► what of the drawings is not fitted? ── nothing ──► make it
+                  ▲            │
+                  └── answer ◄─┴─► the cut process (`cut_process.py`)
+"""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from functools import partial
 from typing import Any
 
+from CNCStepper.job import question_key
+from CNCStepper.job.deferred_fitting import Unfitted, only_looking
+from CNCStepper.workbench.calculation import result_cache
 from CNCStepper.workbench.document import targets
+from CNCStepper.workbench.document.selection import Pair, selected_drawings
+from CNCStepper.workbench.features.operation import Operation as Feature
 from CNCStepper.workbench.services import missing_packages
 from CNCStepper.workbench.services.command import Command
+from CNCStepper.workbench.services.messages import guarded, note
 from CNCStepper.workbench.services.translation import tr
 
 
@@ -69,7 +82,6 @@ class Operation(Command):
 
     def run(self) -> None:
         """Add the operation and open its panel, when the lines of its drawings are fitted."""
-        from CNCStepper.workbench.commands.fitted import when_fitted
         from CNCStepper.workbench.features.catalogue import operation_class
 
         job, is_drawn, kind = targets.job(), targets.drawing() is not None, operation_class(self.cycle)
@@ -83,7 +95,6 @@ class Operation(Command):
         is_drawn: whether one of them must be; raises a CNCStepperError that says why none can.
         """
         from CNCStepper.workbench import api
-        from CNCStepper.workbench.document.selection import selected_drawings
         from CNCStepper.workbench.features.catalogue import operation_class
 
         found = selected_drawings(operation_class(self.cycle), pairs)
@@ -98,3 +109,49 @@ class Operation(Command):
     def values(self, job: Any, tool: Any, is_drawn: bool) -> dict[str, Any]:
         """Return the values with which the operation begins, by key."""
         raise NotImplementedError
+
+
+WHO = object()  # one asks at a time: a newer click takes the place of the one before
+
+
+def when_fitted(kind: type[Feature], job: Any, pairs: Sequence[Pair], go_on: Callable[[], None]) -> None:
+    """Call `go_on` when what an operation of a kind is to follow is fitted, which may be now.
+
+    It is not called any more when the job or a drawing is gone by then, or another panel is open. Where the process
+    could not fit something, `go_on` is called all the same.
+    """
+    from CNCStepper.workbench.calculation.cut_process import Asked, process
+
+    parts = {} if process().unavailable else _unknown(kind, pairs)
+    if not parts:
+        go_on()
+        return
+    there = _present(job, pairs)
+
+    def answered() -> None:
+        if there() and not targets.why_no_panel():
+            when_fitted(kind, job, pairs, go_on)
+
+    process().ask(WHO, Asked(parts, lambda words: note(tr(words)), guarded(answered)))
+
+
+def _unknown(kind: type[Feature], pairs: Sequence[Pair]) -> dict[str, dict[str, Any]]:
+    """Return what the cut process is to be asked, by its keys."""
+    with only_looking():
+        refusals = selected_drawings(kind, pairs).refusals
+    questions = [error.question for error in refusals if isinstance(error, Unfitted)]
+    asked = {question_key.key_of(question): question for question in questions}
+    return {key: question for key, question in asked.items() if result_cache.may_ask(key)}
+
+
+def _present(job: Any, pairs: Sequence[Pair]) -> Callable[[], bool]:
+    """Return a function that tells whether the job and the drawings are still in their documents."""
+    names = [(obj.Document.Name, obj.Name) for obj in (job, *(drawing for drawing, _ in pairs))]
+
+    def there() -> bool:
+        import FreeCAD
+
+        documents = FreeCAD.listDocuments()
+        return all(document in documents and documents[document].getObject(name) for document, name in names)
+
+    return there

@@ -11,8 +11,7 @@ from PySide import QtCore, QtGui
 
 from CNCStepper.errors import CNCStepperError
 from CNCStepper.workbench.dock.connection import Link, told
-from CNCStepper.workbench.dock.file_sending import FileSending
-from CNCStepper.workbench.dock.job_sending import Sending
+from CNCStepper.workbench.dock.job_sending import FileSending, Sending
 from CNCStepper.workbench.dock.model import settings
 from CNCStepper.workbench.dock.model.controller_state import RULES, face, why_not
 from CNCStepper.workbench.dock.model.send_steps import why_not_onward
@@ -20,11 +19,10 @@ from CNCStepper.workbench.dock.restart_offer import Recovery
 from CNCStepper.workbench.dock.retract_client import COMMANDS, Backing
 from CNCStepper.workbench.dock.views import widgets
 from CNCStepper.workbench.dock.views.connection_view import ConnectionView
-from CNCStepper.workbench.dock.views.console_view import ConsoleView
+from CNCStepper.workbench.dock.views.console_view import ConsoleView, LogView
 from CNCStepper.workbench.dock.views.job_view import HaltView, JobView
 from CNCStepper.workbench.dock.views.jog_view import JogView
 from CNCStepper.workbench.dock.views.keyboard import KeyboardArea
-from CNCStepper.workbench.dock.views.log_view import LogView
 from CNCStepper.workbench.dock.views.override_view import OverrideView
 from CNCStepper.workbench.dock.views.retract_view import BackView
 from CNCStepper.workbench.dock.views.send_steps_view import FlowView

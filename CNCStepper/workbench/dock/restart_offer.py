@@ -3,27 +3,66 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from functools import partial
 from typing import TYPE_CHECKING, Any
+
+from PySide import QtGui
 
 from CNCStepper.control.journal.store import unfinished_at
 from CNCStepper.control.session.status import error_from_json
 from CNCStepper.errors import CNCStepperError
-from CNCStepper.workbench.dock.model.unfinished_job import NAMES, Reading, program_of
-from CNCStepper.workbench.dock.views.restart_view import RecoveryView
+from CNCStepper.workbench.dock.model.controller_state import WAITING, Moment
+from CNCStepper.workbench.dock.model.unfinished_job import NAMES, Reading, program_of, why_not_now
+from CNCStepper.workbench.dock.views import widgets
 from CNCStepper.workbench.document import program_file
 from CNCStepper.workbench.features.base import JOB, proxy_type
 from CNCStepper.workbench.features.program import Program
 from CNCStepper.workbench.services import messages
 from CNCStepper.workbench.services.message_translation import translated
 from CNCStepper.workbench.services.request_queue import Questioner
-from CNCStepper.workbench.services.translation import tr
+from CNCStepper.workbench.services.translation import later, tr
 
 if TYPE_CHECKING:
     from CNCStepper.control.journal.replay import Story
     from CNCStepper.workbench.dock.connection import Link
     from CNCStepper.workbench.proving.latest_proof import Sender
+
+DOES = {
+    "Restart": later("Go on with the program from a line, an operation, a contour or a place in the picture."),
+    "Unfinished": later("Say how far the last job came that was not cut to its end, and restart it there."),
+}
+
+
+class RecoveryView(QtGui.QWidget):
+    """Two buttons, and above them the offer, "" for none."""
+
+    def __init__(self, restart: Callable[[], None], unfinished: Callable[[], None]):
+        super().__init__()
+        self.offer = widgets.wrapped("Offer")
+        ground, letters = widgets.TONES[WAITING]
+        self.offer.setStyleSheet(f"background: {ground}; color: {letters}; border-radius: 4px; padding: 6px;")
+        self.buttons = {
+            "Restart": widgets.button("Restart", tr("Restart…"), restart),
+            "Unfinished": widgets.button("Unfinished", tr("Unfinished job…"), unfinished),
+        }
+        layout = widgets.column(self)
+        layout.addWidget(self.offer)
+        layout.addLayout(widgets.row(*self.buttons.values()))
+        self.show_offer("")
+
+    def show_offer(self, text: str) -> None:
+        """Show the offer, or none."""
+        self.offer.setText(text)
+        self.offer.setVisible(bool(text))
+
+    def lock(self, moment: Moment) -> None:
+        """Enable the buttons while nothing is cut."""
+        for name, button in self.buttons.items():
+            widgets.lock(button, why_not_now(moment), DOES[name])
+        if moment.job_runs:
+            self.show_offer("")
+
 
 WORKER = "CNCStepper.workers.unfinished_job"
 

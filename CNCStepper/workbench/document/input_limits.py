@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Values that go far beyond a job's stock or machine: slips of a unit or a point, refused before anything is computed.
 
-A panel says them beside its fields (`workbench/panels/range_warnings.py`); whoever sets a property otherwise finds
+A panel says them beside its fields (`workbench/panels/field_errors.py`); whoever sets a property otherwise finds
 them in the object's
 problem.
 """

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The machine that a job object names, and the stock that it says lies on it."""
+"""The machine that a job object names, and the feeds and speeds that its material gives the tools."""
 
 from __future__ import annotations
 
@@ -8,7 +8,10 @@ from pathlib import Path
 from typing import Any
 
 from CNCStepper.job.deferred_fitting import once
+from CNCStepper.machine.feeds_and_speeds import remarks_on, with_feeds
+from CNCStepper.machine.materials import material
 from CNCStepper.machine.profile import Machine, load_machine, profile_names
+from CNCStepper.machine.tools.tool import Tool
 
 
 def machine_of(obj: Any) -> Machine:
@@ -36,3 +39,17 @@ def _stamp(name: str) -> tuple[int, ...]:
     except (OSError, ValueError):
         return ()
     return found.st_mtime_ns, found.st_ctime_ns, found.st_size, found.st_ino
+
+
+def fed(tool: Tool, job: Any) -> Tool:
+    """Return a tool with the feeds and the speed that it has none of itself; raises JobError.
+
+    job: the object of its job, None where it has none; without a material the tool stays as it is.
+    """
+    return with_feeds(tool, material(job.Material), machine_of(job)) if job is not None and job.Material else tool
+
+
+def remarks(tool: Tool, job: Any) -> tuple[str, ...]:
+    """Return what of a tool's feeds and speed is out of the range of the job's material, as sentences."""
+    found = remarks_on(tool, material(job.Material), machine_of(job)) if job.Material else ()
+    return tuple(f"{remark.text}; {remark.advice}" for remark in found if remark.severity == "warning")

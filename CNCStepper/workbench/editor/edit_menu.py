@@ -10,7 +10,7 @@ from typing import Any
 from PySide import QtCore, QtGui
 
 from CNCStepper.control.session.status import error_from_json
-from CNCStepper.workbench.editor.diff_dialog import DiffDialog, agreed
+from CNCStepper.workbench.editor.model.syntax_colours import colours_on
 from CNCStepper.workbench.editor.reader_client import ProgramReader
 from CNCStepper.workbench.editor.text_edit import ProgramEdit
 from CNCStepper.workbench.services import messages
@@ -153,3 +153,59 @@ def _input(field: Field) -> Any:
 
 def _value(widget: Any) -> Any:
     return widget.currentText() if isinstance(widget, QtGui.QComboBox) else widget.value()
+
+
+DIFF = "CNCStepper_Editor_diff"
+SIZE = (560, 420)
+
+
+class DiffDialog(QtGui.QDialog):
+    """The difference as lines with - and +, and two buttons."""
+
+    def __init__(self, title: str, answer: dict[str, Any], parent: Any = None):
+        super().__init__(parent)
+        self.setObjectName(DIFF)
+        self.setWindowTitle(title)
+        self.resize(*SIZE)
+        head = QtGui.QLabel(tr("{0} lines change:").format(answer["changes"]))
+        self._text = QtGui.QPlainTextEdit()
+        self._text.setObjectName(f"{DIFF}_text")
+        self._text.setReadOnly(True)
+        self._text.setLineWrapMode(QtGui.QPlainTextEdit.LineWrapMode.NoWrap)
+        self._text.setFont(QtGui.QFontDatabase.systemFont(QtGui.QFontDatabase.SystemFont.FixedFont))
+        _Colours(self._text.document(), self._text.palette().color(QtGui.QPalette.ColorRole.Base).lightness())
+        more = [tr("… and {0} more lines").format(answer["more"])] if answer["more"] else []
+        self._text.setPlainText("\n".join([*answer["diff"][2:], *more]))
+        kind = QtGui.QDialogButtonBox.StandardButton
+        buttons = QtGui.QDialogButtonBox(kind.Apply | kind.Cancel)
+        apply = buttons.button(kind.Apply)
+        apply.setObjectName(f"{DIFF}_apply")
+        apply.setText(tr("Apply"))
+        apply.clicked.connect(self.accept)
+        buttons.rejected.connect(self.reject)
+        layout = QtGui.QVBoxLayout(self)
+        for widget in (head, self._text, buttons):
+            layout.addWidget(widget)
+
+
+def agreed(dialog: Any) -> bool:
+    """Show a dialog, wait, and return whether it was agreed to."""
+    answer = bool(getattr(dialog, "exec", dialog.exec_)())
+    dialog.deleteLater()
+    return answer
+
+
+class _Colours(QtGui.QSyntaxHighlighter):
+    """Colours what goes and what comes."""
+
+    def __init__(self, document: Any, lightness: int):
+        super().__init__(document)
+        colours = colours_on(lightness)
+        self._colours = {"-": colours["wrong"], "+": colours["centre"], "@": colours["number"]}
+
+    def highlightBlock(self, text: str) -> None:
+        """Colour one line; Qt calls this."""
+        if text[:1] in self._colours:
+            shown = QtGui.QTextCharFormat()
+            shown.setForeground(QtGui.QBrush(QtGui.QColor(self._colours[text[:1]])))
+            self.setFormat(0, len(text), shown)

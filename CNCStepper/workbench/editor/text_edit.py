@@ -11,11 +11,11 @@ from typing import Any
 
 from PySide import QtCore, QtGui
 
-from CNCStepper.workbench.editor.highlighter import Highlighter
 from CNCStepper.workbench.editor.margin import Margin
 from CNCStepper.workbench.editor.model.changed_lines import Change, joined
 from CNCStepper.workbench.editor.model.error_marks import Marks
-from CNCStepper.workbench.editor.model.syntax_colours import colours_on
+from CNCStepper.workbench.editor.model.syntax_colours import BOLD, colours_on
+from CNCStepper.workbench.editor.model.word_spans import spans_of
 from CNCStepper.workbench.services import messages
 from CNCStepper.workbench.services.message_translation import translated
 
@@ -284,3 +284,39 @@ def _name(event: Any) -> str:
     name = next((name for key, name in letters.items() if event.key() == key), "")
     modifiers = event.modifiers()
     return ("Ctrl+" if modifiers & control else "") + ("Shift+" if modifiers & shift else "") + name
+
+
+class Highlighter(QtGui.QSyntaxHighlighter):
+    """Colours a document's blocks from `first` to `last`, counted from 0."""
+
+    def __init__(self, document: Any, colours: dict[str, str]):
+        super().__init__(document)
+        self._first, self._last = 0, -1
+        self._formats: dict[str, Any] = {}
+        self.set_colours(colours)
+
+    def set_colours(self, colours: dict[str, str]) -> None:
+        """Use these colours from now on."""
+        self._formats = {kind: _format(colour, kind in BOLD) for kind, colour in colours.items()}
+        self._first, self._last = 0, -1
+
+    def show(self, first: int, last: int) -> None:
+        """Colour these blocks, of which some may be coloured already."""
+        fresh = [number for number in range(first, last + 1) if not self._first <= number <= self._last]
+        self._first, self._last = first, last
+        for number in fresh:
+            self.rehighlightBlock(self.document().findBlockByNumber(number))
+
+    def highlightBlock(self, text: str) -> None:
+        """Colour one line, if it is seen; Qt calls this for every line that changes."""
+        if self._first <= self.currentBlock().blockNumber() <= self._last:
+            for start, length, kind in spans_of(text):
+                self.setFormat(start, length, self._formats[kind])
+
+
+def _format(colour: str, bold: bool) -> Any:
+    shown = QtGui.QTextCharFormat()
+    shown.setForeground(QtGui.QColor(colour))
+    if bold:
+        shown.setFontWeight(QtGui.QFont.Weight.DemiBold)
+    return shown

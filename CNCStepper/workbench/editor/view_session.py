@@ -1,5 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The editor's part of the 3D view: made when there is something to show, and gone when the editor is."""
+"""The editor's part of the 3D view: made when there is something to show, and gone when the editor is.
+
+view's scene graph
+  root (not pickable) ── place (the work zero) ── rapids ── feeds ── line: thick, seen through all ── its end
+
+Clicks in the view are reported with their place and the camera; FreeCAD gets them too.
+"""
 
 from __future__ import annotations
 
@@ -7,8 +13,132 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from CNCStepper.workbench.editor.path_scene import EditorScene
-from CNCStepper.workbench.editor.view_picking import Clicks
+import numpy as np
+from PySide import QtCore
+
+from CNCStepper.simulation.views.polylines import Lines
+from CNCStepper.workbench.services.messages import guarded
+from CNCStepper.workbench.simulation import coin_nodes as nodes
+from CNCStepper.workbench.simulation.scene import FEED_RGB, RAPID_RGB
+
+TYPE = QtCore.QEvent.Type
+LEFT = QtCore.Qt.MouseButton.LeftButton
+STILL_PX = 4  # a press and a release that lie nearer together are a click
+
+
+class Clicks(QtCore.QObject):
+    """Calls `clicked` with the question of `workers/program_editor.py`, "pick", from `__init__` until `end`."""
+
+    def __init__(self, view: Any, origin_mm: tuple[float, float, float], clicked: Callable[[dict[str, Any]], None]):
+        super().__init__()
+        self._view, self._origin_mm, self._clicked = view, origin_mm, clicked
+        self._pressed: Any = None
+        for widget in self._widgets():
+            widget.installEventFilter(self)
+
+    def end(self) -> None:
+        """Hear nothing any more."""
+        for widget in self._widgets():
+            widget.removeEventFilter(self)
+
+    def eventFilter(self, widget: Any, event: Any) -> bool:
+        """Hear a press and its release, and let FreeCAD have both; Qt calls this."""
+        if isinstance(event, QtCore.QEvent):
+            if event.type() == TYPE.MouseButtonPress and event.button() == LEFT:
+                self._pressed = _place(event)
+            elif event.type() == TYPE.MouseButtonRelease and event.button() == LEFT and self._pressed is not None:
+                moved = (_place(event) - self._pressed).manhattanLength()
+                self._pressed = None
+                if moved < STILL_PX:
+                    self._click(widget, _place(event))
+        return False
+
+    @guarded
+    def _click(self, widget: Any, place: Any) -> None:
+        size = [widget.width(), widget.height()]
+        matrix = seen_by(self._view.getCameraNode(), size, self._origin_mm)
+        self._clicked({"matrix": matrix, "size": size, "at": [place.x(), size[1] - 1 - place.y()]})
+
+    def _widgets(self) -> list[Any]:
+        """Return the widget with the mouse; [] when the view was closed. It is never kept."""
+        try:
+            return [self._view.graphicsView().viewport()]
+        except (RuntimeError, ReferenceError):  # as the versions of FreeCAD say that a view is gone
+            return []
+
+
+def _place(event: Any) -> Any:
+    """Return where a mouse event is in its widget, as Qt 5 and Qt 6 say it."""
+    return event.position().toPoint() if hasattr(event, "position") else event.pos()
+
+
+def seen_by(camera: Any, size: list[int], origin_mm: tuple[float, float, float]) -> list[list[float]]:
+    """Return the matrix with which a camera turns (x, y, z, 1), a row, of the work into the picture from -1 to 1."""
+    import numpy as np
+
+    aspect = size[0] / size[1]
+    volume = camera.getViewVolume(aspect)
+    if aspect < 1:  # as SoCamera does it when it adjusts itself to a window that is higher than wide
+        volume.scale(1 / aspect)
+    matrix = np.array(volume.getMatrix().getValue(), float)
+    shift = np.eye(4)
+    shift[3, :3] = origin_mm
+    return [[float(value) for value in row] for row in shift @ matrix]
+
+
+NAME = "CNCStepper_Editor"
+LINE_RGB = (0.95, 0.45, 0.0)
+LINE_PX, END_PX = 5.0, 10.0
+
+
+class EditorScene:
+    """The nodes of one editor in one 3D view; `remove` takes all away."""
+
+    def __init__(self, view: Any, work_origin_mm: tuple[float, float, float]):
+        from pivy import coin
+
+        self._graph = view.getSceneGraph()
+        self._root = coin.SoSeparator()
+        self._root.setName(NAME)
+        unpickable = coin.SoPickStyle()
+        unpickable.style = coin.SoPickStyle.UNPICKABLE
+        self.origin_mm = work_origin_mm
+        place = coin.SoTranslation()
+        place.translation = work_origin_mm
+        self._path, self._line = nodes.separator(), nodes.separator()
+        for node in (unpickable, place, self._path, self._line):
+            self._root.addChild(node)
+        self._graph.addChild(self._root)
+
+    def show_path(self, rapids: Lines, feeds: Lines) -> None:
+        """Show another path."""
+        self._path.removeAllChildren()
+        for lines, rgb in ((rapids, RAPID_RGB), (feeds, FEED_RGB)):
+            self._path.addChild(nodes.separator(nodes.plain(rgb), nodes.lines(lines.points, lines.counts)))
+
+    def show_line(self, way: list[list[list[float]]]) -> None:
+        """Show the way of one line, segments [[x, y, z], [x, y, z]] each, instead of the one before."""
+        from pivy import coin
+
+        self._line.removeAllChildren()
+        if not way:
+            return
+        points = np.array(way, np.float32).reshape(-1, 3)
+        style = coin.SoDrawStyle()
+        style.lineWidth, style.pointSize = LINE_PX, END_PX
+        end = coin.SoPointSet()
+        end.vertexProperty = coin.SoVertexProperty()
+        end.vertexProperty.getValue().vertex.setValues(0, 1, points[-1:].copy())
+        self._line.addChild(nodes.in_front())
+        self._line.addChild(style)
+        self._line.addChild(nodes.plain(LINE_RGB))
+        self._line.addChild(nodes.lines(points, np.full(len(way), 2)))
+        self._line.addChild(end)
+
+    def remove(self) -> None:
+        """Take everything out of the 3D view."""
+        if self._graph.findChild(self._root) >= 0:
+            self._graph.removeChild(self._root)
 
 
 class EditorStage:

@@ -268,7 +268,7 @@ class Operation(Feature):
         if job is None:
             return {}
         from CNCStepper.workbench.document.core_job import setup_of
-        from CNCStepper.workbench.document.feeds_of_job import fed, remarks
+        from CNCStepper.workbench.document.machine_of_job import fed, remarks
         from CNCStepper.workbench.features.tool import model_of
 
         answer = self._known(job, obj, cycle) or self.cut_once(cycle, setup_of(job, obj, cycle)).answer

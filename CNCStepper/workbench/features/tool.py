@@ -119,7 +119,7 @@ class Tool(Feature):
     def make(self, obj: Any) -> None:
         """Show feeds and speed as the program has them, which the material of the tool's job may give."""
         tool = model_of(obj)
-        from CNCStepper.workbench.document.feeds_of_job import fed
+        from CNCStepper.workbench.document.machine_of_job import fed
 
         tool = fed(tool, next((other for other in obj.InList if proxy_type(other) == JOB), None))
         keys = [entry.key for entry in self.PROPERTIES if entry.output]

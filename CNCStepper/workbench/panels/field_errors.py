@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the core's models and cycles refuse, as sentences beside the fields; the rules themselves stay in the core."""
+"""What core, stock and machine refuse of values, as sentences beside the fields; the rules stay in the core."""
 
 from __future__ import annotations
 
@@ -9,7 +9,9 @@ from typing import Any
 
 from CNCStepper.errors import CNCStepperError
 from CNCStepper.quantities import ERROR_TYPE
-from CNCStepper.workbench.features.base import proxy_type
+from CNCStepper.workbench.document.input_limits import limits_passed
+from CNCStepper.workbench.features.base import JOB, proxy_type
+from CNCStepper.workbench.features.operation import LINKS, jobs_of
 from CNCStepper.workbench.panels.number_input import Refused
 from CNCStepper.workbench.services.translation import later
 
@@ -96,3 +98,42 @@ def labelled(sentence: str, labels: dict[str, str]) -> str:
 def _word(key: str) -> re.Pattern[str]:
     stem = re.sub("_(mm|mm_min|deg|rpm)$", "", key)
     return re.compile(rf"\b({key}|{stem})\b")
+
+
+SENTENCES = {
+    "depth": later("goes far beyond the stock; at most {0}"),
+    "travel": later("goes beyond what the machine can travel; at most {0}"),
+    "width": later("goes far beyond the stock and the machine; at most {0}"),
+    "feed": later("goes far beyond the machine's fastest axis; at most {0}"),
+}
+
+
+def beyond(obj: Any, changes: dict[str, Any], shown: Callable[[str, float], str]) -> dict[str, Refused]:
+    """Return what of some changed values goes beyond stock or machine of the object's job, by key.
+
+    shown: gives a limit as the user reads it, from a key and a number in the unit of that key.
+    """
+    job = obj if proxy_type(obj) == JOB else next((other for other in obj.InList if proxy_type(other) == JOB), None)
+    if job is None or not changes:
+        return {}
+    passed = limits_passed(job, {key: value for key, value in changes.items() if key not in LINKS})
+    return {key: Refused(SENTENCES[limit.reason], shown(key, limit.most)) for key, limit in passed.items()}
+
+
+def stock_warnings(obj: Any) -> list[str]:
+    """Return the sentences for an operation with the values that it has now, the worst first.
+
+    None for what is no operation, belongs to no job, or is refused for another reason, which its panel says.
+    """
+    jobs = jobs_of(obj) if getattr(obj.Proxy, "CYCLE", "") else []
+    if not jobs:
+        return []
+    from CNCStepper.job.stock_fit import stock_findings
+    from CNCStepper.workbench.document.stock_of_job import stock_of
+    from CNCStepper.workbench.services.findings_list import sentence
+
+    try:
+        cycle = obj.Proxy.cycle(obj, tuple(jobs[0].WorkOrigin))
+        return [sentence(finding) for finding in stock_findings(cycle, stock_of(jobs[0]))]
+    except CNCStepperError:  # the panel says it beside its field
+        return []

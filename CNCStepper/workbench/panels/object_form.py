@@ -23,12 +23,10 @@ from CNCStepper.workbench.calculation.cut_process import Asked, process
 from CNCStepper.workbench.calculation.precalculation import Look, look_at
 from CNCStepper.workbench.calculation.recompute import remake, steps
 from CNCStepper.workbench.features.base import FAILED, edit, named, problem_of, values
-from CNCStepper.workbench.panels.field_errors import complaints, key_of, labelled, model_of_type
+from CNCStepper.workbench.panels.field_errors import beyond, complaints, key_of, labelled, model_of_type, stock_warnings
 from CNCStepper.workbench.panels.fields import ERROR_COLOUR, NAME, WARNING_COLOUR, Field, note_label
 from CNCStepper.workbench.panels.form import Form
 from CNCStepper.workbench.panels.number_input import Refused
-from CNCStepper.workbench.panels.range_warnings import beyond
-from CNCStepper.workbench.panels.stock_warnings import stock_warnings
 from CNCStepper.workbench.panels.unit_values import text_of
 from CNCStepper.workbench.services.jit_guard import LONG, WAITS
 from CNCStepper.workbench.services.message_translation import translated

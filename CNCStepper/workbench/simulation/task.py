@@ -12,14 +12,16 @@ from typing import TYPE_CHECKING, Any
 
 from PySide import QtCore
 
+from CNCStepper.workbench.features.program import job_behind
+from CNCStepper.workbench.freehand.mode import undo_step
 from CNCStepper.workbench.panels.view_task_panel import ViewTask
 from CNCStepper.workbench.proving import latest_proof
 from CNCStepper.workbench.proving.proof_process import ProofResult, ProofRun
 from CNCStepper.workbench.services import messages
 from CNCStepper.workbench.services.message_translation import translated
 from CNCStepper.workbench.services.program_observer import ProgramWatch
+from CNCStepper.workbench.services.quantity_format import clock_text
 from CNCStepper.workbench.services.translation import tr
-from CNCStepper.workbench.simulation.mesh_object import keep_mesh
 from CNCStepper.workbench.simulation.panel import SimulationPanel
 from CNCStepper.workbench.simulation.player import Player
 from CNCStepper.workbench.simulation.stock_update import Material
@@ -238,3 +240,16 @@ def _no_view() -> CNCStepperError:
     from CNCStepper.errors import JobError
 
     return JobError("view-missing", tr("this document has no 3D view"), advice=tr("open one and simulate again"))
+
+
+def keep_mesh(job: Any, stl: str, time_s: float) -> Any:
+    """Add a mesh from a file in work coordinates to a job's document, at the job's work zero, in one undo step."""
+    import FreeCAD
+    import Mesh
+
+    with undo_step(job.Document, tr("Keep the cut part as mesh")):
+        obj = job.Document.addObject("Mesh::Feature", "CutPart")
+        obj.Label = tr("{0}, cut until {1}").format(job.Label, clock_text(time_s))
+        obj.Mesh = Mesh.Mesh(stl)
+        obj.Placement = FreeCAD.Placement(FreeCAD.Vector(job_behind(job).WorkOrigin), FreeCAD.Rotation())
+    return obj

@@ -65,7 +65,7 @@ class ViewProvider:
 
     def edit(self) -> None:
         """Open the object's panel; its changes are one undo step."""
-        from CNCStepper.workbench.panels.edit_object import edit
+        from CNCStepper.workbench.panels import edit
 
         edit(self.obj)
 

@@ -87,9 +87,7 @@ class Job(ViewProvider):
 
     def entries(self) -> list[Entry]:
         """Return the entries of every object, and what takes the program further."""
-        from CNCStepper.workbench.commands.edit_program import EditProgram
-        from CNCStepper.workbench.commands.send import Send
-        from CNCStepper.workbench.commands.simulate import Simulate
+        from CNCStepper.workbench.commands.program import EditProgram, Send, Simulate
 
         commands = (Simulate(), Send(), EditProgram())
         further = [Entry(each.text(), each.name, each.run, each.why_not()) for each in commands]
@@ -103,7 +101,7 @@ class Job(ViewProvider):
 
     def save_program(self) -> None:
         """Ask for a file and write the program into it."""
-        from CNCStepper.workbench.proving.save_program import save_as
+        from CNCStepper.workbench.proving.prove_program import save_as
 
         save_as(self.obj)
 

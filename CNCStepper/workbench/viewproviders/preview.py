@@ -13,7 +13,7 @@ class Preview(ViewProvider):
 
     def edit(self) -> None:
         """Open the panel of the job."""
-        from CNCStepper.workbench.panels.edit_object import edit
+        from CNCStepper.workbench.panels import edit
 
         if self.obj.Job is not None:
             edit(self.obj.Job)

@@ -20,8 +20,7 @@ class Program(ViewProvider):
 
     def entries(self) -> list[Entry]:
         """Return what can be done with it."""
-        from CNCStepper.workbench.commands.send import Send
-        from CNCStepper.workbench.commands.simulate import Simulate
+        from CNCStepper.workbench.commands.program import Send, Simulate
         from CNCStepper.workbench.proving import prove_program
 
         why_not = prove_program.why_not_of(self.obj)

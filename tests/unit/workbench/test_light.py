@@ -31,8 +31,8 @@ def modules_of(folder: str) -> list[str]:
         [*modules_of("commands"), "CNCStepper.workbench.opening", "CNCStepper.workbench.services.missing_packages"],
         [
             *modules_of("viewproviders"),
-            "CNCStepper.workbench.panels.edit_object",
-            "CNCStepper.workbench.proving.save_program",
+            "CNCStepper.workbench.panels",
+            "CNCStepper.workbench.proving.prove_program",
         ],
     ],
     ids=["commands", "tree"],

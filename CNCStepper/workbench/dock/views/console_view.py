@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A console: lines typed to the controller, what it answers, and the lines before with the arrow keys.
+"""Messages, and a console: lines typed to the controller, its answers, and the lines before with the arrow keys.
 
 What may be typed, and when, says the controller's process (`control/operator/console_line.py`).
 """
 
 from __future__ import annotations
 
+import time
 from collections.abc import Callable
 from typing import Any
 
@@ -15,7 +16,7 @@ from CNCStepper.workbench.dock.model.command_history import History
 from CNCStepper.workbench.dock.model.controller_state import RULES, Moment, why_not
 from CNCStepper.workbench.dock.views import widgets
 from CNCStepper.workbench.services.messages import guarded
-from CNCStepper.workbench.services.translation import tr
+from CNCStepper.workbench.services.translation import later, tr
 
 KEPT, LINES_SHOWN = 1000, 6
 KEY = QtCore.Qt.Key
@@ -75,3 +76,26 @@ class ConsoleView(QtGui.QWidget):
             self.line.clear()
             self.hear(f"{PROMPT}{line}")
             self._send(line)
+
+
+MESSAGES = 100
+MESSAGE_LINES = 5
+KINDS = {"warning": later("Warning"), "refused": later("Refused")}
+
+
+class LogView(QtGui.QPlainTextEdit):
+    """A bounded list of sentences, the newest below."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        widgets.named(self, "Messages")
+        self.setReadOnly(True)
+        self.setMaximumBlockCount(MESSAGES)
+        self.setPlaceholderText(tr("No messages yet"))
+        self.setAccessibleName(tr("Messages"))
+        self.setMinimumHeight(self.fontMetrics().lineSpacing() * MESSAGE_LINES)
+
+    def say(self, kind: str, text: str) -> None:
+        """Add a sentence with the time of day; a warning says that it is one."""
+        sentence = tr("{0}: {1}").format(tr(KINDS[kind]), text) if kind in KINDS else text
+        self.appendPlainText(f"{time.strftime('%H:%M:%S')}  {sentence}")

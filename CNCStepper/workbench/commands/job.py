@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""CNCStepper_NewJob: a job with a first tool, its stock taken from what is selected."""
+"""The commands that prepare a job: a new one with stock from what is selected and a first tool; tools of a file."""
 
 from __future__ import annotations
 
@@ -51,3 +51,21 @@ def _stock() -> dict[str, Any]:
         return default_values.stock_of_solid(box_of(solid))
     boxes = [box for drawing, _ in targets.drawings() if (box := box_of(drawing)).isValid()]
     return default_values.stock_of_drawing(box_of_boxes(boxes)) if boxes else {}
+
+
+class ImportTools(Command):
+    """Adds the tools of a file to the job."""
+
+    name = "CNCStepper_ImportTools"
+    menu_text = QT_TRANSLATE_NOOP("CNCStepper_ImportTools", "Import tools…")
+    tooltip = QT_TRANSLATE_NOOP("CNCStepper_ImportTools", "Adds the tools of FreeCAD's library or of a tool table")
+
+    def why_not(self) -> str:
+        """Return why there is no job to add tools to."""
+        return missing_packages.why_not() or targets.why_no_panel() or targets.why_no_job()
+
+    def run(self) -> None:
+        """Ask for the file."""
+        from CNCStepper.workbench.document import tool_import
+
+        tool_import.ask(targets.job(), done=lambda: None)
