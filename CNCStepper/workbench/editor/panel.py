@@ -15,7 +15,7 @@ from CNCStepper.workbench.editor import file_dialogs
 from CNCStepper.workbench.editor.edit_menu import CONVERT, Verbs
 from CNCStepper.workbench.editor.error_list import RefusalList
 from CNCStepper.workbench.editor.find_replace import FindBar
-from CNCStepper.workbench.editor.model.word_spans import word_at
+from CNCStepper.workbench.editor.model.syntax_colours import word_at
 from CNCStepper.workbench.editor.reader_client import ProgramReader
 from CNCStepper.workbench.editor.status_line import StatusLine
 from CNCStepper.workbench.editor.text_edit import ProgramEdit
@@ -23,7 +23,7 @@ from CNCStepper.workbench.editor.toolbar import EditorBar
 from CNCStepper.workbench.editor.view_session import EditorStage
 from CNCStepper.workbench.services import messages
 from CNCStepper.workbench.services.message_translation import translated
-from CNCStepper.workbench.services.program_observer import ProgramWatch
+from CNCStepper.workbench.services.object_observers import ProgramWatch
 from CNCStepper.workbench.services.translation import tr
 
 if TYPE_CHECKING:

@@ -12,10 +12,8 @@ from typing import Any
 from PySide import QtCore, QtGui
 
 from CNCStepper.workbench.editor.margin import Margin
-from CNCStepper.workbench.editor.model.changed_lines import Change, joined
-from CNCStepper.workbench.editor.model.error_marks import Marks
-from CNCStepper.workbench.editor.model.syntax_colours import BOLD, colours_on
-from CNCStepper.workbench.editor.model.word_spans import spans_of
+from CNCStepper.workbench.editor.model.error_marks import Change, Marks, joined
+from CNCStepper.workbench.editor.model.syntax_colours import BOLD, colours_on, spans_of
 from CNCStepper.workbench.services import messages
 from CNCStepper.workbench.services.message_translation import translated
 

@@ -5,6 +5,16 @@ from __future__ import annotations
 
 from PySide import QtGui
 
+from CNCStepper.errors import JobError
+
+
+def require_free() -> None:
+    """Raise JobError when another task stands open in the task panel."""
+    import FreeCADGui
+
+    if FreeCADGui.Control.activeDialog():
+        raise JobError("task-open", "another task is open in the task panel", advice="close it first")
+
 
 class ViewTask:
     """A task with Close alone; `end` takes away all that it shows."""

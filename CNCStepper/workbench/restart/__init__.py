@@ -19,8 +19,8 @@ def open_restart(program: Any, send: Sender, line: int = 0, said: Sequence[tuple
     """
     import FreeCADGui
 
+    from CNCStepper.workbench.panels.view_task_panel import require_free
     from CNCStepper.workbench.restart.task import RestartTask
-    from CNCStepper.workbench.services.task_panel_in_use import require_free
 
     require_free()
     task = RestartTask(program, send, line, said)

@@ -28,7 +28,7 @@ from CNCStepper.workbench.restart.panel import RestartPanel
 from CNCStepper.workbench.restart.places import Row, line_of, rows_of
 from CNCStepper.workbench.services import messages
 from CNCStepper.workbench.services.message_translation import translated
-from CNCStepper.workbench.services.program_observer import ProgramWatch
+from CNCStepper.workbench.services.object_observers import ProgramWatch
 from CNCStepper.workbench.services.translation import tr
 from CNCStepper.workbench.simulation.view_session import Stage, view_of
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Who is told of each document object of ours when it is made or opened: in a window that is the tree.
+"""Observers of document objects: of each of ours that is made or opened, and of one that has a program.
 
 FreeCAD's start loads this: it imports nothing of ours.
 """
@@ -22,3 +22,43 @@ def announce(obj: Any) -> None:
     """Pass a new or opened object to all observers."""
     for observer in _observers:
         observer(obj)
+
+
+class ProgramWatch:
+    """Calls `changed` when the program of `obj` changes, `deleted` before it goes, `closing` before a document goes.
+
+    obj: what is watched, None for nothing; it may be another one later.
+    """
+
+    def __init__(
+        self, obj: Any, changed: Callable[[], None], deleted: Callable[[], None], closing: Callable[[str], None]
+    ):
+        import FreeCAD
+
+        self.obj = obj
+        self._changed, self._deleted, self._closing = changed, deleted, closing
+        FreeCAD.addDocumentObserver(self)
+        self._watching = True
+
+    def end(self) -> None:
+        """Watch no longer."""
+        import FreeCAD
+
+        if self._watching:
+            self._watching = False
+            FreeCAD.removeDocumentObserver(self)
+
+    def slotChangedObject(self, obj: Any, name: str) -> None:
+        """FreeCAD calls this at every change of a property."""
+        if name == "Program" and obj is self.obj:
+            self._changed()
+
+    def slotDeletedObject(self, obj: Any) -> None:
+        """FreeCAD calls this before an object goes."""
+        if self.obj is not None and obj is self.obj:
+            self.obj = None
+            self._deleted()
+
+    def slotDeletedDocument(self, document: Any) -> None:
+        """FreeCAD calls this before a document goes."""
+        self._closing(document.Name)

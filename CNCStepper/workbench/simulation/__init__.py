@@ -14,7 +14,7 @@ def open_simulation(job_object: Any, restart: Callable[[Any, int], object]) -> A
     """
     import FreeCADGui
 
-    from CNCStepper.workbench.services.task_panel_in_use import require_free
+    from CNCStepper.workbench.panels.view_task_panel import require_free
     from CNCStepper.workbench.simulation.task import SimulationTask
 
     require_free()

@@ -10,7 +10,7 @@ from PySide import QtCore, QtGui
 
 from CNCStepper.workbench.services.findings_list import FindingsList
 from CNCStepper.workbench.services.icons import icon
-from CNCStepper.workbench.services.quantity_format import length_text, totals
+from CNCStepper.workbench.services.number_format import length_text, totals
 from CNCStepper.workbench.services.translation import tr
 from CNCStepper.workbench.simulation.player import Player
 from CNCStepper.workbench.simulation.player_controls import Controls

@@ -8,7 +8,7 @@ from typing import Any
 from PySide import QtCore, QtGui
 
 from CNCStepper.workbench.services.icons import icon as icon_named
-from CNCStepper.workbench.services.quantity_format import clock_text, steps_text
+from CNCStepper.workbench.services.number_format import clock_text, steps_text
 from CNCStepper.workbench.services.translation import later, tr
 from CNCStepper.workbench.simulation.player import LINE, MOVE, PULSE, Player
 

@@ -19,8 +19,8 @@ from CNCStepper.workbench.proving import latest_proof
 from CNCStepper.workbench.proving.proof_process import ProofResult, ProofRun
 from CNCStepper.workbench.services import messages
 from CNCStepper.workbench.services.message_translation import translated
-from CNCStepper.workbench.services.program_observer import ProgramWatch
-from CNCStepper.workbench.services.quantity_format import clock_text
+from CNCStepper.workbench.services.number_format import clock_text
+from CNCStepper.workbench.services.object_observers import ProgramWatch
 from CNCStepper.workbench.services.translation import tr
 from CNCStepper.workbench.simulation.panel import SimulationPanel
 from CNCStepper.workbench.simulation.player import Player

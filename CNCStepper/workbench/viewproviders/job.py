@@ -10,8 +10,7 @@ from CNCStepper.workbench.features.base import proxy_type
 from CNCStepper.workbench.services.messages import guarded, polled
 from CNCStepper.workbench.services.translation import tr
 from CNCStepper.workbench.viewproviders.base import Entry, ViewProvider
-from CNCStepper.workbench.viewproviders.clamp_display import ClampBlocks
-from CNCStepper.workbench.viewproviders.stock_display import SHAPED_BY, StockBox
+from CNCStepper.workbench.viewproviders.stock_display import SHAPED_BY, ClampBlocks, StockBox
 
 STOCK = "Stock"  # the one way in which a job is drawn
 DRAWN_FROM = {*SHAPED_BY, "ClampOutlines"}

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The edges of a job's stock in the 3D view, where it lies round the work zero, and a small cross at that zero.
+"""A job's stock and clamps in the 3D view: the edges of the stock round the work zero, a small cross at that zero.
 
-Where cuts must stay within the stock's edge, the line that they stay within is drawn on its top.
+Where cuts must stay within the stock's edge, the line that they stay within is drawn on its top. Of a clamp it is
+what the tool keeps clear of: a block from its top down to the stock's bottom.
 """
 
 from __future__ import annotations
@@ -10,6 +11,7 @@ from typing import Any
 
 from CNCStepper.errors import JobError
 from CNCStepper.workbench import packages
+from CNCStepper.workbench.document.clamps import rings_of
 from CNCStepper.workbench.document.stock_of_job import stock_of
 
 RGB = (0.72, 0.53, 0.20)  # of wood: seen on FreeCAD's blue and on white
@@ -68,3 +70,48 @@ def _margin(stock: Any, edge_mm: float) -> list[list[Any]]:
     """Return the line that cuts stay within, on the top; none where no margin is asked for or none is left."""
     inside = stock.outline.buffer(-edge_mm, join_style="mitre")
     return [[(*point, stock.top_mm) for point in inside.exterior.coords]] if edge_mm > 0 and not inside.is_empty else []
+
+
+CLAMP_RGB = (0.78, 0.16, 0.55)  # no path, stock or part is drawn in it
+GLASS = 0.7  # of the top face: the solid itself stays to be seen
+
+
+class ClampBlocks:
+    """`node` is for the view; `update` follows the job."""
+
+    def __init__(self) -> None:
+        from pivy import coin
+
+        self.node = coin.SoSeparator()
+        self._points, self._lines, self._tops = coin.SoCoordinate3(), coin.SoLineSet(), coin.SoFaceSet()
+        self._top_points = coin.SoCoordinate3()
+        glass, solid = coin.SoMaterial(), coin.SoMaterial()
+        glass.diffuseColor, glass.transparency = CLAMP_RGB, GLASS
+        solid.diffuseColor = CLAMP_RGB
+        style, light, pick = coin.SoDrawStyle(), coin.SoLightModel(), coin.SoPickStyle()
+        style.lineWidth = 2.0
+        light.model = coin.SoLightModel.BASE_COLOR
+        pick.style = coin.SoPickStyle.UNPICKABLE  # the solid below stays within reach of the mouse
+        for part in (pick, light, style, glass, self._top_points, self._tops, solid, self._points, self._lines):
+            self.node.addChild(part)
+
+    def update(self, job: Any) -> None:
+        """Draw the clamps that the job keeps."""
+        rings = list(rings_of(job))
+        floor_mm = job.WorkOrigin.z - job.StockSize.z
+        _show_strips(self._top_points, self._tops, [ring[:-1] for ring in rings])
+        _show_strips(self._points, self._lines, [strip for ring in rings for strip in _block_edges(ring, floor_mm)])
+
+
+def _block_edges(ring: list[Any], floor_mm: float) -> list[list[Any]]:
+    """Return the edges of the block between a clamp's outline and the stock's bottom."""
+    low = [(x, y, min(z, floor_mm)) for x, y, z in ring]
+    return [ring, low, *([top, bottom] for top, bottom in zip(ring[:-1], low[:-1], strict=True))]
+
+
+def _show_strips(points: Any, shape: Any, strips: list[list[Any]]) -> None:
+    flat = [point for strip in strips for point in strip]
+    points.point.setValues(0, len(flat), flat)
+    points.point.setNum(len(flat))
+    shape.numVertices.setValues(0, len(strips), [len(strip) for strip in strips])
+    shape.numVertices.setNum(len(strips))

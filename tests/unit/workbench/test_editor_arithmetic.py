@@ -10,10 +10,8 @@ import pytest
 
 from CNCStepper.control.session.status import error_to_json
 from CNCStepper.errors import Place, ProgramError
-from CNCStepper.workbench.editor.model.changed_lines import Change, joined, moved
-from CNCStepper.workbench.editor.model.error_marks import Marks
-from CNCStepper.workbench.editor.model.syntax_colours import BOLD, DARK, LIGHT, colours_on
-from CNCStepper.workbench.editor.model.word_spans import spans_of, word_at
+from CNCStepper.workbench.editor.model.error_marks import Change, Marks, joined, moved
+from CNCStepper.workbench.editor.model.syntax_colours import BOLD, DARK, LIGHT, colours_on, spans_of, word_at
 
 
 @pytest.mark.parametrize("seed", range(40))

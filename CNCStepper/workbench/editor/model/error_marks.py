@@ -1,15 +1,49 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Where a program is refused: the newest that is known, which moves with the text until it is read again."""
+"""Where a program is refused: the newest that is known, which moves with the text until it is read again. No Qt here.
+
+Also which lines have changed since the process that reads was told last: only they are sent.
+"""
 
 from __future__ import annotations
 
 from bisect import bisect_left
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import Any, NamedTuple
 
 from CNCStepper.control.session.status import error_from_json
 from CNCStepper.errors import CNCStepperError
-from CNCStepper.workbench.editor.model.changed_lines import moved
+
+
+class Change(NamedTuple):
+    """`removed` lines from `first` on, counted from 0 in the text as it was told, gave way to `added` lines."""
+
+    first: int
+    removed: int
+    added: int
+
+
+def joined(earlier: Change | None, first: int, removed: int, added: int) -> Change:
+    """Return one change for two: `earlier`, and then lines from `first` of the text that it had made.
+
+    told     ....|ooooo|.......
+    present  ....|nnn|.........      earlier: o lines became n
+               |rrrrrr|              then: r lines become a; the stretch that both touch is one change
+    """
+    if earlier is None:
+        return Change(first, removed, added)
+    begin = min(earlier.first, first)
+    end = max(earlier.first + earlier.added, first + removed)
+    grown = earlier.added - earlier.removed
+    return Change(begin, end - grown - begin, end - begin + added - removed)
+
+
+def moved(line: int, first: int, removed: int, added: int) -> int:
+    """Return where a line stands after a change, all counted from 1 but `first`, from 0; lines that went are at it."""
+    if line <= first:
+        return line
+    if line <= first + removed:
+        return min(line, first + max(added, 1))
+    return line + added - removed
 
 
 @dataclass(frozen=True)

@@ -1,7 +1,54 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The colours of a program's words, on a light and on a dark ground."""
+"""Which characters of a line are which kind of word, and their colours on a light and on a dark ground. No Qt here."""
 
 from __future__ import annotations
+
+import re
+from typing import NamedTuple
+
+_NUMBER = r"[ \t]*[-+]?(?:[0-9][0-9 \t]*\.?[0-9 \t]*|\.[0-9][0-9 \t]*)"
+_KINDS = {
+    "mark": r"^[ \t]*/|^[ \t]*%",
+    "comment": r"\([^)]*\)?|;.*",
+    "flow": r"(?<![A-Za-z])[Oo](?:<[^>]*>?|[0-9]+)[ \t]*[A-Za-z]*",
+    "value": r"#<[^>]*>?|#+[0-9]*|\b(?:ABS|ACOS|ASIN|ATAN|COS|EXP|FIX|FUP|LN|ROUND|SIN|SQRT|TAN|EXISTS|"
+    r"MOD|AND|OR|XOR|EQ|NE|GT|GE|LT|LE)\b|[][*/=]",
+    "motion": r"[Gg][ \t]*0*[0-3](?![0-9.])",
+    "code": rf"[GgMm](?:{_NUMBER})?",
+    "number": rf"[Nn]{_NUMBER}",
+    "axis": rf"[XYZABCUVWxyzabcuvw](?:{_NUMBER})?",
+    "centre": rf"[IJKRijkr](?:{_NUMBER})?",
+    "feed": rf"[FSTHDPQLEfsthdpqle](?:{_NUMBER})?",
+}
+_WORDS = re.compile("|".join(f"(?P<{kind}>{pattern})" for kind, pattern in _KINDS.items()))
+
+
+class Span(NamedTuple):
+    """Characters [start, start + length) of a line, and what kind they are."""
+
+    start: int
+    length: int
+    kind: str
+
+
+def spans_of(text: str) -> list[Span]:
+    """Return the words of a line, from left to right; what is none of them is left out."""
+    found = []
+    for match in _WORDS.finditer(text):
+        length = len(match[0].rstrip())
+        if length and match.lastgroup:
+            found.append(Span(match.start(), length, match.lastgroup))
+    return found
+
+
+def word_at(text: str, column: int) -> str:
+    """Return the word in which a column lies, counted from 0, without blanks and in capitals; "" outside of any."""
+    for span in spans_of(text):
+        if span.start <= column < span.start + span.length:
+            word = text[span.start : span.start + span.length]
+            return word if span.kind == "comment" else re.sub(r"[ \t]", "", word).upper()
+    return ""
+
 
 LIGHT = {
     "motion": "#0b4fa8",

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from CNCStepper.errors import ProgramError
 from CNCStepper.gcode.edit.line_tokens import tokens_of
 from CNCStepper.gcode.syntax.words import Word, split_line, words_of
-from CNCStepper.workbench.editor.model.word_spans import spans_of
+from CNCStepper.workbench.editor.model.syntax_colours import spans_of
 
 NUMBERS = st.from_regex(r"[+-]?([0-9]{1,4}(\.[0-9]{0,3})?|\.[0-9]{1,3})", fullmatch=True)
 BLANKS = st.sampled_from(["", "", "", " ", "\t", "  "])

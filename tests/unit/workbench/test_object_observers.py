@@ -8,7 +8,7 @@ from types import SimpleNamespace
 
 import pytest
 
-from CNCStepper.workbench.services.program_observer import ProgramWatch
+from CNCStepper.workbench.services.object_observers import ProgramWatch
 
 
 @pytest.fixture
