@@ -25,6 +25,8 @@ from CNCStepper.workbench.services.command import Command
 from CNCStepper.workbench.services.messages import guarded, note
 from CNCStepper.workbench.services.translation import tr
 
+WHO = object()  # one asks at a time: a newer click takes the place of the one before
+
 
 def create(document: Any, title: str, make: Callable[[], Any]) -> None:
     """Make an object inside one transaction and open its panel, which commits or aborts it; drawing ends.
@@ -109,9 +111,6 @@ class Operation(Command):
     def values(self, job: Any, tool: Any, is_drawn: bool) -> dict[str, Any]:
         """Return the values with which the operation begins, by key."""
         raise NotImplementedError
-
-
-WHO = object()  # one asks at a time: a newer click takes the place of the one before
 
 
 def when_fitted(kind: type[Feature], job: Any, pairs: Sequence[Pair], go_on: Callable[[], None]) -> None:

@@ -26,6 +26,8 @@ from CNCStepper.workbench.services.translation import later, tr
 if TYPE_CHECKING:
     from CNCStepper.recovery.restart.proof_folder import RestartPlace
 
+DOES = later("Check a G-code file with the job's machine, stock, tools and clamps, and send it.")
+
 
 class Sending:
     """The flow of one job at a time.
@@ -179,9 +181,6 @@ class Sending:
         else:
             self.flow.end(outcome.kind, sentences(translated(outcome.text)))
         self._changed()
-
-
-DOES = later("Check a G-code file with the job's machine, stock, tools and clamps, and send it.")
 
 
 class FileSending:

@@ -32,6 +32,7 @@ DOES = {
     "Restart": later("Go on with the program from a line, an operation, a contour or a place in the picture."),
     "Unfinished": later("Say how far the last job came that was not cut to its end, and restart it there."),
 }
+WORKER = "CNCStepper.workers.unfinished_job"
 
 
 class RecoveryView(QtGui.QWidget):
@@ -62,9 +63,6 @@ class RecoveryView(QtGui.QWidget):
             widgets.lock(button, why_not_now(moment), DOES[name])
         if moment.job_runs:
             self.show_offer("")
-
-
-WORKER = "CNCStepper.workers.unfinished_job"
 
 
 class Recovery:

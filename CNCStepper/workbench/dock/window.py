@@ -20,6 +20,8 @@ from CNCStepper.workbench.services.translation import tr
 if TYPE_CHECKING:
     from CNCStepper.recovery.restart.proof_folder import RestartPlace
 
+NAME = "CNCStepper_Dock"
+
 
 class ClosingGuard(QtCore.QObject):
     """Watches one window; `link` is asked whether a job runs, told to stop it, and left when FreeCAD ends."""
@@ -54,28 +56,15 @@ class ClosingGuard(QtCore.QObject):
 
     def _ask(self) -> str:
         """Ask, and return "keep", "stop" or "cancel"; Esc and the box's own closing mean cancel."""
-        box = QtGui.QMessageBox(self._window)
-        box.setObjectName("CNCStepper_Dock_Closing")
-        box.setIcon(QtGui.QMessageBox.Icon.Warning)
-        box.setWindowTitle(tr("A job is being cut"))
-        box.setText(tr("The machine is cutting a job."))
-        box.setInformativeText(
-            tr("The cut goes on without FreeCAD; the controller's panel finds it again the next time it is opened.")
-        )
-        role = QtGui.QMessageBox.ButtonRole
         answers = {
-            "keep": box.addButton(tr("Keep cutting and close"), role.AcceptRole),
-            "stop": box.addButton(tr("Stop the cut and close"), role.DestructiveRole),
-            "cancel": box.addButton(tr("Cancel"), role.RejectRole),
+            "keep": (tr("Keep cutting and close"), "Accept"),
+            "stop": (tr("Stop the cut and close"), "Destructive"),
+            "cancel": (tr("Cancel"), "Reject"),
         }
-        for name, button in answers.items():
-            button.setObjectName(f"CNCStepper_Dock_Closing_{name}")
-        box.setDefaultButton(answers["cancel"])
-        box.setEscapeButton(answers["cancel"])
-        getattr(box, "exec", box.exec_)()
-        clicked = box.clickedButton()
-        box.deleteLater()
-        return next((name for name, button in answers.items() if button is clicked), "cancel")
+        text = tr("The machine is cutting a job.")
+        more = tr("The cut goes on without FreeCAD; the controller's panel finds it again the next time it is opened.")
+        title = tr("A job is being cut")
+        return messages.choose("CNCStepper_Dock_Closing", "Warning", title, text, answers, "cancel", more)
 
     def _quit(self) -> None:
         """Let go: a job goes on alone, without one the controller's process ends."""
@@ -84,9 +73,6 @@ class ClosingGuard(QtCore.QObject):
             self._link.detach()
         else:
             self._link.leave()
-
-
-NAME = "CNCStepper_Dock"
 
 
 def dock() -> Any:

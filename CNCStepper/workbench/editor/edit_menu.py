@@ -18,6 +18,8 @@ from CNCStepper.workbench.services.translation import later, tr
 
 NAME = "CNCStepper_Editor_verb_"
 CONVERT = "convert"
+DIFF = "CNCStepper_Editor_diff"
+SIZE = (560, 420)
 
 
 @dataclass(frozen=True)
@@ -153,10 +155,6 @@ def _input(field: Field) -> Any:
 
 def _value(widget: Any) -> Any:
     return widget.currentText() if isinstance(widget, QtGui.QComboBox) else widget.value()
-
-
-DIFF = "CNCStepper_Editor_diff"
-SIZE = (560, 420)
 
 
 class DiffDialog(QtGui.QDialog):

@@ -7,10 +7,10 @@ from pathlib import Path
 from typing import Any
 
 from CNCStepper.workbench.editor.program_source import FileSource
+from CNCStepper.workbench.services.messages import choose
 from CNCStepper.workbench.services.translation import tr
 
 PATTERNS = "*.nc *.ngc *.gcode *.tap *.cnc *.txt"
-ANSWERS = ("save", "discard", "cancel")
 
 
 def ask_which() -> Path | None:
@@ -42,49 +42,20 @@ def in_file(source: Any, path: Path) -> FileSource:
 
 def ask_to_save(name: str) -> str:
     """Ask what becomes of a text that is not saved: "save", "discard" or "cancel", which Esc means too."""
-    import FreeCADGui
-    from PySide import QtGui
-
-    box = QtGui.QMessageBox(FreeCADGui.getMainWindow())
-    box.setObjectName("CNCStepper_Editor_closing")
-    box.setIcon(QtGui.QMessageBox.Icon.Question)
-    box.setWindowTitle(tr("Edit program"))
-    box.setText(tr("{0} has changes that are not saved.").format(name))
-    role = QtGui.QMessageBox.ButtonRole
-    roles = (role.AcceptRole, role.DestructiveRole, role.RejectRole)
-    texts = (tr("Save"), tr("Discard"), tr("Cancel"))
-    buttons = {answer: box.addButton(text, each) for answer, text, each in zip(ANSWERS, texts, roles, strict=True)}
-    for answer, button in buttons.items():
-        button.setObjectName(f"CNCStepper_Editor_closing_{answer}")
-    box.setDefaultButton(buttons["save"])
-    box.setEscapeButton(buttons["cancel"])
-    getattr(box, "exec", box.exec_)()
-    clicked = box.clickedButton()
-    box.deleteLater()
-    return next((answer for answer, button in buttons.items() if button is clicked), "cancel")
+    answers = {
+        "save": (tr("Save"), "Accept"),
+        "discard": (tr("Discard"), "Destructive"),
+        "cancel": (tr("Cancel"), "Reject"),
+    }
+    text = tr("{0} has changes that are not saved.").format(name)
+    return choose("CNCStepper_Editor_closing", "Question", tr("Edit program"), text, answers, "save")
 
 
 def ask_to_save_first(name: str) -> bool:
     """Ask whether a text is to be saved, so that what is checked or sent is what the editor shows."""
-    import FreeCADGui
-    from PySide import QtGui
-
-    box = QtGui.QMessageBox(FreeCADGui.getMainWindow())
-    box.setObjectName("CNCStepper_Editor_save_first")
-    box.setIcon(QtGui.QMessageBox.Icon.Question)
-    box.setWindowTitle(name)
-    box.setText(tr("{0} has changes that are not saved. They must be saved before it is checked or sent.").format(name))
-    role = QtGui.QMessageBox.ButtonRole
-    save = box.addButton(tr("Save and go on"), role.AcceptRole)
-    cancel = box.addButton(tr("Cancel"), role.RejectRole)
-    save.setObjectName("CNCStepper_Editor_save_first_save")
-    cancel.setObjectName("CNCStepper_Editor_save_first_cancel")
-    box.setDefaultButton(save)
-    box.setEscapeButton(cancel)
-    getattr(box, "exec", box.exec_)()
-    clicked = box.clickedButton()
-    box.deleteLater()
-    return bool(clicked is save)
+    answers = {"save": (tr("Save and go on"), "Accept"), "cancel": (tr("Cancel"), "Reject")}
+    text = tr("{0} has changes that are not saved. They must be saved before it is checked or sent.").format(name)
+    return choose("CNCStepper_Editor_save_first", "Question", name, text, answers, "save") == "save"
 
 
 def _proposed(source: Any) -> Path:

@@ -24,6 +24,9 @@ from CNCStepper.workbench.simulation.scene import FEED_RGB, RAPID_RGB
 TYPE = QtCore.QEvent.Type
 LEFT = QtCore.Qt.MouseButton.LeftButton
 STILL_PX = 4  # a press and a release that lie nearer together are a click
+NAME = "CNCStepper_Editor"
+LINE_RGB = (0.95, 0.45, 0.0)
+LINE_PX, END_PX = 5.0, 10.0
 
 
 class Clicks(QtCore.QObject):
@@ -84,11 +87,6 @@ def seen_by(camera: Any, size: list[int], origin_mm: tuple[float, float, float])
     shift = np.eye(4)
     shift[3, :3] = origin_mm
     return [[float(value) for value in row] for row in shift @ matrix]
-
-
-NAME = "CNCStepper_Editor"
-LINE_RGB = (0.95, 0.45, 0.0)
-LINE_PX, END_PX = 5.0, 10.0
 
 
 class EditorScene:

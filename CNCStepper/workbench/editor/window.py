@@ -21,6 +21,9 @@ from CNCStepper.workbench.services.command import look_again
 from CNCStepper.workbench.services.translation import tr
 
 TREE = "Gui::TreeWidget"
+NAME = "CNCStepper_Editor_dock"
+WIDTH = 430
+TAKE_THE_FRONT = ("CNCStepper_Simulate", "CNCStepper_Send")  # the commands whose tooltips name the program in front
 
 
 class Front:
@@ -76,11 +79,6 @@ def selected() -> list[str]:
 def is_seen(dock: Any) -> bool:
     """Return whether a dock is shown, and not behind another tab."""
     return bool(dock.isVisible() and not dock.visibleRegion().isEmpty())
-
-
-NAME = "CNCStepper_Editor_dock"
-WIDTH = 430
-TAKE_THE_FRONT = ("CNCStepper_Simulate", "CNCStepper_Send")  # the commands whose tooltips name the program in front
 
 
 class EditorDock(QtGui.QDockWidget):

@@ -22,6 +22,12 @@ LIMITS = {
     "less_than_equal": ("le", later("must be at most {0}")),
 }
 NOT_BETWEEN = later("must be 0, or at least {0}")
+SENTENCES = {
+    "depth": later("goes far beyond the stock; at most {0}"),
+    "travel": later("goes beyond what the machine can travel; at most {0}"),
+    "width": later("goes far beyond the stock and the machine; at most {0}"),
+    "feed": later("goes far beyond the machine's fastest axis; at most {0}"),
+}
 
 
 def model_of_type(obj: Any) -> Any:
@@ -98,14 +104,6 @@ def labelled(sentence: str, labels: dict[str, str]) -> str:
 def _word(key: str) -> re.Pattern[str]:
     stem = re.sub("_(mm|mm_min|deg|rpm)$", "", key)
     return re.compile(rf"\b({key}|{stem})\b")
-
-
-SENTENCES = {
-    "depth": later("goes far beyond the stock; at most {0}"),
-    "travel": later("goes beyond what the machine can travel; at most {0}"),
-    "width": later("goes far beyond the stock and the machine; at most {0}"),
-    "feed": later("goes far beyond the machine's fastest axis; at most {0}"),
-}
 
 
 def beyond(obj: Any, changes: dict[str, Any], shown: Callable[[str, float], str]) -> dict[str, Refused]:

@@ -26,6 +26,10 @@ from CNCStepper.workbench.services.messages import guarded
 from CNCStepper.workbench.services.translation import later, tr
 
 FROM_FILE = object()  # the choice that asks for a file
+FOLDED = (PROGRAM, HEIGHTS)
+HIDDEN = ("operations", "tools", "clamps")
+CLAMPS, OPERATIONS, TOOLS = later("Clamps"), later("Operations"), later("Tools")
+AXIS = later("Axis arithmetic")
 
 
 class MachineField(ChoiceField):
@@ -112,10 +116,6 @@ class StockSizeField(VectorField):
 
 
 KINDS = {"machine": MachineField, "dialect": DialectField, "material": MaterialField, "stock_size_mm": StockSizeField}
-FOLDED = (PROGRAM, HEIGHTS)
-HIDDEN = ("operations", "tools", "clamps")
-CLAMPS, OPERATIONS, TOOLS = later("Clamps"), later("Operations"), later("Tools")
-AXIS = later("Axis arithmetic")
 
 
 class JobPanel(Panel):

@@ -23,6 +23,8 @@ if TYPE_CHECKING:
 NAME = "CNCStepper_Restart_"
 LONGEST_MM = 1000.0
 PROPOSED_HEIGHT_MM = 5.0  # of who gives one: what most programs cross at
+MOST_RUNS = 9999
+FINDINGS_PX = 110
 
 
 class EnteringFields(QtCore.QObject):
@@ -80,10 +82,6 @@ def _lengths(what: str, least_mm: float) -> Any:
     spin.setSuffix(f" {tr('mm')}")
     spin.setKeyboardTracking(False)
     return spin
-
-
-MOST_RUNS = 9999
-FINDINGS_PX = 110
 
 
 class RestartPanel(QtGui.QWidget):

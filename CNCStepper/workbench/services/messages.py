@@ -10,7 +10,7 @@ from __future__ import annotations
 import functools
 import inspect
 import traceback
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from typing import Any
 
 from CNCStepper.errors import CNCStepperError
@@ -20,6 +20,7 @@ from CNCStepper.workbench.services.translation import tr
 NAME = "CNCStepper"
 REPORT_AT = "https://github.com/cncstepper/CNCStepper/issues"
 NOTE_MS = 8000
+Answers = Mapping[str, tuple[str, str]]  # by their names: the text of the button, its role in Qt
 
 
 def guarded(function: Callable[..., Any], repeat: bool = True) -> Callable[..., Any]:
@@ -90,19 +91,41 @@ def note(text: str) -> None:
 
 def ask(question: str, yes: str, no: str, more: str = "") -> bool:
     """Ask a question, wait, and return whether the button `yes` was pressed; Esc and closing mean no."""
+    box = _box("ask", "Question", question, more)
+    return _answer(box, "CNCStepper_Tell", {"yes": (yes, "Accept"), "no": (no, "Reject")}, "no") == "yes"
+
+
+def choose(name: str, icon: str, title: str, text: str, answers: Answers, default: str, more: str = "") -> str:
+    """Ask which of several answers, wait, and return the name of one; Esc and closing mean the last one.
+
+    name: of the box for Qt, with which those of its buttons begin.
+    """
+    import FreeCADGui
     from PySide import QtGui
 
-    box = _box("ask", "Question", question, more)
-    agree = box.addButton(yes, QtGui.QMessageBox.ButtonRole.AcceptRole)
-    agree.setObjectName("CNCStepper_Tell_yes")
-    refuse = box.addButton(no, QtGui.QMessageBox.ButtonRole.RejectRole)
-    refuse.setObjectName("CNCStepper_Tell_no")
-    box.setEscapeButton(refuse)
-    box.setDefaultButton(refuse)
+    box = QtGui.QMessageBox(FreeCADGui.getMainWindow())
+    box.setObjectName(name)
+    box.setIcon(getattr(QtGui.QMessageBox.Icon, icon))
+    box.setWindowTitle(title)
+    box.setText(text)
+    box.setInformativeText(more)
+    return _answer(box, name, answers, default)
+
+
+def _answer(box: Any, prefix: str, answers: Answers, default: str) -> str:
+    """Show a box with a button for each answer, wait, and return the name of the one that was pressed."""
+    from PySide import QtGui
+
+    roles, last = QtGui.QMessageBox.ButtonRole, [*answers][-1]
+    buttons = {name: box.addButton(text, getattr(roles, f"{role}Role")) for name, (text, role) in answers.items()}
+    for name, button in buttons.items():
+        button.setObjectName(f"{prefix}_{name}")
+    box.setEscapeButton(buttons[last])
+    box.setDefaultButton(buttons[default])
     getattr(box, "exec", box.exec_)()
-    agreed = box.clickedButton() is agree
+    clicked = box.clickedButton()
     box.deleteLater()
-    return agreed
+    return next((name for name, button in buttons.items() if button is clicked), last)
 
 
 def sentence(problem: CNCStepperError) -> str:

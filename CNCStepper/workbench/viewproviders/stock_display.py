@@ -18,6 +18,8 @@ RGB = (0.72, 0.53, 0.20)  # of wood: seen on FreeCAD's blue and on white
 CROSS_SHARE = 0.05  # of the stock's length: half an arm of the cross
 POSTS = 4
 SHAPED_BY = ("StockForm", "StockSize", "StockOrigin", "EdgeMargin", "WorkOrigin")
+CLAMP_RGB = (0.78, 0.16, 0.55)  # no path, stock or part is drawn in it
+GLASS = 0.7  # of the top face: the solid itself stays to be seen
 
 
 class StockBox:
@@ -70,10 +72,6 @@ def _margin(stock: Any, edge_mm: float) -> list[list[Any]]:
     """Return the line that cuts stay within, on the top; none where no margin is asked for or none is left."""
     inside = stock.outline.buffer(-edge_mm, join_style="mitre")
     return [[(*point, stock.top_mm) for point in inside.exterior.coords]] if edge_mm > 0 and not inside.is_empty else []
-
-
-CLAMP_RGB = (0.78, 0.16, 0.55)  # no path, stock or part is drawn in it
-GLASS = 0.7  # of the top face: the solid itself stays to be seen
 
 
 class ClampBlocks:

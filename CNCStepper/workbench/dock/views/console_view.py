@@ -21,6 +21,9 @@ from CNCStepper.workbench.services.translation import later, tr
 KEPT, LINES_SHOWN = 1000, 6
 KEY = QtCore.Qt.Key
 PROMPT = "> "
+MESSAGES = 100
+MESSAGE_LINES = 5
+KINDS = {"warning": later("Warning"), "refused": later("Refused")}
 
 
 class TypedLine(QtGui.QLineEdit):
@@ -76,11 +79,6 @@ class ConsoleView(QtGui.QWidget):
             self.line.clear()
             self.hear(f"{PROMPT}{line}")
             self._send(line)
-
-
-MESSAGES = 100
-MESSAGE_LINES = 5
-KINDS = {"warning": later("Warning"), "refused": later("Refused")}
 
 
 class LogView(QtGui.QPlainTextEdit):

@@ -21,35 +21,6 @@ _KINDS = {
     "feed": rf"[FSTHDPQLEfsthdpqle](?:{_NUMBER})?",
 }
 _WORDS = re.compile("|".join(f"(?P<{kind}>{pattern})" for kind, pattern in _KINDS.items()))
-
-
-class Span(NamedTuple):
-    """Characters [start, start + length) of a line, and what kind they are."""
-
-    start: int
-    length: int
-    kind: str
-
-
-def spans_of(text: str) -> list[Span]:
-    """Return the words of a line, from left to right; what is none of them is left out."""
-    found = []
-    for match in _WORDS.finditer(text):
-        length = len(match[0].rstrip())
-        if length and match.lastgroup:
-            found.append(Span(match.start(), length, match.lastgroup))
-    return found
-
-
-def word_at(text: str, column: int) -> str:
-    """Return the word in which a column lies, counted from 0, without blanks and in capitals; "" outside of any."""
-    for span in spans_of(text):
-        if span.start <= column < span.start + span.length:
-            word = text[span.start : span.start + span.length]
-            return word if span.kind == "comment" else re.sub(r"[ \t]", "", word).upper()
-    return ""
-
-
 LIGHT = {
     "motion": "#0b4fa8",
     "code": "#7a1fa2",
@@ -83,6 +54,33 @@ DARK = {
     "digits": "#7c838d",
 }
 BOLD = ("motion", "code", "flow")
+
+
+class Span(NamedTuple):
+    """Characters [start, start + length) of a line, and what kind they are."""
+
+    start: int
+    length: int
+    kind: str
+
+
+def spans_of(text: str) -> list[Span]:
+    """Return the words of a line, from left to right; what is none of them is left out."""
+    found = []
+    for match in _WORDS.finditer(text):
+        length = len(match[0].rstrip())
+        if length and match.lastgroup:
+            found.append(Span(match.start(), length, match.lastgroup))
+    return found
+
+
+def word_at(text: str, column: int) -> str:
+    """Return the word in which a column lies, counted from 0, without blanks and in capitals; "" outside of any."""
+    for span in spans_of(text):
+        if span.start <= column < span.start + span.length:
+            word = text[span.start : span.start + span.length]
+            return word if span.kind == "comment" else re.sub(r"[ \t]", "", word).upper()
+    return ""
 
 
 def colours_on(lightness: int) -> dict[str, str]:
