@@ -5,11 +5,10 @@ from __future__ import annotations
 
 import tempfile
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from CNCStepper.gcode.syntax.text_format import FileForm, decoded
-from CNCStepper.gcode.syntax.words import with_line_feeds
-from CNCStepper.input_file import read_input
+if TYPE_CHECKING:
+    from CNCStepper.gcode.syntax.text_format import FileForm
 
 NAME = "program.nc"
 LARGEST_BYTES = 256_000_000
@@ -30,11 +29,16 @@ def load(job: Any) -> str:
 
 def read(path: Path) -> tuple[str, FileForm]:
     """Return the text of a G-code file, each line with its end, and how the file writes it; raises JobError."""
+    from CNCStepper.gcode.syntax.text_format import decoded  # not loaded with each document that is opened
+    from CNCStepper.input_file import read_input
+
     text, form = decoded(read_input(path, LARGEST_BYTES))
     return ended(text), form
 
 
 def ended(text: str) -> str:
     """Return a text whose lines all end with a line feed, the last one too."""
+    from CNCStepper.gcode.syntax.words import with_line_feeds
+
     text = with_line_feeds(text)
     return f"{text}\n" if text and not text.endswith("\n") else text
