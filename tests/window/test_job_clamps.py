@@ -108,7 +108,7 @@ def test_clamps_are_taken_from_the_selection_and_let_go(hand: Hand, bench: Bench
     hand.main(bench.select, front, side)
     click(hand, ADD, lambda: list(bench.job.Clamps) == [front, side])
     assert rows(hand) == ["1  Front clamp", "2  Side clamp"] and hand.main(note) == ""
-    assert hand.main(lambda: len(api.job_model(bench.job).clamps)) == 2
+    hand.wait(lambda: len(api.job_model(bench.job).clamps) == 2, what="the clamps of the job as it is made")
     hand.shot("panel-job-clamps")
     hand.main(lambda: places.find(f"{P}_clamps").setFocus())
     hand.key("Up")
