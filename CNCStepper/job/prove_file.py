@@ -5,7 +5,7 @@
         └── what is sent ─► spool, for the certificate
 
 It finds and reports what `prove.prove` does of the whole text. Where shapes are judged, the path that cuts lies on the
-disk until all of it is known; then it is held.
+disk until all of it is known, and is judged block by block.
 """
 
 from __future__ import annotations
@@ -33,11 +33,11 @@ from CNCStepper.motion.planner.backlash import ToolMoves
 from CNCStepper.motion.planner.buffers import TICKS_PER_S
 from CNCStepper.motion.planner.chunk_window import ChunkWindow
 from CNCStepper.motion.planner.plan import Run, begun_chunks
-from CNCStepper.motion.planner.standstills import RUNNING_EVENTS
+from CNCStepper.motion.planner.standstills import StopEvents
 from CNCStepper.simulation.check_context import Subject
 from CNCStepper.simulation.checks.check_program import Checks
 from CNCStepper.simulation.checks.report import Figures
-from CNCStepper.simulation.finding import Finding, refused
+from CNCStepper.simulation.finding import MOST_LISTED, Finding, refused
 from CNCStepper.simulation.table_parts import PART_ROWS, TableParts
 from CNCStepper.state import Start
 from CNCStepper.toolpath import Chunk, Event, Span, Toolpath, straight_chunks
@@ -92,7 +92,8 @@ class FileProof:
 
 @dataclass(frozen=True)
 class SpooledWire:
-    """What is sent of a program; its lines are in a spool, and read when they are asked for."""
+    """What is sent of a program; its lines are in a spool, and read when they are asked for. Without one there are
+    neither lines nor messages."""
 
     lines: Sequence[str]
     file_lines: Sequence[int]
@@ -144,7 +145,8 @@ class _FileProof:
         self._unchanged = Unchanged(path)
         self._stock, self._tools, self._spool = given.stock, given.tools, spool
         self._play = play_of(self._machine, given.dialect)
-        self._wire = wire_of_file(path, start, given.dialect, self._play, sink=self._keep, progress=share, name=name)
+        reading: dict[str, Any] = {"sink": self._keep, "progress": share, "name": name, "tells": spool is not None}
+        self._wire = wire_of_file(path, start, given.dialect, self._play, **reading)
         self._kept: KeptCuts | None = None
         self._part: HeightMap | None = None
         self._judged: JudgedPath | None = None
@@ -163,7 +165,8 @@ class _FileProof:
         table = self._wire.table
         self._motors, self._tool_parts = (TableParts(table.start, table.states) for _ in range(2))
         self._tool_moves = ToolMoves(self._play, table.start.position_mm) if self._play else None
-        self._stops: list[Event] = []  # events at which the motion stops
+        table.events = StopEvents(MOST_LISTED)
+        self._stops: tuple[list[Event], list[Event]] = [], []  # at which the motion stops, of each pass through it
         self._rows = 0  # read so far
         self._whole_s = 0.0
 
@@ -193,14 +196,16 @@ class _FileProof:
     def _planned(self) -> Iterator[_Planned]:
         """Yield the chunks as the motors go them, each once it is planned."""
         table = self._wire.table
-        path, waiting = Toolpath(table.start, [], table.states, self._stops), deque[Chunk]()
+        waiting = deque[Chunk]()
+        path, of_speeds = (Toolpath(table.start, [], table.states, stops) for stops in self._stops)
         chunks = self._chunks(waiting)
         speeds: Iterator[np.ndarray | None] = repeat(None)
         if any(axis.motor for axis in self._machine.axes):
             chunks, again = _twice(chunks)
-            speeds = Run(replace(path, chunks=ChunkWindow(again)), self._machine).row_speeds_mm_s()  # type: ignore
+            again_path = replace(of_speeds, chunks=ChunkWindow(again))  # type: ignore[arg-type]
+            speeds = Run(again_path, self._machine, forgets=True).row_speeds_mm_s()
         begun, known = begun_chunks(path, chunks)
-        run = Run(replace(begun, chunks=ChunkWindow(known)), self._machine)  # type: ignore[arg-type]
+        run = Run(replace(begun, chunks=ChunkWindow(known)), self._machine, forgets=True)  # type: ignore[arg-type]
         for ends_s in run.row_ends_s():
             yield _Planned(waiting.popleft(), ends_s, next(speeds))
         self._whole_s = run.clock / TICKS_PER_S
@@ -219,8 +224,11 @@ class _FileProof:
 
     def _take_events(self) -> None:
         events = self._wire.take_events()
-        self._stops += [event for event in events if event.kind not in RUNNING_EVENTS]
-        for parts in (self._motors, self._tool_parts):
+        of_planning, of_speeds = self._stops
+        of_planning += events
+        if any(axis.motor for axis in self._machine.axes):
+            of_speeds += events
+        for parts in (self._motors, self._tool_parts) if self._tool_moves else (self._motors,):
             parts.events += events
 
     def _see(self, group: list[_Planned], is_last: bool) -> None:

@@ -110,6 +110,11 @@ class WireEncoder:
         self.count += len(file_lines)
         return bytes(lines), np.array(file_lines, np.int32)
 
+    def forget_messages(self) -> None:
+        """Forget what the operator is to be told, for who only reads what is sent."""
+        self.messages.clear()
+        self._waiting.clear()
+
     def _tell_at(self, index: int) -> None:
         if self._waiting:
             self.messages[index] = "\n".join(self._waiting)

@@ -36,12 +36,13 @@ def wire_of_file(
     sink: Sink = lambda wire: None,
     progress: Callable[[float], None] = lambda share: None,
     name: str = "",
+    tells: bool = True,
 ) -> WireFile:
     """Return the reading of any program's file; see `WireFile`."""
     language = dialect_named(dialect)
     written_out = writes_out(language) and not all(map(is_plain, text_pieces(path)))
     reading = WireBlocks if written_out else WireFile
-    return reading(path, start, language, play, sink=sink, progress=progress, name=name)
+    return reading(path, start, language, play, sink=sink, progress=progress, name=name, tells=tells)
 
 
 class WireBlocks(WireFile):

@@ -43,7 +43,8 @@ class WireFile:
     """One reading of a program's file through the wire.
 
     sink: given what is sent of each piece, in their order. count: lines sent so far. messages: index of a line that is
-    sent -> what to tell the operator before it runs. name: by which refusals know the file; its path where left out.
+    sent -> what to tell the operator before it runs, where somebody `tells` them. name: by which refusals know the
+    file; its path where left out.
     """
 
     def __init__(
@@ -56,7 +57,9 @@ class WireFile:
         sink: Sink = lambda wire: None,
         progress: Callable[[float], None] = lambda share: None,
         name: str = "",
+        tells: bool = True,
     ):
+        self._tells = tells
         self._path, self._sink, self._progress = path, sink, progress
         self._name = name or str(path)
         self._language = dialect_named(dialect)
@@ -125,6 +128,9 @@ class WireFile:
         self._digest.update(wire.lines.data)
         self._sink(wire)
         self.count += len(wire.lines)
+        if not self._tells:
+            self._encoder.forget_messages()
+            self.messages.clear()
 
     def _sent(self, lines: bytes, numbers: np.ndarray) -> WireText:
         """Return what is sent of a piece that was encoded."""

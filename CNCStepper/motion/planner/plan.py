@@ -172,14 +172,15 @@ def _speeds_mm_s(segments: np.recarray, steps_per_mm: np.ndarray) -> np.ndarray:
 class Run:
     """One pass through a table, piece by piece."""
 
-    def __init__(self, toolpath: Toolpath, machine: Machine | Limits):
+    def __init__(self, toolpath: Toolpath, machine: Machine | Limits, forgets: bool = False):
+        """forgets: the events of the table as they are passed; then the pass cannot go back to a mark."""
         self.toolpath = _without_empty_chunks(toolpath)
         self.limits = machine if isinstance(machine, Limits) else Limits.of(machine)
         start_mm = toolpath.start.position_mm
         idle_ticks = round(self.limits.idle_delay_s * TICKS_PER_S)
         self.course: Course = new_course(new_planner(self.limits, start_mm), start_mm, idle_ticks)
         self.table = new_segments(SEGMENT_ROWS, self.limits.axes)
-        self.stops = Stops(toolpath.states, toolpath.events, self.limits.laser)
+        self.stops = Stops(toolpath.states, toolpath.events, self.limits.laser, forgets)
         self._waiting: deque[_RowValues] | None = None  # chunks whose rows are not all planned, where that is asked for
         self._value_shape: tuple[int, ...] = ()  # of each of those rows' values
         self._chunk = 0

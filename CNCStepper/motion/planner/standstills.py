@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from dataclasses import dataclass, replace
 from itertools import pairwise
 
 import numpy as np
@@ -25,12 +26,13 @@ class Stops:
     FORCE_BUFFER_SYNC_DURING_WCO_CHANGE, on as delivered).
     """
 
-    def __init__(self, states: Sequence[State], events: list[Event], laser: bool):
+    def __init__(self, states: Sequence[State], events: list[Event], laser: bool, forgets: bool = False):
+        """forgets: events that are passed; `events` is emptied as it is read, and no place is gone back to."""
         self.states = states
         self.laser = laser
         self.state = 0
         self.events: list[Event] = []  # that stop the motion, of those that are known so far
-        self._all, self._seen = events, 0
+        self._all, self._seen, self._forgets = events, 0, forgets
         self.next_event = 0
 
     @property
@@ -72,6 +74,9 @@ class Stops:
         """Take up the events that have come since, as those of a table that is still being read do."""
         coming = self._all[self._seen :]
         self._seen += len(coming)
+        if self._forgets:
+            self.events, self.next_event, self._seen = self.events[self.next_event :], 0, 0
+            self._all.clear()
         self.events += [event for event in coming if event.kind not in RUNNING_EVENTS]
 
     def _stops(self, before: int, after: int) -> bool:
@@ -86,8 +91,55 @@ class Stops:
         return one.spindle_rpm != other.spindle_rpm and other.spindle != "off" and not self.laser
 
 
+@dataclass(frozen=True)
+class EventsAsOne(Event):
+    """Events of one kind before one row, on one state: how many, and how long the firmware waits at all of them.
+
+    value: the sum of dwells in s, else that of the first. line: of the first.
+    """
+
+    count: int = 1
+    ticks: int = 0
+
+    def __add__(self, event: Event) -> EventsAsOne:
+        value = self.value + event.value if self.kind == "dwell" else self.value
+        return replace(self, value=value, count=self.count + 1, ticks=self.ticks + dwell_ticks(event))
+
+
+class StopEvents(list[Event]):
+    """The events that stop the motion, as a program tells them: however many stand before one row, few are kept.
+
+    Dwells are summed up. Of others each is kept until `most` of them stand there; the rest are one event that counts.
+    """
+
+    def __init__(self, most: int):
+        super().__init__()
+        self._most = most
+        self._last: dict[tuple[str, int], tuple[int, int]] = {}  # by kind and state: where the last stands, how many
+
+    def append(self, event: Event) -> None:
+        """Take the next event."""
+        if event.kind in RUNNING_EVENTS:
+            return
+        key = event.kind, event.state
+        place, count = self._last.get(key, (0, 0))
+        last = self[place] if count and place < len(self) else None
+        if last is None or (last.index, last.kind, last.state) != (event.index, *key):
+            if not self:
+                self._last.clear()
+            count = 0
+        elif event.kind == "dwell" or count > self._most:
+            one = last if isinstance(last, EventsAsOne) else EventsAsOne(**vars(last), ticks=dwell_ticks(last))
+            self[place] = one + event
+            return
+        self._last[key] = len(self), count + 1
+        super().append(event)
+
+
 def dwell_ticks(event: Event) -> int:
     """Return how long the firmware waits: a dwell in whole steps of 50 ms, rounded up in 32-bit floats."""
+    if isinstance(event, EventsAsOne):
+        return event.ticks
     if event.kind != "dwell":
         return 0
     steps = math.ceil(np.float32(1.0 / DWELL_STEP_S) * np.float32(event.value))

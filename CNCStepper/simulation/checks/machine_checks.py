@@ -10,6 +10,7 @@ from itertools import pairwise
 import numpy as np
 
 from CNCStepper.machine.profile import AXIS_NAMES
+from CNCStepper.motion.planner.standstills import EventsAsOne
 from CNCStepper.simulation.arc_chords import extremes
 from CNCStepper.simulation.check_context import PartCheck, Subject
 from CNCStepper.simulation.finding import Finding, Severity
@@ -290,4 +291,5 @@ class ToolChanges(PartCheck):
                     "pause-spindle",
                     "the program pauses while the spindle turns",
                     advice="write M5 before M0",
+                    count=event.count if isinstance(event, EventsAsOne) else 1,
                 )

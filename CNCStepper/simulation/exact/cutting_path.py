@@ -38,7 +38,7 @@ class JudgedPath:
     def judged(self, removals: Sequence[Removal]) -> Judgement:
         """Return how far the program is from cutting exactly the removals, as `swept_area.judge` does of a whole
         one."""
-        return judge_cuts(self._cuts.joined(), removals, self._stock)
+        return judge_cuts(self._cuts.by_cutter(), removals, self._stock)
 
     def line(self, row: int) -> int:
         """Return the file's line of a row, and 1 where there is none (-1)."""

@@ -13,13 +13,16 @@ so a bound finds the worst pieces of path, and points on their discs then give t
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, replace
+from functools import cached_property, partial
 
 import numpy as np
 import shapely
 
 from CNCStepper.simulation.cutter_solid import Cutter
 from CNCStepper.simulation.exact.edge_tree import EdgeTree, flat_edges
+from CNCStepper.simulation.exact.segment_blocks import Blocks, joined
 from CNCStepper.simulation.exact.wall_distance import Region, climbed, zoomed
 from CNCStepper.simulation.stock import HeightField
 from CNCStepper.simulation.tip_segments import Segments, shortened, split_ramps
@@ -34,6 +37,8 @@ AS_DEEP_MM = 1e-4
 COARSE_DISCS = 32  # with which the pieces that enter nothing are told from the rest
 FACE_RINGS = 12  # on the face of a cutter that is not flat
 MOST_AT_ONCE = 2_000_000  # discs of pieces
+MOST_PARTS = 500_000  # into which ramps are cut at once
+MOST_RANKED = WORST_PIECES * 1023  # pieces that are held by falling bound
 ROUND_RAD = np.arange(72) * np.pi / 36
 
 
@@ -83,20 +88,76 @@ class Entries:
     height_mm: np.ndarray  # of that disc above the tip
     radius_mm: np.ndarray
 
-    def __getitem__(self, which: np.ndarray) -> Entries:
+    def __getitem__(self, which: np.ndarray | slice) -> Entries:
         columns = (self.bound_mm, self.height_mm, self.radius_mm)
         return Entries(self.cutter, self.pieces[which], *(column[which] for column in columns))
 
 
-def entries(cutter: Cutter, pieces: Segments, kept: Kept) -> Entries:
-    """Return the pieces (ramps in short parts) with the bound of their gouge."""
+@dataclass(frozen=True)
+class PathEntries:
+    """The entries of one cutter's path, made anew block after block each time that they are asked for.
+
+    engraves: which of some entries are no gouge, but engrave, bool[n].
+    """
+
+    cutter: Cutter
+    blocks: Blocks
+    kept: Kept
+    engraves: Callable[[Entries], np.ndarray]
+
+    def __iter__(self) -> Iterator[tuple[Entries, Entries]]:
+        """Yield the entries that cut an area, and those that engrave."""
+        for pieces in self.blocks:
+            for some in self._short(pieces):
+                found = entries(self.cutter, some, self.kept, self.lowest_mm)
+                engraved = self.engraves(found)
+                yield found[~engraved], found[engraved]
+
+    @cached_property
+    def lowest_mm(self) -> float:
+        """The lowest height of the tip, but not below the stock."""
+        lowest_mm = min((float(pieces.low_mm.min(initial=np.inf)) for pieces in self.blocks), default=np.inf)
+        return min(max(lowest_mm, self.kept.stock_bottom_mm), self.kept.top_mm)
+
+    def before(self, place: tuple[float, ...], row: int) -> Iterator[Entries]:
+        """Yield the entries that cut an area, of the rows before one, that may reach a place."""
+        lowest_mm, near = self.lowest_mm, Blocks(self.blocks, partial(_before, place, row, self.cutter.radius_mm))
+        path = replace(self, blocks=near)
+        path.__dict__["lowest_mm"] = lowest_mm
+        yield from (rest for rest, _ in path)
+
+    def _short(self, pieces: Segments) -> Iterator[Segments]:
+        """Yield the pieces in runs that are cut into MOST_PARTS parts or a few more."""
+        way = np.abs(pieces.end - pieces.begin)
+        parts = 1.0 + way[:, 2] / RAMP_STEP_MM
+        if self.kept.field is not None:
+            parts *= 1.0 + np.hypot(way[:, 0], way[:, 1]) / max(self.cutter.radius_mm, FIELD_STEP_MM)
+        run = (np.cumsum(parts) // MOST_PARTS).astype(np.int64)
+        for some in np.split(np.arange(len(run)), np.flatnonzero(np.diff(run)) + 1):
+            yield pieces if len(some) == len(pieces) else pieces[some]
+
+
+def _before(place: tuple[float, ...], row: int, radius_mm: float, pieces: Segments) -> Segments:
+    """Return the pieces of the rows before one whose box is within a radius of a place."""
+    near = pieces.row < row
+    for axis in range(2):
+        near &= np.minimum(pieces.begin[:, axis], pieces.end[:, axis]) <= place[axis] + radius_mm + SAME_PLACE_MM
+        near &= np.maximum(pieces.begin[:, axis], pieces.end[:, axis]) >= place[axis] - radius_mm - SAME_PLACE_MM
+    return pieces[near]
+
+
+def entries(cutter: Cutter, pieces: Segments, kept: Kept, lowest_mm: float) -> Entries:
+    """Return the pieces (ramps in short parts) with the bound of their gouge.
+
+    lowest_mm: of the whole path's tips; the discs that stand for the cutter depend on it.
+    """
     pieces = split_ramps(pieces, RAMP_STEP_MM)
     if kept.field is not None:
         pieces = shortened(pieces, max(cutter.radius_mm, FIELD_STEP_MM))
     inside = np.stack([region.inside(pieces) for region in kept.regions]) if kept.regions else None
     tip = np.maximum(pieces.low_mm, kept.stock_bottom_mm)
     tops = kept.tops(pieces, cutter.radius_mm)
-    heights, radii = cutter.discs(kept.top_mm - float(tip.min(initial=kept.top_mm)))
+    heights, radii = cutter.discs(kept.top_mm - lowest_mm)
     bound, height, radius = np.zeros(len(pieces)), np.zeros(len(pieces)), np.full(len(pieces), cutter.radius_mm)
     every = np.arange(len(pieces))
     for part in _parts(every, COARSE_DISCS):
@@ -133,23 +194,74 @@ def _bound(inside, tip, tops, kept: Kept, heights, radii) -> tuple[np.ndarray, n
     return np.maximum(depth[np.arange(len(depth)), disc], 0.0), disc
 
 
-def deepest(found: Entries, kept: Kept) -> Worst:
-    """Return the exact deepest gouge.
+class Ranked:
+    """The entries of a path that may gouge deepest, by falling bound: MOST_RANKED of them, then those behind them.
+
+    last: bound and number of the one that these come after.
+    """
+
+    def __init__(self, path: PathEntries, last: tuple[float, int] = (np.inf, -1)):
+        self.path, self._last = path, last
+        self.top: Entries | None = None
+        self.are_all = True  # that the path has
+        self._numbers = np.zeros(0, np.int64)  # of the top ones, in the order of the path
+        self._seen = 0
+
+    def add(self, found: Entries) -> None:
+        """Take the next entries of the path."""
+        numbers = self._seen + np.arange(len(found.bound_mm))
+        self._seen += len(numbers)
+        bound_mm, (last_mm, last) = found.bound_mm, self._last
+        later = (bound_mm < last_mm) | ((bound_mm == last_mm) & (numbers > last))
+        open_ = (bound_mm > SMALL_MM) & later
+        self.are_all &= bool(later.all())
+        if self.top is None or open_.any():
+            top = found[open_] if self.top is None else _joined(self.top, found[open_])
+            numbers = np.r_[self._numbers, numbers[open_]]
+            order = np.argsort(-top.bound_mm, kind="stable")
+            self.are_all &= len(order) <= MOST_RANKED
+            self.top, self._numbers = top[order[:MOST_RANKED]], numbers[order[:MOST_RANKED]]
+
+    def behind(self) -> Ranked | None:
+        """Return the entries behind these; None where there are none."""
+        if self.top is None or len(self._numbers) < MOST_RANKED:
+            return None
+        further = Ranked(self.path, (float(self.top.bound_mm[-1]), int(self._numbers[-1])))
+        for rest, _ in self.path:
+            further.add(rest)
+        return further
+
+    def before(self, place: tuple[float, ...], row: int) -> Iterator[Entries]:
+        """Yield at least the path's entries of the rows before one that reach a place."""
+        if self.are_all and self.top is not None:
+            return iter([self.top])
+        return self.path.before(place, row)
+
+
+def _joined(some: Entries, more: Entries) -> Entries:
+    columns = (np.r_[getattr(some, name), getattr(more, name)] for name in ("bound_mm", "height_mm", "radius_mm"))
+    return Entries(some.cutter, joined([some.pieces, more.pieces]), *columns)
+
+
+def deepest(ranked: Ranked, kept: Kept) -> Worst:
+    """Return the exact deepest gouge of a path.
 
     Pieces are looked at by falling bound, until no bound is deeper than what was found: slivers between removals that
     touch give many pieces a large bound, among which a true gouge would hide.
     """
-    order = np.argsort(-found.bound_mm, kind="stable")
-    order = order[found.bound_mm[order] > SMALL_MM]
-    best, first, count = Worst(), 0, WORST_PIECES
-    while first < len(order) and found.bound_mm[order[first]] > best.depth_mm + AS_DEEP_MM:
-        here = _deepest_of(found[order[first : first + count]], found, kept)
-        best = max(best, here, key=lambda worst: worst.depth_mm)
-        first, count = first + count, 2 * count
+    best, count = Worst(), WORST_PIECES
+    further: Ranked | None = ranked
+    while further and further.top:
+        top, first = further.top, 0
+        while first < len(top.bound_mm) and top.bound_mm[first] > best.depth_mm + AS_DEEP_MM:
+            here = _deepest_of(top[first : first + count], ranked, kept)
+            best = max(best, here, key=lambda worst: worst.depth_mm)
+            first, count = first + count, 2 * count
+        further = further.behind() if first >= len(top.bound_mm) else None
     return best
 
 
-def _deepest_of(worst: Entries, found: Entries, kept: Kept) -> Worst:
+def _deepest_of(worst: Entries, found: Ranked, kept: Kept) -> Worst:
     """Return the deepest gouge of some pieces, of all those found."""
     centres, index = _centres(worst.pieces, kept)
     centres, index = _promising(centres, index, worst, kept)
@@ -160,7 +272,7 @@ def _deepest_of(worst: Entries, found: Entries, kept: Kept) -> Worst:
         centres[[best.centre]], tip[[best.centre]], index[[best.centre]], worst, kept, fine[None, :], (1.0,)
     )
     best = max(best, fine_best, key=lambda candidate: candidate.depth)
-    place = _climbed_inside(best, worst, kept) if found.cutter.is_flat else _on_face(best, centres, index, worst, kept)
+    place = _climbed_inside(best, worst, kept) if worst.cutter.is_flat else _on_face(best, centres, index, worst, kept)
     depth = float(kept.depth(np.array([place[:2]]), np.array([place[2]]))[0])
     return Worst(depth, place, _first_row(place, found, kept, int(worst.pieces.row[best.piece])))
 
@@ -175,13 +287,16 @@ def _promising(centres: np.ndarray, index: np.ndarray, worst: Entries, kept: Kep
     return centres[rest], index[rest]
 
 
-def _first_row(place: tuple[float, ...], found: Entries, kept: Kept, row: int) -> int:
+def _first_row(place: tuple[float, ...], found: Ranked, kept: Kept, row: int) -> int:
     """Return the row that cuts the place first: not the one that leaves a hole, but the one that makes it."""
-    earlier = found.pieces[(found.bound_mm > SMALL_MM) & (found.pieces.row < row)]
-    rise = place[2] - np.maximum(earlier.low_mm, kept.stock_bottom_mm)
-    beside = shapely.distance(shapely.linestrings(flat_edges(earlier)), shapely.Point(place[:2]))
-    cuts = (rise >= -SAME_PLACE_MM) & (beside <= found.cutter.radius_at(rise) + SAME_PLACE_MM)
-    return int(earlier.row[cuts].min(initial=row))
+    first = row
+    for some in found.before(place, row):
+        earlier = some.pieces[(some.bound_mm > SMALL_MM) & (some.pieces.row < row)]
+        rise = place[2] - np.maximum(earlier.low_mm, kept.stock_bottom_mm)
+        beside = shapely.distance(shapely.linestrings(flat_edges(earlier)), shapely.Point(place[:2]))
+        cuts = (rise >= -SAME_PLACE_MM) & (beside <= some.cutter.radius_at(rise) + SAME_PLACE_MM)
+        first = min(first, int(earlier.row[cuts].min(initial=row)))
+    return first
 
 
 def _climbed_inside(best: _Best, worst: Entries, kept: Kept) -> tuple[float, ...]:

@@ -15,6 +15,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, field
+from functools import partial
 
 import numpy as np
 import shapely
@@ -22,8 +23,9 @@ from shapely.geometry.base import BaseGeometry
 
 from CNCStepper.cycles.cycle import Removal
 from CNCStepper.simulation.cutter_solid import Cutter
-from CNCStepper.simulation.exact.edge_tree import EdgeTree
 from CNCStepper.simulation.exact.gouge import Worst
+from CNCStepper.simulation.exact.segment_blocks import MOST_HELD, Blocks, Cuts, Trees, joined
+from CNCStepper.simulation.exact.voronoi_corners import Places, corners_within
 from CNCStepper.simulation.exact.wall_distance import climbed
 from CNCStepper.simulation.stock import Stock
 from CNCStepper.simulation.tip_segments import Segments, chains, clipped_below
@@ -35,12 +37,11 @@ WALL_STEP_MM = 0.1
 COARSE = 0.05  # share of the radius by which the path may be simplified to find where islands can be
 VORONOI_STEP = 0.1  # share of the radius between the points of that path
 RUN_POINTS = 400  # of the path are simplified at once
+MOST_AREAS = 16  # are joined at once
 ISLAND_REACH_MM = 0.5  # middles closer than twice this belong to one island
 MOST_CLIMBED = 100
-TURN = np.array([[0.8, 0.6], [-0.6, 0.8]])
 AS_NEAR_MM = 0.001
 BESIDE_MM = 1.0  # a path may lie this far beside what it was meant to remove, and is still measured
-Cuts = list[tuple[Cutter, Segments]]  # the path below the stock's top, by cutter
 
 
 @dataclass(frozen=True)
@@ -65,13 +66,13 @@ class _Cover:
     """What is cut at one level, and how far it lies above the floor."""
 
     drop_mm: float
-    parts: list[tuple[Cutter, Segments, EdgeTree]]
+    parts: list[tuple[Cutter, Trees]]
 
     def thickness(self, points: np.ndarray, alone: bool) -> np.ndarray:
         """Return the distance of floor points to the cut; `alone` counts the way across an island twice."""
         thickness = np.full(len(points), np.inf)
-        for cutter, _, tree in self.parts:
-            beside = tree.distance(points)
+        for cutter, trees in self.parts:
+            beside = trees.distance(points)
             if alone:
                 beside = beside + np.maximum(beside - cutter.radius_mm, 0.0)
             thickness = np.minimum(thickness, cutter.gap(beside, self.drop_mm))
@@ -80,12 +81,20 @@ class _Cover:
     def clearance(self, points: np.ndarray) -> np.ndarray:
         """Return what grows with the thickness, and goes on falling below zero under a flat floor."""
         clearance = np.full(len(points), np.inf)
-        for cutter, _, tree in self.parts:
-            beside = tree.distance(points)
+        for cutter, trees in self.parts:
+            beside = trees.distance(points)
             gap = cutter.gap(beside, self.drop_mm)
             within = beside < cutter.floor_mm
             clearance = np.minimum(clearance, np.where(within, beside - cutter.floor_mm, gap))
         return clearance
+
+    def reach(self, points: np.ndarray) -> np.ndarray:
+        """Return how far the nearest of the points that `_coarse` gives is at most."""
+        reach = np.full(len(points), np.inf)
+        for cutter, trees in self.parts:
+            between_mm = COARSE * cutter.radius_mm + _spread_mm(cutter) / 2
+            reach = np.minimum(reach, trees.distance(points) + between_mm)
+        return reach
 
 
 def left_over(removal: Removal, cuts: Cuts, stock: Stock | None = None) -> Left:
@@ -143,14 +152,14 @@ class _Candidates:
 
 def _near(cuts: Cuts, region: BaseGeometry) -> Cuts:
     """Return the cuts whose discs reach the bounds of the region, or nearly: a point that engraves has no disc."""
+    return [(cutter, Blocks(blocks, partial(_meeting, region, cutter)).held()) for cutter, blocks in cuts]
+
+
+def _meeting(region: BaseGeometry, cutter: Cutter, pieces: Segments) -> Segments:
     low_x, low_y, high_x, high_y = np.array(region.bounds) + BESIDE_MM * np.array([-1, -1, 1, 1])
-    result = []
-    for cutter, pieces in cuts:
-        low = np.minimum(pieces.begin, pieces.end) - cutter.radius_mm
-        high = np.maximum(pieces.begin, pieces.end) + cutter.radius_mm
-        meets = (low[:, 0] <= high_x) & (high[:, 0] >= low_x) & (low[:, 1] <= high_y) & (high[:, 1] >= low_y)
-        result.append((cutter, pieces[meets]))
-    return result
+    low = np.minimum(pieces.begin, pieces.end) - cutter.radius_mm
+    high = np.maximum(pieces.begin, pieces.end) + cutter.radius_mm
+    return pieces[(low[:, 0] <= high_x) & (high[:, 0] >= low_x) & (low[:, 1] <= high_y) & (high[:, 1] >= low_y)]
 
 
 def _covers(removal: Removal, cuts: Cuts) -> Iterator[_Cover]:
@@ -163,19 +172,20 @@ def _covers(removal: Removal, cuts: Cuts) -> Iterator[_Cover]:
     full_mm = max((cutter.rise_mm for cutter, _ in pointed), default=0.0)  # deeper makes it no wider
     below = _ends(pointed, removal.bottom_mm - full_mm, removal.bottom_mm, MOST_BELOW)
     lowest = [removal.bottom_mm - full_mm] if pointed else []
-    for level in np.r_[lowest, below, removal.bottom_mm, above]:
-        parts = []
-        for cutter, pieces in cuts:
-            lower = clipped_below(pieces, level + SAME_LEVEL_MM)
-            parts.append((cutter, lower, EdgeTree.of_pieces(lower)))
+    room = [MOST_HELD]
+    for level in np.r_[lowest, below, removal.bottom_mm, above].tolist():
+        lower = partial(clipped_below, level_mm=level + SAME_LEVEL_MM)
+        parts = [(cutter, Trees(Blocks(blocks, lower), room)) for cutter, blocks in cuts]
         yield _Cover(level - removal.bottom_mm, parts)
 
 
 def _ends(cuts: Cuts, low_mm: float, high_mm: float, most: int) -> np.ndarray:
     """Return the heights between two others at which pieces of path end, rising, at most that many of them."""
-    ends = np.concatenate([np.r_[pieces.begin[:, 2], pieces.end[:, 2]] for _, pieces in cuts] or [np.zeros(0)])
-    between = ends[(ends > low_mm + SAME_LEVEL_MM) & (ends < high_mm - SAME_LEVEL_MM)]
-    levels = np.unique(np.round(between / SAME_LEVEL_MM) * SAME_LEVEL_MM)
+    levels = np.zeros(0)
+    for pieces in (pieces for _, blocks in cuts for pieces in blocks):
+        ends = np.r_[pieces.begin[:, 2], pieces.end[:, 2]]
+        between = ends[(ends > low_mm + SAME_LEVEL_MM) & (ends < high_mm - SAME_LEVEL_MM)]
+        levels = np.union1d(levels, np.round(between / SAME_LEVEL_MM) * SAME_LEVEL_MM)
     return levels if len(levels) <= most else levels[np.linspace(0, len(levels) - 1, most).astype(int)]
 
 
@@ -207,20 +217,22 @@ def _middles(region: BaseGeometry, cover: _Cover) -> np.ndarray:
 
     What hangs together with the wall is no island, and the wall's own points tell it.
     """
-    coarse = [_coarse(cutter, pieces) for cutter, pieces, _ in cover.parts if len(pieces)]
-    if not coarse:
+    places = Places()
+    sure: list[BaseGeometry] = []
+    for area, points in (one for cutter, trees in cover.parts for one in _coarse(cutter, trees.blocks)):
+        places.add(points)
+        sure = [*([shapely.union_all(sure)] if len(sure) == MOST_AREAS else sure), area]
+    if not sure:
         return np.zeros((0, 2))
-    uncut = region.difference(shapely.union_all([area for area, _ in coarse]))
-    corners = _voronoi_corners(np.vstack([points for _, points in coarse]))
-    shapely.prepare(uncut)
+    uncut = region.difference(shapely.union_all(sure))
+    corners = corners_within(uncut, places, cover.reach)
     shapely.prepare(region)
 
-    def height(places: np.ndarray) -> np.ndarray:
-        return np.where(shapely.contains_xy(region, places), cover.clearance(places), -np.inf)
+    def height(points: np.ndarray) -> np.ndarray:
+        return np.where(shapely.contains_xy(region, points), cover.clearance(points), -np.inf)
 
-    corners = corners[shapely.contains_xy(uncut, corners)]
-    places = np.vstack([corners, climbed(_most_promising(corners, cover), height, step_mm=0.1, stop_mm=2e-4)])
-    return places[shapely.distance(region.boundary, shapely.points(places)) > cover.clearance(places)]
+    found = np.vstack([corners, climbed(_most_promising(corners, cover), height, step_mm=0.1, stop_mm=2e-4)])
+    return found[shapely.distance(region.boundary, shapely.points(found)) > cover.clearance(found)]
 
 
 def _most_promising(corners: np.ndarray, cover: _Cover) -> np.ndarray:
@@ -230,48 +242,53 @@ def _most_promising(corners: np.ndarray, cover: _Cover) -> np.ndarray:
     return corners[np.sort(first)[:MOST_CLIMBED]]
 
 
-def _voronoi_corners(points: np.ndarray) -> np.ndarray:
-    """Return the corners of the points' Voronoi diagram: the circumcentres of their Delaunay triangles."""
-    points = np.unique(np.round(points, 3), axis=0)
-    triangles = _delaunay(points)
-    a, b, c = shapely.get_coordinates(triangles).reshape(-1, 4, 2)[:, :3].transpose(1, 0, 2)
-    b, c = b - a, c - a
-    cross = 2 * (b[:, 0] * c[:, 1] - b[:, 1] * c[:, 0])
-    b2, c2 = (b**2).sum(axis=1), (c**2).sum(axis=1)
-    arm = np.stack([c[:, 1] * b2 - b[:, 1] * c2, b[:, 0] * c2 - c[:, 0] * b2], axis=1)
-    proper = np.abs(cross) > 1e-12
-    return a[proper] + arm[proper] / cross[proper, None]
-
-
-def _delaunay(points: np.ndarray) -> np.ndarray:
-    """Return the Delaunay triangles of points.
-
-    GEOS now and then loses its way among many points on parallel lines, but not when the plane is turned.
-    """
-    try:
-        return shapely.get_parts(shapely.delaunay_triangles(shapely.multipoints(points)))
-    except shapely.errors.GEOSException:
-        turned = shapely.delaunay_triangles(shapely.multipoints(points @ TURN))
-        return shapely.get_parts(shapely.transform(turned, lambda places: places @ TURN.T))
-
-
-def _coarse(cutter: Cutter, pieces: Segments) -> tuple[BaseGeometry, np.ndarray]:
-    """Return an area that is surely cut, which is that of the cutter's flat floor, and points of the path.
+def _coarse(cutter: Cutter, blocks: Blocks) -> Iterator[tuple[BaseGeometry, np.ndarray]]:
+    """Yield an area that is surely cut, which is that of the cutter's flat floor, and points of the path.
 
     The path is simplified in short runs: the buffer of a long one that crosses itself takes seconds.
     """
     error_mm = COARSE * cutter.radius_mm
-    runs = [run for chain in chains(pieces) for run in _runs(chain[:, :2])]
-    paths = shapely.simplify(np.array([shapely.LineString(run) for run in runs]), error_mm)
-    is_point = shapely.length(paths) == 0  # a plunge seen from above
-    spread = np.r_[shapely.segmentize(paths[~is_point], max(VORONOI_STEP * cutter.radius_mm, 0.01)), paths[is_point]]
-    sure_mm = max(cutter.floor_mm - error_mm, 0.0)
-    return shapely.union_all(shapely.buffer(paths, sure_mm)), shapely.get_coordinates(spread)
+    for runs in _runs(blocks):
+        paths = shapely.simplify(np.array([shapely.LineString(run) for run in runs]), error_mm)
+        is_point = shapely.length(paths) == 0  # a plunge seen from above
+        spread = np.r_[shapely.segmentize(paths[~is_point], _spread_mm(cutter)), paths[is_point]]
+        sure_mm = max(cutter.floor_mm - error_mm, 0.0)
+        yield shapely.union_all(shapely.buffer(paths, sure_mm)), shapely.get_coordinates(spread)
 
 
-def _runs(chain: np.ndarray) -> list[np.ndarray]:
-    """Return the chain in runs of at most RUN_POINTS points that share their ends."""
-    return [chain[k : k + RUN_POINTS] for k in range(0, len(chain) - 1, RUN_POINTS - 1)]
+def _spread_mm(cutter: Cutter) -> float:
+    """Return the way between the points that stand for a path, at most."""
+    return max(VORONOI_STEP * cutter.radius_mm, 0.01)
+
+
+def _runs(blocks: Blocks) -> Iterator[list[np.ndarray]]:
+    """Yield for each block its chains in runs of at most RUN_POINTS points that share their ends.
+
+    The last run of a block goes on in the next one, so that blocks of any length have the same runs.
+    """
+    waiting: Segments | None = None
+    for pieces in blocks:
+        if waiting is None or not len(pieces):
+            waiting = pieces if waiting is None else waiting
+            continue
+        open_ = _begin_of_open_run(waiting)
+        if open_:
+            yield _runs_of(waiting[:open_])
+        waiting = joined([waiting[open_:], pieces])
+    if waiting is not None and len(waiting):
+        yield _runs_of(waiting)
+
+
+def _begin_of_open_run(pieces: Segments) -> int:
+    """Return the first segment of the last run, which more segments may make longer."""
+    breaks = np.flatnonzero((pieces.begin[1:] != pieces.end[:-1]).any(axis=1)) + 1
+    chain = int(breaks[-1]) if len(breaks) else 0
+    return len(pieces) - (len(pieces) - chain) % (RUN_POINTS - 1)
+
+
+def _runs_of(pieces: Segments) -> list[np.ndarray]:
+    step = RUN_POINTS - 1
+    return [chain[k : k + RUN_POINTS, :2] for chain in chains(pieces) for k in range(0, len(chain) - 1, step)]
 
 
 def _answer(removal: Removal, wall: _Candidates, middles: _Candidates, covers: list[_Cover]) -> Left:
@@ -300,10 +317,7 @@ def _islands(removal: Removal, middles: _Candidates) -> list[Island]:
 
 def _nearest_row(point: np.ndarray, covers: list[_Cover]) -> int:
     """Return the row of the table whose path comes nearest to the point, the last of those as near, or -1."""
-    found = []
-    for _, pieces, tree in covers[-1].parts if covers else []:
-        index, distance = tree.nearest(np.array([[point, point]]))
-        if len(pieces):
-            found.append((float(distance[0]), int(pieces.row[index[0]])))
-    nearest = min(found, default=(0.0, -1))[0]
-    return max((row for distance, row in found if distance <= nearest + AS_NEAR_MM), default=-1)
+    found = [trees.nearest(point) for _, trees in covers[-1].parts] if covers else []
+    known = [one for one in found if one]
+    nearest = min(known, default=(0.0, -1))[0]
+    return max((row for distance, row in known if distance <= nearest + AS_NEAR_MM), default=-1)

@@ -9,12 +9,13 @@ The file has no name, or goes with its folder, so that nothing is left of a chec
 from __future__ import annotations
 
 import tempfile
-from collections import Counter
 from collections.abc import Iterator
+from dataclasses import dataclass
 
 import numpy as np
 
 from CNCStepper.simulation.cutter_solid import Cutter
+from CNCStepper.simulation.exact.segment_blocks import Blocks
 from CNCStepper.simulation.exact.stock_contact import Cuts
 from CNCStepper.simulation.tip_segments import Segments
 
@@ -44,28 +45,38 @@ class KeptCuts:
     def __iter__(self) -> Iterator[tuple[Cutter, Segments]]:
         for cutter, place, count in self._blocks:
             self._file.seek(place)
-            columns = np.frombuffer(self._file.read(8 * COLUMNS * count)).reshape(-1, COLUMNS)
-            yield cutter, Segments(columns[:, :3], columns[:, 3:6], columns[:, 6].astype(np.int64))
+            yield cutter, _segments(np.frombuffer(self._file.read(8 * COLUMNS * count)).reshape(-1, COLUMNS))
 
-    def joined(self) -> list[tuple[Cutter, Segments]]:
-        """Return the whole path, each cutter's as one."""
-        counts = Counter[Cutter]()
-        for cutter, _, count in self._blocks:
-            counts[cutter] += count
-        whole = {cutter: _room(count) for cutter, count in counts.items()}
-        filled = Counter[Cutter]()
-        for cutter, some in self:
-            place = slice(filled[cutter], filled[cutter] + len(some))
-            for name in ("begin", "end", "row"):
-                getattr(whole[cutter], name)[place] = getattr(some, name)
-            filled[cutter] += len(some)
-        return list(whole.items())
+    def by_cutter(self) -> list[tuple[Cutter, Blocks]]:
+        """Return the whole path, each cutter's in blocks that are read as often as they are asked for."""
+        cutters = dict.fromkeys(cutter for cutter, _, _ in self._blocks)
+        return [(cutter, Blocks(_OfCutter(self, cutter))) for cutter in cutters]
+
+    def of(self, cutter: Cutter) -> Iterator[Segments]:
+        """Yield the path of one cutter, as many blocks at once as are not longer than one of BLOCK segments."""
+        waiting, count = [np.zeros((0, COLUMNS))], 0
+        for _, place, length in (block for block in self._blocks if block[0] == cutter):
+            if count + length > BLOCK:
+                yield _segments(np.concatenate(waiting))
+                waiting, count = [], 0
+            self._file.seek(place)
+            waiting.append(np.frombuffer(self._file.read(8 * COLUMNS * length)).reshape(-1, COLUMNS))
+            count += length
+        yield _segments(np.concatenate(waiting))
 
     def close(self) -> None:
         """Give the disk back."""
         self._file.close()
 
 
-def _room(count: int) -> Segments:
-    """Return so many segments, to be filled."""
-    return Segments(np.empty((count, 3)), np.empty((count, 3)), np.empty(count, np.int64))
+@dataclass(frozen=True)
+class _OfCutter:
+    kept: KeptCuts
+    cutter: Cutter
+
+    def __iter__(self) -> Iterator[Segments]:
+        return self.kept.of(self.cutter)
+
+
+def _segments(columns: np.ndarray) -> Segments:
+    return Segments(columns[:, :3], columns[:, 3:6], columns[:, 6].astype(np.int64))

@@ -9,7 +9,9 @@ An engraving wants its line at its depth: there the tool's centre is judged agai
 from __future__ import annotations
 
 from collections.abc import Sequence
+from contextlib import closing
 from dataclasses import dataclass, replace
+from functools import partial
 
 import numpy as np
 import shapely
@@ -19,8 +21,10 @@ from CNCStepper.simulation.cutter_profile import form_of
 from CNCStepper.simulation.cutter_solid import BEAM, POINT, Cutter, Tools, tool_numbered
 from CNCStepper.simulation.exact.beams import beam_cuts, through
 from CNCStepper.simulation.exact.edge_tree import EdgeTree, flat_edges
-from CNCStepper.simulation.exact.gouge import SMALL_MM, Entries, Kept, Worst, deepest, entries
-from CNCStepper.simulation.exact.remaining_material import SAME_LEVEL_MM, Cuts, Island, Left, left_over
+from CNCStepper.simulation.exact.gouge import SMALL_MM, Entries, Kept, PathEntries, Ranked, Worst, deepest
+from CNCStepper.simulation.exact.remaining_material import SAME_LEVEL_MM, Island, Left, left_over
+from CNCStepper.simulation.exact.segment_blocks import Blocks, Cuts
+from CNCStepper.simulation.exact.stored_cuts import KeptCuts
 from CNCStepper.simulation.exact.wall_distance import Region
 from CNCStepper.simulation.stock import HeightField, Stock
 from CNCStepper.simulation.tip_segments import Segments, clipped_below, segments
@@ -78,35 +82,50 @@ def judge(
     Without a stock everything below z = 0 outside the removals is to stay. Rows with a tool that is not
     among `tools` are not judged.
     """
-    return judge_cuts(cutting_path(toolpath, tools, 0.0, stock), removals, stock)
+    cuts = cutting_path(toolpath, tools, 0.0, stock)
+    return judge_cuts([(cutter, Blocks([pieces])) for cutter, pieces in cuts], removals, stock)
 
 
 def judge_cuts(cuts: Cuts, removals: Sequence[Removal], stock: Stock | None = None) -> Judgement:
-    """Return the same of the tip's path below z = 0, as `cutting_path` gives it."""
+    """Return the same of the tip's path below z = 0, as `cutting_path` gives it; a block of it is looked at at once."""
     _, lines = _areas_and_lines(removals)  # drawn lines may leave the stock: beside it the tool cuts air
     removals = [_inside_stock(removal, stock) for removal in removals]
     areas, _ = _areas_and_lines(removals)
-    kept = _kept(areas, stock)
-    everything = [entries(cutter, pieces, kept) for cutter, pieces in cuts]
-    rest, engraved = _split_engraving(everything, lines, alone=not areas)
-    gouge = max(
-        [deepest(found, kept) for found in rest] + [_engraving_gouge(pieces, lines) for _, pieces in engraved],
-        key=lambda worst: worst.depth_mm,
-        default=Worst(),
-    )
-    centres = [(POINT, pieces) for _, pieces in engraved]
-    left = [left_over(_reachable(one, stock), cuts if one.region.area > 0 else centres, stock) for one in removals]
+    kept, levels = _kept(areas, stock), _LevelSums()
+    engraves = partial(_engraves, lines=lines, alone=not areas)
+    with closing(KeptCuts()) as engraved:
+        ranked = [_ranked(PathEntries(cutter, blocks, kept, engraves), engraved, levels) for cutter, blocks in cuts]
+        centres = [(POINT, blocks.held()) for _, blocks in engraved.by_cutter()]
+        gouge = max(
+            [deepest(one, kept) for one in ranked] + [_engraving_gouge(blocks, lines) for _, blocks in centres],
+            key=lambda worst: worst.depth_mm,
+            default=Worst(),
+        )
+        left = [left_over(_reachable(one, stock), cuts if one.region.area > 0 else centres, stock) for one in removals]
     return Judgement(
         gouge,
         _nearest_tolerance_mm(gouge, removals),
         max((one.worst for one in left), key=lambda worst: worst.depth_mm, default=Worst()),
         [island for one in left for island in one.islands],
         left,
-        _levels(rest + [Entries(c, p, *(np.zeros(len(p)),) * 3) for c, p in engraved]),
+        levels.all(),
     )
 
 
-def cutting_path(toolpath: Toolpath, tools: Tools, top_mm: float, stock: Stock | None = None) -> Cuts:
+def _ranked(path: PathEntries, engraved: KeptCuts, levels: _LevelSums) -> Ranked:
+    """Return the entries of a path that may gouge deepest; what engraves is kept apart."""
+    ranked = Ranked(path)
+    for rest, centres in path:
+        ranked.add(rest)
+        engraved.add([(path.cutter, centres.pieces)])
+        levels.add(rest.pieces, rest.bound_mm)
+        levels.add(centres.pieces, np.zeros(len(centres.pieces)))
+    return ranked
+
+
+def cutting_path(
+    toolpath: Toolpath, tools: Tools, top_mm: float, stock: Stock | None = None
+) -> list[tuple[Cutter, Segments]]:
     """Return the tip's path below `top_mm` as segments, by cutter; that of a beam lies at the stock's bottom."""
     path, cuts = segments(toolpath, FLATTEN_MM), beam_cuts(toolpath, tools)
     number = np.array([state.tool for state in toolpath.states])[toolpath.table().state[path.row]]
@@ -172,60 +191,62 @@ def _kept(areas: list[Removal], stock: Stock | None) -> Kept:
     return Kept(tuple(bottoms), regions, 0.0, stock_bottom_mm, field)
 
 
-def _split_engraving(found: list[Entries], lines: list[Removal], alone: bool) -> tuple[list[Entries], Cuts]:
-    """Part the path that engraves from the rest.
+def _engraves(entry: Entries, lines: list[Removal], alone: bool) -> np.ndarray:
+    """Return which entries engrave, bool[n].
 
-    It engraves where it lies lower than a line's top, within the tool's radius of the line, and in no
-    removed area; where all removals are lines, everything engraves.
+    Path engraves where it lies lower than a line's top, within the tool's radius of the line, and in no
+    removed area; where all removals are lines (`alone`), everything engraves.
     """
-    rest: list[Entries] = []
-    engraved: Cuts = []
-    for entry in found:
-        pieces = entry.pieces
-        belongs = np.full(len(pieces), alone and bool(lines))
-        for line in lines:
-            near = EdgeTree.of_geometry(line.region).nearest(flat_edges(pieces))[1]
-            belongs |= (near <= entry.cutter.radius_mm) & (pieces.low_mm < line.top_mm) & (entry.bound_mm > SMALL_MM)
-        rest.append(entry[~belongs])
-        engraved.append((entry.cutter, pieces[belongs]))
-    return rest, engraved
-
-
-def _engraving_gouge(pieces: Segments, lines: list[Removal]) -> Worst:
-    """Return the point of the tool's path that is farthest from every line and depth, but never above the stock."""
-    points, row = _spread(pieces)
-    if not len(points):
-        return Worst()
-    depth = -points[:, 2]
+    pieces = entry.pieces
+    belongs = np.full(len(pieces), alone and bool(lines))
     for line in lines:
-        beside = EdgeTree.of_geometry(line.region).distance(points[:, :2])
-        depth = np.minimum(depth, np.hypot(beside, np.maximum(line.bottom_mm - points[:, 2], 0.0)))
-    k = int(depth.argmax())
-    return Worst(float(depth[k]), tuple(points[k].tolist()), int(row[k])) if depth[k] > SMALL_MM else Worst()
+        near = EdgeTree.of_geometry(line.region).nearest(flat_edges(pieces))[1]
+        belongs |= (near <= entry.cutter.radius_mm) & (pieces.low_mm < line.top_mm) & (entry.bound_mm > SMALL_MM)
+    return belongs
 
 
-def _spread(pieces: Segments) -> tuple[np.ndarray, np.ndarray]:
+def _engraving_gouge(path: Blocks, lines: list[Removal]) -> Worst:
+    """Return the point of the tool's path that is farthest from every line and depth, but never above the stock."""
+    whole_mm = sum(float(np.linalg.norm(pieces.end - pieces.begin, axis=1).sum()) for pieces in path)
+    step_mm, worst = max(LINE_STEP_MM, whole_mm / MOST_POINTS), Worst()
+    for points, row in (_spread(pieces, step_mm) for pieces in path):
+        depth = -points[:, 2]
+        for line in lines:
+            beside = EdgeTree.of_geometry(line.region).distance(points[:, :2])
+            depth = np.minimum(depth, np.hypot(beside, np.maximum(line.bottom_mm - points[:, 2], 0.0)))
+        if depth.max(initial=0.0) > max(SMALL_MM, worst.depth_mm):
+            k = int(depth.argmax())
+            worst = Worst(float(depth[k]), tuple(points[k].tolist()), int(row[k]))
+    return worst
+
+
+def _spread(pieces: Segments, step_mm: float) -> tuple[np.ndarray, np.ndarray]:
     """Return points close together on the pieces, float64[n, 3], with their rows."""
     length = np.linalg.norm(pieces.end - pieces.begin, axis=1)
-    step = max(LINE_STEP_MM, float(length.sum()) / MOST_POINTS)
-    counts = np.ceil(length / step).astype(np.int64) + 1
+    counts = np.ceil(length / step_mm).astype(np.int64) + 1
     index = np.repeat(np.arange(len(pieces)), counts)
     place = np.arange(len(index)) - np.repeat(np.cumsum(counts) - counts, counts)
     share = (place / np.maximum(counts[index] - 1, 1))[:, None]
     return pieces.begin[index] * (1 - share) + pieces.end[index] * share, pieces.row[index]
 
 
-def _levels(found: list[Entries]) -> list[Level]:
-    """Return the levels on which path lies, from the top downwards."""
-    if not found:
-        return []
-    pieces = [entry.pieces for entry in found]
-    begin, end = (np.concatenate([getattr(part, name) for part in pieces]) for name in ("begin", "end"))
-    bound = np.concatenate([entry.bound_mm for entry in found])
-    level = np.abs(begin[:, 2] - end[:, 2]) <= SAME_LEVEL_MM
-    length = np.hypot(*(end - begin)[level, :2].T)
-    z, which = np.unique(np.round(end[level, 2] / SAME_LEVEL_MM) * SAME_LEVEL_MM, return_inverse=True)
-    path = np.bincount(which, length, minlength=len(z))
-    worst = np.zeros(len(z))
-    np.maximum.at(worst, which, bound[level])
-    return [Level(float(z[k]), float(path[k]), float(worst[k])) for k in range(len(z))[::-1]]
+class _LevelSums:
+    """The levels on which path lies, summed up block after block."""
+
+    def __init__(self) -> None:
+        self._found: dict[float, tuple[float, float]] = {}  # the height: how much path, the greatest bound
+
+    def add(self, pieces: Segments, bound_mm: np.ndarray) -> None:
+        """Take further path with what bounds its gouge."""
+        level = np.abs(pieces.begin[:, 2] - pieces.end[:, 2]) <= SAME_LEVEL_MM
+        length = np.hypot(*(pieces.end - pieces.begin)[level, :2].T)
+        z, which = np.unique(np.round(pieces.end[level, 2] / SAME_LEVEL_MM) * SAME_LEVEL_MM, return_inverse=True)
+        path, worst = np.bincount(which, length, minlength=len(z)), np.zeros(len(z))
+        np.maximum.at(worst, which, bound_mm[level])
+        for height, path_mm, worst_mm in zip(z.tolist(), path.tolist(), worst.tolist(), strict=True):
+            before = self._found.get(height, (0.0, 0.0))
+            self._found[height] = before[0] + path_mm, max(before[1], worst_mm)
+
+    def all(self) -> list[Level]:
+        """Return them from the top downwards."""
+        return [Level(height, *self._found[height]) for height in sorted(self._found, reverse=True)]
