@@ -52,7 +52,7 @@ def machine(tmp_path: Path) -> Iterator[str]:
 def kill_a_freecad_that_cuts(machine: str, folder: Path) -> None:
     """Let a FreeCAD of its own begin to cut PLACES, and kill it."""
     lines = ["G21G90G94G17F3000", *(f"G1X{x}Y{y}" for x, y, _ in PLACES)]
-    job, cutting = folder / "send.json", folder / "cutting"
+    job, cutting = folder / "send.zip", folder / "cutting"
     write_job(job, SendJob(port="", lines=lines, file="part.nc"))
     told = {"CNCSTEPPER_PORT": machine, "CNCSTEPPER_JOB": str(job), "CNCSTEPPER_CUTTING": str(cutting)}
     freecadcmd = shutil.which("freecadcmd") or shutil.which("FreeCADCmd")

@@ -21,7 +21,7 @@ def main(folder: Path) -> None:
         stdout=subprocess.PIPE, text=True, start_new_session=True,
     )  # fmt: skip
     address = machine.stdout.readline().split()[-1]
-    file = folder / "send.json"
+    file = folder / "send.zip"
     lines = ["G21", "G90", "G94", *(f"G1X{index % 2 * 5}Y{index % 3}F300" for index in range(400))]
     write_job(file, SendJob(port="", lines=lines, file="left-behind.nc"))
     client = DeskClient.launch(address)
