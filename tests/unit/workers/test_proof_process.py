@@ -68,7 +68,7 @@ def test_the_answer_is_that_of_prove_job(folder: Path) -> None:
     assert answer.moves.duration_s == proof.times_s[-1]
     assert (answer.part.heights_mm == proof.part.heights_mm).all()
     sent = sendable(answer.send_file)
-    assert sent.lines == list(proof.wire.lines) and sent.file_lines == proof.wire.file_lines.tolist()
+    assert tuple(sent.lines) == proof.wire.lines and list(sent.file_lines) == proof.wire.file_lines.tolist()
 
 
 @pytest.mark.slow
