@@ -6,7 +6,7 @@ one file are the same. An existing file is replaced without asking only where CN
 
     program        a comment in its first lines says "made by CNCStepper", or "restart of ... at line ..."
     report         JSON whose "format" is "CNCStepper report"
-    certificate    JSON whose "format" is "CNCStepper certificate"
+    certificate    a zip whose proof.json, or in an old one JSON whose "format" is "CNCStepper certificate"
     picture        PNG, SVG, GIF, APNG, WebP or MP4 whose description names CNCStepper
     sheet          PDF or HTML whose creator or generator is CNCStepper
     mesh           STL whose header names CNCStepper
@@ -34,7 +34,7 @@ LOOKED_AT = 8192  # bytes at the begin and at the end of a file
 MARKS = {
     "program": rb"(?m)^[^\n]*[(;][^\n]*made by CNCStepper|\A\(restart of [^\n]* at line \d+",
     "report": rb'\A\s*\{[^{}]*"format": "CNCStepper report"',
-    "certificate": rb'\A\s*\{[^{}]*"format": "CNCStepper certificate"',
+    "certificate": rb'(?s)\A(PK\x03\x04.{26}proof\.json.{0,64}|\s*)\{[^{}]*"format": "CNCStepper certificate"',
     "picture": rb"(?s)\A(\x89PNG\r\n|GIF8|RIFF|<\?xml|....ftyp).*CNCStepper",
     "sheet": rb"(?s)\A(%PDF|<!DOCTYPE html>).*made by CNCStepper",
     "mesh": rb"\ACNCStepper, binary STL",

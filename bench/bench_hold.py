@@ -21,7 +21,7 @@ from typing import Any
 
 from paced_controller import serve
 
-from CNCStepper.control.program.send_job import SendJob
+from CNCStepper.control.program.send_job import SendJob, write_job
 from CNCStepper.control.service.connection_client import DeskClient
 
 BAUDS = (115_200, 1_000_000)
@@ -110,7 +110,7 @@ def measure(baud: int, over: str, busy: Busy) -> tuple[list[float], bool]:
         port, goes_first = notes.recv()
         job_file = Path(folder) / "job.json"
         lines = round(HOLDS * LINES_PER_HOLD * baud / 10 / (len(LINE) + 1))
-        job_file.write_text(SendJob("", [LINE] * lines).to_json(), "utf-8")
+        write_job(job_file, SendJob("", [LINE] * lines))
         window = Window(port, baud, Path(folder), notes, busy)
         try:
             window.cut(job_file)

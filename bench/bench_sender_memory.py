@@ -8,11 +8,9 @@ The controller answers at once and stands where its last line ends, so that posi
 
 from __future__ import annotations
 
-import json
 import multiprocessing
 import os
 import re
-import resource
 import socket
 import subprocess
 import sys
@@ -25,11 +23,9 @@ from multiprocessing.connection import Connection
 from pathlib import Path
 from typing import Any
 
-from CNCStepper.control.program.certificate import FORMAT, VERSION, digest_of, digest_of_lines
-from CNCStepper.control.program.long_json import pieces
+from CNCStepper.control.program.certificate import FORMAT, VERSION, Certificate, digest_of_lines, sendable
 from CNCStepper.control.program.send_job import SendJob
 from CNCStepper.control.service.connection_client import DeskClient
-from CNCStepper.control.service.spool_process import spooled
 from CNCStepper.control.session.client import SessionClient
 from CNCStepper.control.session.files import read_private, sessions
 from CNCStepper.control.session.status import SenderStatus
@@ -130,14 +126,13 @@ def write_certificate(file: Path, count: int) -> None:
     content: dict[str, Any] = {"format": FORMAT, "version": VERSION, "findings": []}
     content |= {"program": {"sha256": sha256}, "wire": {"sha256": sha256, "dialect": "grbl"}}
     content["start"] = {"sha256": start.sha256(), "state": asdict(start)}
-    content["send"] = {"lines": program, "file_lines": range(1, count + 1), "file": "long.nc"}
-    with file.open("w", encoding="ascii") as out:
-        out.writelines(pieces(content | {"sha256": digest_of(content)}, json.JSONEncoder()))
+    content["send"] = {"file": "long.nc"}
+    Certificate(content, program, range(1, count + 1)).write(file)
 
 
 def show_desk(port: str, count: int, folder: Path) -> None:
-    """Print the memory of a desk, and of the process that writes its spool, with the certificate of a program."""
-    file = folder / "job.json"
+    """Print the memory of a desk with the certificate of a program, and how long reading it takes."""
+    file = folder / "job.zip"
     write_certificate(file, count)
     client = DeskClient.launch(port, BAUD, folder)
 
@@ -153,14 +148,14 @@ def show_desk(port: str, count: int, folder: Path) -> None:
     print(f"desk, {count} lines, after {seen.acknowledged}: {resident(client.session_file)}", flush=True)
     client.stop()
     client.leave()
-    spooled(file, folder / "alone.wire", port=port)
-    most_mb = resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss / 1000
-    print(f"its spooler, {count} lines: at most {most_mb:.0f} MB, until the first line", flush=True)
+    begin_s = time.monotonic()
+    sendable(file, port=port)
+    print(f"its file, {count} lines: read in {time.monotonic() - begin_s:.2f} s", flush=True)
 
 
 def show_command(port: str, count: int, folder: Path) -> None:
     """Print the memory of `cncstepper send --certificate`, until the program is on its way and at its end."""
-    file, program = folder / "certificate.json", folder / "long.nc"
+    file, program = folder / "certificate.zip", folder / "long.nc"
     write_certificate(file, count)
     with program.open("w", encoding="ascii") as out:
         out.writelines(f"{line}\n" for line in Program(count))

@@ -8,7 +8,7 @@ import json
 import math
 import re
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import asdict, replace
+from dataclasses import asdict
 from typing import Any, Protocol, TypeVar
 
 import numpy as np
@@ -22,7 +22,6 @@ from CNCStepper.errors import JobError
 from CNCStepper.gcode.interpreter.functions.coordinate_offsets import HOMES
 from CNCStepper.gcode.wire.backlash_compensation import play_of
 from CNCStepper.gcode.wire.encoder import prepare
-from CNCStepper.gcode.wire.wire_lines import WireLines
 from CNCStepper.gcode.wire.wire_text import WireText
 from CNCStepper.job.proof_inputs import Given
 from CNCStepper.job.start_state_file import start_from
@@ -37,9 +36,7 @@ from CNCStepper.state import ZERO3, Start
 FIGURES = ("blocks", "moves", "cut_length_mm", "air_length_mm", "rapid_length_mm", "pierces", "removed_volume_mm3")
 VERDICT = ("gouge_mm", "left_over_mm")
 SENT = (
-    "lines",
     "file",
-    "file_lines",
     "messages",
     "expected",
     "work_offsets_mm",
@@ -108,6 +105,7 @@ class Proven(Protocol):
 def certificate_of(proof: Proven) -> Certificate:
     """Return the certificate of a proof, clean or not."""
     given, report = proof.given, proof.report
+    job = send_job(proof.wire, given.machine, report["program"], proof.start, given.dialect, proof.plan)
     return Certificate(
         {
             "format": FORMAT,
@@ -133,8 +131,10 @@ def certificate_of(proof: Proven) -> Certificate:
             "times": {"program_s": report["time_s"], "operations_s": _times(report["operations"])},
             "figures": {name: report[name] for name in (*FIGURES, *VERDICT)},
             "findings": report["findings"],
-            "send": _send(proof),
-        }
+            "send": _sent(job),
+        },
+        job.lines,
+        job.file_lines,
     )
 
 
@@ -296,14 +296,6 @@ def _times(operations: list[dict[str, Any]]) -> list[dict[str, Any]]:
     return [{"name": operation["name"], "time_s": operation["time_s"]} for operation in operations]
 
 
-def _send(proof: Proven) -> dict[str, Any]:
-    given = proof.given
-    job = send_job(proof.wire, given.machine, proof.report["program"], proof.start, given.dialect, proof.plan)
-    content = replace(job, lines=(), file_lines=()).to_content()
-    content |= {"lines": _plain(job.lines), "file_lines": _plain(job.file_lines)}
+def _sent(job: SendJob) -> dict[str, Any]:
+    content = job.to_content()
     return {name: content[name] for name in SENT}
-
-
-def _plain(column: Sequence[Any]) -> Sequence[Any]:
-    """Return a list, or the column itself where it is read from a spool: those of a long program are never held."""
-    return list(column) if isinstance(column, list | tuple | WireLines) else column

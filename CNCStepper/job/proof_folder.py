@@ -3,10 +3,10 @@
 
     job.json  machine.json  program.nc        what is asked; the machine is that of machine.json
     part.npz                                  what is left of the stock, as soon as it is cut: a first picture
-    result.json  moves.npz  lines.npz  tools.npz  send.json    what is answered then; or error.json, why not
+    result.json  moves.npz  lines.npz  tools.npz  send.zip     what is answered then; or error.json, why not
     tiles.bin  part.stl                       what `simulation_timeline` answers afterwards
 
-send.json is the program's certificate. Reading an answer takes numpy only, so that a window does it at once.
+send.zip is the program's certificate. Reading an answer takes numpy only, so that a window does it at once.
 """
 
 from __future__ import annotations
@@ -25,6 +25,7 @@ from CNCStepper.simulation.tip_track import TipTrack
 from CNCStepper.simulation.views.polylines import Lines
 
 if TYPE_CHECKING:
+    from CNCStepper.control.program.certificate import Certificate
     from CNCStepper.job.model import Job
     from CNCStepper.job.prove import Proof
     from CNCStepper.machine.profile import Machine
@@ -33,7 +34,7 @@ if TYPE_CHECKING:
 PROGRAM, JOB, MACHINE = "program.nc", "job.json", "machine.json"
 RESULT, MOVES, LINES = "result.json", "moves.npz", "lines.npz"
 PART, TOOLS = "part.npz", "tools.npz"
-SEND, ERROR = "send.json", "error.json"
+SEND, ERROR = "send.zip", "error.json"
 TILES, MESH = "tiles.bin", "part.stl"
 LINE_COLUMNS = ("rapid_points", "rapid_counts", "feed_points", "feed_counts")
 MOST_POINTS = 60_000  # of the rapids, and of the feeds, that a 3D view is given to draw
@@ -125,7 +126,7 @@ def write_part(folder: Path, part: HeightMap) -> None:
     unfinished.replace(folder / PART)
 
 
-def write_answer(folder: Path, proof: Proof, job: Job, send_json: str) -> None:
+def write_answer(folder: Path, proof: Proof, job: Job, certificate: Certificate) -> None:
     """Write the answer but for the part; the result, which says that all is there, comes last."""
     from CNCStepper.simulation.meshes.tool_outline import outlines_mm
     from CNCStepper.simulation.views.path_lines import lines_in_space
@@ -139,7 +140,7 @@ def write_answer(folder: Path, proof: Proof, job: Job, send_json: str) -> None:
     outlines = {str(tool.number): outlines_mm(tool, height_mm) for tool in job.tool}
     named = {f"{number}-{place}": both[place] for number, both in outlines.items() for place in (0, 1)}
     np.savez(folder / TOOLS, **named)
-    (folder / SEND).write_text(send_json, encoding="utf-8")
+    certificate.write(folder / SEND)
     (folder / RESULT).write_text(json.dumps(proof.report, allow_nan=False), encoding="utf-8")
 
 

@@ -2,7 +2,7 @@
 """The proof of a program's file, piece by piece: memory stays the same however long the program is.
 
     WireFile ─chunks─► tool's way ─► planner ─► parts of PART_ROWS rows ─► Checks · Figures · the cut part
-        └── what is sent ─► spool, for the certificate
+        └── what is sent ─► columns of a bundle, for the certificate
 
 It finds and reports what `prove.prove` does of the whole text. Where shapes are judged, the path that cuts lies on the
 disk until all of it is known, and is judged block by block.
@@ -43,7 +43,7 @@ from CNCStepper.state import Start
 from CNCStepper.toolpath import Chunk, Event, Span, Toolpath, straight_chunks
 
 if TYPE_CHECKING:  # what looks at the stock is loaded where there is one: a short check takes half the time without
-    from CNCStepper.control.program.spool import SpoolWriter
+    from CNCStepper.control.program.bundle import ColumnWriter
     from CNCStepper.cycles.cycle import Removal
     from CNCStepper.simulation.checks.clamps import Clamp
     from CNCStepper.simulation.cutter_solid import Tools
@@ -58,13 +58,13 @@ if TYPE_CHECKING:  # what looks at the stock is loaded where there is one: a sho
 class FileProof:
     """What is known of a program's file on a machine; as `prove.Proof`, but for what holds the whole program.
 
-    wire: what would be sent; its lines are read from the spool, and there are none where no spool was asked for.
+    wire: what would be sent; its lines are read from the folder `sent`, and there are none where none was given.
     start: of the table. plan: as `milestones` gives it. cell_mm: of the cut part, None without stock. unchanged:
     whether the file is still the one that was proven. spans: of its operations, whose first lines `lines` knows.
     """
 
     path: Path
-    wire: SpooledWire
+    wire: StoredWire
     start: Start
     plan: list[list[float]]
     findings: list[Finding]
@@ -91,8 +91,8 @@ class FileProof:
 
 
 @dataclass(frozen=True)
-class SpooledWire:
-    """What is sent of a program; its lines are in a spool, and read when they are asked for. Without one there are
+class StoredWire:
+    """What is sent of a program; its lines are in a file, and read when they are asked for. Without one there are
     neither lines nor messages."""
 
     lines: Sequence[str]
@@ -113,7 +113,7 @@ def prove_file(
     removals: Sequence[Removal] = (),
     keep_out: Sequence[Clamp] = (),
     edge_mm: float | None = None,
-    spool: Path | None = None,
+    sent: Path | None = None,
     name: str = "",
     share: Callable[[float], None] = lambda share: None,
     tell: Callable[[str], None] = lambda stage: None,
@@ -121,11 +121,11 @@ def prove_file(
     """Return the proof of a program's file; raises ProgramError as `prove` does.
 
     tools: by number, or one that stands for every number. removals, keep_out, edge_mm, tell: as `prove` takes them.
-    spool: a new file for what is sent. name: of the file, for people; its path where left out. share: called with the
-    share that is done.
+    sent: an empty folder for what is sent. name: of the file, for people; its path where left out. share: called with
+    the share that is done.
     """
     given = Given("", dialect or machine.controller, machine, stock, tools, removals, keep_out, edge_mm)
-    return _FileProof(path, given, start, spool, name or str(path), share, tell).run()
+    return _FileProof(path, given, start, sent, name or str(path), share, tell).run()
 
 
 class _FileProof:
@@ -136,16 +136,16 @@ class _FileProof:
         path: Path,
         given: Given,
         start: Start | None,
-        spool: Path | None,
+        sent: Path | None,
         name: str,
         share: Callable[[float], None],
         tell: Callable[[str], None],
     ):
         self._path, self._given, self._machine, self._name, self._tell = path, given, given.machine, name, tell
         self._unchanged = Unchanged(path)
-        self._stock, self._tools, self._spool = given.stock, given.tools, spool
+        self._stock, self._tools, self._folder = given.stock, given.tools, sent
         self._play = play_of(self._machine, given.dialect)
-        reading: dict[str, Any] = {"sink": self._keep, "progress": share, "name": name, "tells": spool is not None}
+        reading: dict[str, Any] = {"sink": self._keep, "progress": share, "name": name, "tells": sent is not None}
         self._wire = wire_of_file(path, start, given.dialect, self._play, **reading)
         self._kept: KeptCuts | None = None
         self._part: HeightMap | None = None
@@ -161,7 +161,7 @@ class _FileProof:
                 self._judged = JudgedPath(given.tools, given.stock)
         self._checks = Checks(given.stock, given.tools, given.keep_out, given.edge_mm, kept=self._kept)
         self._figures, self._milestones, self._lines = Figures(given.tools), Milestones(), FirstLines()
-        self._writer: SpoolWriter | None = None
+        self._writer: ColumnWriter | None = None
         table = self._wire.table
         self._motors, self._tool_parts = (TableParts(table.start, table.states) for _ in range(2))
         self._tool_moves = ToolMoves(self._play, table.start.position_mm) if self._play else None
@@ -177,10 +177,10 @@ class _FileProof:
                 files.callback(self._kept.close)
             if self._judged:
                 files.callback(self._judged.close)
-            if self._spool:
-                from CNCStepper.control.program.spool import SpoolWriter
+            if self._folder:
+                from CNCStepper.control.program.bundle import ColumnWriter
 
-                self._writer = files.enter_context(SpoolWriter(self._spool, self._name))
+                self._writer = files.enter_context(ColumnWriter(self._folder, self._name))
             self._tell("read")
             for group, is_last in _groups(self._planned()):
                 self._see(group, is_last)
@@ -191,7 +191,7 @@ class _FileProof:
 
     def _keep(self, wire: WireText) -> None:
         if self._writer:
-            self._writer.add(wire.file_lines.tolist(), wire.lines)
+            self._writer.add(wire.file_lines, wire.lines)
 
     def _planned(self) -> Iterator[_Planned]:
         """Yield the chunks as the motors go them, each once it is planned."""
@@ -292,16 +292,11 @@ class _FileProof:
         self._tell("judge")
         return self._judged.judged(self._given.removals)
 
-    def _sent(self) -> SpooledWire:
+    def _sent(self) -> StoredWire:
         """Return what would be sent."""
         wire = self._wire
-        if self._spool is None:
-            return SpooledWire((), (), wire.messages, wire.sha256, wire.count)
-        from CNCStepper.control.program.send_job import SendJob
-        from CNCStepper.control.program.spool import read_spool
-
-        job = read_spool(self._spool, SendJob("", ()))
-        return SpooledWire(job.lines, job.file_lines, wire.messages, wire.sha256, wire.count)
+        lines, file_lines = self._writer.columns() if self._writer else ((), ())
+        return StoredWire(lines, file_lines, wire.messages, wire.sha256, wire.count)
 
 
 def _twice(chunks: Iterator[Chunk]) -> tuple[Iterator[Chunk], Iterator[Chunk]]:

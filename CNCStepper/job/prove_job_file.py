@@ -22,13 +22,13 @@ def prove_job_file(
     name: str = "",
     dialect: str = "",
     start: Start | None = None,
-    spool: Path | None = None,
+    sent: Path | None = None,
     share: Callable[[float], None] = lambda share: None,
     tell: Callable[[str], None] = lambda stage: None,
 ) -> FileProof:
     """Return the proof of a job's program, the first of those that it is split into, as `prove_job` does of its text.
 
-    name, spool, share: as `prove_file` takes them. tell: as `prove` does.
+    name, sent, share: as `prove_file` takes them. tell: as `prove` does.
     """
     tell("make")
     answers, file = answers_of(job, machine, 0), name or str(path)
@@ -42,7 +42,7 @@ def prove_job_file(
         removals=[removal for answer in answers for removal in answer.removals],
         keep_out=job.clamps,
         edge_mm=job.stock.edge_mm,
-        spool=spool,
+        sent=sent,
         name=file,
         share=share,
         tell=tell,

@@ -37,7 +37,7 @@ def main(arguments: list[str]) -> int:
     desk = Desk(
         port,
         baud,
-        spool=path.with_suffix(WIRE),
+        job_file=path.with_suffix(WIRE),
         tell=server.tell,
         refuse=server.refuse,
         ended=server.tell_outcome,

@@ -74,7 +74,7 @@ def answer(folder: Path, name: str) -> None:
         restarted = restart_job(job, machine, program, place.where, entering, **more)
         proof, certificate = restarted.proof, certificate_of_restart(restarted)
         write_restart(folder, restarted.restart)
-    write_answer(folder, proof, job, certificate.to_json())
+    write_answer(folder, proof, job, certificate)
 
 
 def _refuse(folder: Path, error: CNCStepperError) -> None:

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The sender's process: `python -m CNCStepper.workers.sender SESSION_FILE`, the job as JSON on standard input,
-its lines in the spool beside the session file.
+"""The sender's process: `python -m CNCStepper.workers.sender SESSION_FILE`, the job in the bundle beside the
+session file.
 
 It lives as long as the job: a window that dies does not stop the cut, SIGTERM stops it safely (hold,
 standstill, reset). Its exit status is 0 when the machine is idle at the job's end.
@@ -16,8 +16,7 @@ from CNCStepper.control.journal.writer import Journal
 from CNCStepper.control.processes.process_file import OwnFile, unlink_soon
 from CNCStepper.control.processes.sleep_inhibitor import awake
 from CNCStepper.control.processes.thread_priority import go_first
-from CNCStepper.control.program.send_job import SendJob
-from CNCStepper.control.program.spool import read_spool
+from CNCStepper.control.program.send_job import read_job
 from CNCStepper.control.service.position_trust_file import BeliefFile
 from CNCStepper.control.service.sender import Sender
 from CNCStepper.control.session.detached_process import stop_on_signals
@@ -32,12 +31,12 @@ SWITCH_S = 0.0005  # a command must not wait for the sender's turn of 5 ms
 
 
 def main(arguments: list[str]) -> int:
-    """Run the job of standard input as the session whose file is `arguments[0]`; return the exit status."""
+    """Run the job of the session whose file is `arguments[0]`; return the exit status."""
     sys.setswitchinterval(SWITCH_S)
     go_first()
     session = Path(arguments[0])
     wire = session.with_suffix(WIRE)
-    job = read_spool(wire, SendJob.from_json(sys.stdin.buffer.read().decode("utf-8")))
+    job = read_job(wire)
     own_file = OwnFile(session)
     server = SessionServer(session, each_turn=own_file.keep)
     identity = {"port_identity": identify(job.port).to_json()}  # whatever its name will mean while the job runs

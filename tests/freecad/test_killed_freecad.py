@@ -15,7 +15,7 @@ import pytest
 
 from CNCStepper.control.journal.store import stories
 from CNCStepper.control.processes.python_finder import command, environment, find_python
-from CNCStepper.control.program.send_job import SendJob
+from CNCStepper.control.program.send_job import SendJob, write_job
 from CNCStepper.control.session.files import running_desks
 
 HERE = Path(__file__).parent
@@ -52,8 +52,8 @@ def machine(tmp_path: Path) -> Iterator[str]:
 def kill_a_freecad_that_cuts(machine: str, folder: Path) -> None:
     """Let a FreeCAD of its own begin to cut PLACES, and kill it."""
     lines = ["G21G90G94G17F3000", *(f"G1X{x}Y{y}" for x, y, _ in PLACES)]
-    job, cutting = folder / "send.json", folder / "cutting"
-    job.write_text(SendJob(port="", lines=lines, file="part.nc").to_json(), "utf-8")
+    job, cutting = folder / "send.zip", folder / "cutting"
+    write_job(job, SendJob(port="", lines=lines, file="part.nc"))
     told = {"CNCSTEPPER_PORT": machine, "CNCSTEPPER_JOB": str(job), "CNCSTEPPER_CUTTING": str(cutting)}
     freecadcmd = shutil.which("freecadcmd") or shutil.which("FreeCADCmd")
     assert freecadcmd

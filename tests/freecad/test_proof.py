@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import json
 import tempfile
 import time
 from collections.abc import Iterator
@@ -79,7 +78,7 @@ def test_a_clean_job_is_proven_from_its_text(job: Any, folder: Path) -> None:
     assert len(heard.stages) >= 2
     ((part, zero_mm, late),) = heard.parts
     assert (part.heights_mm == result.part.heights_mm).all() and tuple(zero_mm) == (5, 6, 7) and not late
-    sent = sendable(json.loads(result.send_file.read_text("utf-8")))
+    sent = sendable(result.send_file)
     sent.check()
     assert sent.port == "" and not sent.zero_confirmed and sent.expected[100] > 0
     assert sent.file == job.Label and sent.file_lines[-1] <= len(result.program_lines)
@@ -162,7 +161,7 @@ def test_a_missing_python_is_said(job: Any, folder: Path, monkeypatch: pytest.Mo
 
 def test_the_folder_goes_with_its_result(job: Any, folder: Path) -> None:
     heard = Heard(ProofRun(job)).wait()
-    assert sendable(json.loads(heard.results[0].send_file.read_text("utf-8"))).port == ""
+    assert sendable(heard.results[0].send_file).port == ""
     heard.results.clear()
     ProofRun._last = None
     assert not list(folder.iterdir())

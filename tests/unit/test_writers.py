@@ -25,7 +25,7 @@ REASONS = {
     "control/pulses/ports": "a recording grows while pulses go out; only a recording is opened, links are checked",
     "cli/program/piped_program": "a temporary folder of 0700 that goes when it is read",
     "control/session/files": OWN_STATE,
-    "control/program/spool": OWN_STATE,
+    "control/program/bundle": OWN_STATE,
     "job/editing/path_segments": PRIVATE,
     "workers/program_document": PRIVATE,
     "control/processes/process_file": (

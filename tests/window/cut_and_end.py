@@ -18,11 +18,11 @@ END, FOLDER = os.environ["CNCSTEPPER_END"], Path(os.environ["CNCSTEPPER_FOLDER"]
 
 def write_job():
     """Return the file of a job of some minutes."""
-    from CNCStepper.control.program.send_job import SendJob
+    from CNCStepper.control.program.send_job import SendJob, write_job
 
-    file = FOLDER / "send.json"
+    file = FOLDER / "send.zip"
     lines = ["G21", "G90", "G94", *(f"G1X{index % 2 * 5}Y{index % 3}F300" for index in range(400))]
-    file.write_text(SendJob(port="", lines=lines, file="alone.nc").to_json(), "utf-8")
+    write_job(file, SendJob(port="", lines=lines, file="alone.nc"))
     return file
 
 

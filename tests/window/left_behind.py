@@ -9,7 +9,7 @@ import sys
 import time
 from pathlib import Path
 
-from CNCStepper.control.program.send_job import SendJob
+from CNCStepper.control.program.send_job import SendJob, write_job
 from CNCStepper.control.service.connection_client import DeskClient
 
 
@@ -21,9 +21,9 @@ def main(folder: Path) -> None:
         stdout=subprocess.PIPE, text=True, start_new_session=True,
     )  # fmt: skip
     address = machine.stdout.readline().split()[-1]
-    file = folder / "send.json"
+    file = folder / "send.zip"
     lines = ["G21", "G90", "G94", *(f"G1X{index % 2 * 5}Y{index % 3}F300" for index in range(400))]
-    file.write_text(SendJob(port="", lines=lines, file="left-behind.nc").to_json(), "utf-8")
+    write_job(file, SendJob(port="", lines=lines, file="left-behind.nc"))
     client = DeskClient.launch(address)
     wait_for(client, "idle")
     client.set_zero("XYZ")

@@ -16,7 +16,7 @@ from hand import Hand
 from PySide import QtCore, QtGui
 
 from CNCStepper.control.processes.python_finder import command, environment, find_python
-from CNCStepper.control.program.send_job import SendJob
+from CNCStepper.control.program.send_job import SendJob, write_job
 from CNCStepper.control.service import connection_launch
 from CNCStepper.control.transport import port_list
 from CNCStepper.errors import MissingPackage
@@ -359,8 +359,8 @@ def test_the_window_asks_before_it_closes_over_a_job(hand: Hand, dock: Any) -> N
 
 def test_the_window_lives_while_100_000_lines_stream(hand: Hand, dock: Any, tmp_path: Path) -> None:
     lines = ["G21", "G90", "G94"] + [f"G1X{index % 7}Y{index % 5}F30000" for index in range(100_000)]
-    file = tmp_path / "send.json"
-    file.write_text(SendJob(port="", lines=lines, file="long.nc").to_json(), "utf-8")
+    file = tmp_path / "send.zip"
+    write_job(file, SendJob(port="", lines=lines, file="long.nc"))
     connected(hand)
     hand.main(lambda: dock.link.command("set_zero", "XYZ"))
     with hand.watchdog() as watch:

@@ -5,7 +5,6 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Callable, Iterator
-from contextlib import ExitStack
 from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
@@ -130,17 +129,15 @@ def command(
     wanted = _Wanted(ProgramFile(program), machine, stock_of(stock, origin), tool, given.start())
     if job_path:
         wanted = wanted.of_job(*job_and_machine(job_path), is_certified=certificate is not None)
-    with ExitStack() as files:
-        if certificate:
-            job = _certified(certificate, wanted, dialect, despite_certificate, files)
-            _check_spoken(job.dialect, wanted.machine)
-        else:
-            job = _checked(wanted, dialect_name(dialect, wanted.machine), unchecked)
-        job = replace(job, port=port, baud=baud, allow_differences=allow_differences)
-        how = merged(job.made_with, made_with())
-        job = replace(job, by_line=by_line, home_first=home_first, program_sha256=wanted.program.sha256, made_with=how)
-        outcome = watch(confirmed(job, zero_confirmed), resume_pauses)
-    conclude(outcome)
+    if certificate:
+        job = _certified(certificate, wanted, dialect, despite_certificate)
+        _check_spoken(job.dialect, wanted.machine)
+    else:
+        job = _checked(wanted, dialect_name(dialect, wanted.machine), unchecked)
+    job = replace(job, port=port, baud=baud, allow_differences=allow_differences)
+    how = merged(job.made_with, made_with())
+    job = replace(job, by_line=by_line, home_first=home_first, program_sha256=wanted.program.sha256, made_with=how)
+    conclude(watch(confirmed(job, zero_confirmed), resume_pauses))
 
 
 def _check_pauses(by_line: bool, resume_pauses: bool) -> None:
@@ -191,16 +188,13 @@ def _check_spoken(dialect: str, machine: Machine | None) -> None:
     check_sendable(dialect, machine.controller if machine else "")
 
 
-def _certified(path: Path, wanted: _Wanted, dialect: str | None, despite: bool, files: ExitStack) -> SendJob:
-    """Return the certificate's own job; refuses whatever differs from it, or tells it when `despite`.
-
-    Its lines are read from the certificate, which `files` closes.
-    """
+def _certified(path: Path, wanted: _Wanted, dialect: str | None, despite: bool) -> SendJob:
+    """Return the certificate's own job; refuses whatever differs from it, or tells it when `despite`."""
     from CNCStepper.control.program.certificate import Certificate
     from CNCStepper.job.certify import proven_start
 
     try:
-        certificate = Certificate.read(path, files)
+        certificate = Certificate.read(path)
     except JobError as error:
         if not despite:
             raise

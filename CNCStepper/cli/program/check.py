@@ -137,12 +137,10 @@ def _conclude(proof: Proof | FileProof, program: Path, json_path: Path | None, c
     if json_path:
         write_report(json_path, proof.report)
     if certificate:
-        from CNCStepper.atomic_file import whole_file
         from CNCStepper.cli.common.reproduce_options import made_with
         from CNCStepper.job.certify import certificate_of
 
-        with whole_file(certificate) as file:
-            file.writelines(map(str.encode, certificate_of(proof).sending(made_with=made_with()).json_pieces()))
+        certificate_of(proof).sending(made_with=made_with()).write(certificate)
     show_figures(proof.report)
     verdict = "refused" if proof.refused else "clean"
     click.echo(f"{program}: {verdict}; {proof.report['blocks']} blocks that move, {proof.report['time_s']:.1f} s")
@@ -161,7 +159,7 @@ def _check_in_pieces(prove: Callable[..., FileProof], file: Path, start: Start |
                     name=str(program),
                     dialect=asked.language,
                     start=asked.start,
-                    spool=Path(folder) / "sent" if certificate else None,
+                    sent=Path(folder) if certificate else None,
                     share=progress.share,
                     tell=lambda stage: progress.doing(f"{STAGES[stage]} {program.name}"),
                 )

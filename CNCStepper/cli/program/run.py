@@ -31,7 +31,7 @@ def _names(parameters: Mapping[str, Any]) -> dict[str, str]:
     return {
         rf"program{part}\.nc": "program",
         rf"report{part}\.json": "report",
-        rf"certificate{part}\.json": "certificate",
+        rf"certificate{part}\.zip": "certificate",
         rf"part{part}\.png": "picture",
     }
 
@@ -40,7 +40,7 @@ def _names(parameters: Mapping[str, Any]) -> dict[str, str]:
 @click.argument("job", type=FilePath)
 @click.option("-o", "--out", type=OutputFolder(_names), required=True, help="Folder for the results.")
 def command(job: Path, out: Path) -> None:
-    """Make DIR/program.nc, DIR/report.json, DIR/certificate.json and DIR/part.png from the job file JOB.
+    """Make DIR/program.nc, DIR/report.json, DIR/certificate.zip and DIR/part.png from the job file JOB.
 
     Where the machine wants a file a tool (tool_change = "split"), there is one of each for each tool: program-1-T1.nc,
     report-1-T1.json and so on; run them in their order. Each program is read back, timed, simulated and checked, the
@@ -99,10 +99,10 @@ def _conclude(proof: Proof, file: Path, suffix: str, title: str, job: Job, made_
     """Write report, certificate and picture beside a program, and say what was found."""
     from CNCStepper.job.certify import certificate_of
 
-    report, certificate = (file.with_name(f"{kind}{suffix}.json") for kind in ("report", "certificate"))
+    report, certificate = file.with_name(f"report{suffix}.json"), file.with_name(f"certificate{suffix}.zip")
     picture = file.with_name(f"part{suffix}.png")
     write_report(report, proof.report)
-    save(certificate, certificate_of(proof).sending(made_with=made_with).to_json().encode("utf-8"))
+    certificate_of(proof).sending(made_with=made_with).write(certificate)
     proof.draw(picture, title, ", ".join(job.tools[number].words for number in proof.report["tools"] if number))
     show_findings(proof.findings)
     show_figures(proof.report)

@@ -178,7 +178,8 @@ def _write(proven: ProvenRestart, certificate: Certificate, sending: Sending) ->
         save(sending.out, proven.restart.text.encode("utf-8"))
         click.echo(f"{sending.out}: written")
     if sending.certificate:
-        save(sending.certificate, certificate.to_json().encode("utf-8"))
+        sending.certificate.parent.mkdir(parents=True, exist_ok=True)
+        certificate.write(sending.certificate)
         click.echo(f"{sending.certificate}: written")
 
 

@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The program that is sent: its certificate, its wire lines, and their spool on the disk."""
+"""The program that is sent: its certificate, its wire lines, and the bundle that holds them on the disk."""

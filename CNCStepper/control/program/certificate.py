@@ -10,18 +10,31 @@ from __future__ import annotations
 
 import hashlib
 import json
-from collections.abc import Iterable, Iterator, Mapping
-from contextlib import ExitStack
-from dataclasses import dataclass
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
 from typing import Any
 
-from CNCStepper.control.program.long_json import blocks_of, pieces, read_long
+from CNCStepper.atomic_file import whole_file
+from CNCStepper.control.program.bundle import (
+    LINE_MAP,
+    WIRE,
+    Bundle,
+    array_bytes,
+    head_bytes,
+    is_bundle,
+    line_bytes,
+    number_bytes,
+    read_bundle,
+    write_bundle,
+)
 from CNCStepper.control.program.send_job import SendJob
 from CNCStepper.errors import JobError, Place
+from CNCStepper.input_file import MOST_TEXT_BYTES, read_input
 
-FORMAT, VERSION = "CNCStepper certificate", 1
+FORMAT, VERSION, OLD_VERSION = "CNCStepper certificate", 2, 1  # the old one: a JSON file with the lines in it
+PROOF = "proof.json"
 CHECK_AGAIN = "check the program again, and send it with the certificate that this gives"
 OTHER = {
     "program": "the program is not the one that was proven: its text differs",
@@ -36,7 +49,7 @@ OTHER = {
 
 def digest_of(content: Any) -> str:
     """Return the SHA-256 of plain data, as hexadecimal digits; the order of keys does not count."""
-    return digest_of_pieces(pieces(content, json.JSONEncoder(sort_keys=True, separators=(",", ":"))))
+    return digest_of_text(json.dumps(content, sort_keys=True, separators=(",", ":")))
 
 
 def digest_of_text(text: str) -> str:
@@ -46,76 +59,92 @@ def digest_of_text(text: str) -> str:
 
 def digest_of_pieces(text: Iterable[str]) -> str:
     """Return the SHA-256 of a text that comes in pieces, as hexadecimal digits."""
-    digest = hashlib.sha256()
-    for piece in text:
-        digest.update(piece.encode("utf-8"))
-    return digest.hexdigest()
+    return _digest(piece.encode("utf-8") for piece in text)
 
 
-def digest_of_lines(lines: Iterable[str]) -> str:
+def digest_of_lines(lines: Sequence[str]) -> str:
     """Return the SHA-256 of wire lines as they are sent, each with its newline."""
-    return digest_of_pieces("\n".join((*block, "")) for block in blocks_of(lines))
+    return _digest(line_bytes(lines))
+
+
+def _digest(pieces: Iterable[bytes]) -> str:
+    digest = hashlib.sha256()
+    for piece in pieces:
+        digest.update(piece)
+    return digest.hexdigest()
 
 
 @dataclass(frozen=True)
 class Certificate:
-    """What a proof says of a program; content: plain data with the keys that `job.certify` writes."""
+    """What a proof says of a program; content: plain data with the keys that `job.certify` writes.
+
+    lines, file_lines: what is sent, as a `SendJob` has it.
+    """
 
     content: Mapping[str, Any]
+    lines: Sequence[str] = ()
+    file_lines: Sequence[int] = ()
 
     @classmethod
-    def read(cls, path: Path, files: ExitStack) -> Certificate:
+    def read(cls, path: Path) -> Certificate:
         """Return the certificate of a file; raises JobError naming it.
 
-        Its lines are never held whole: they are read when they are wanted, from the file, which `files` closes.
+        Its lines are never held whole: they are read when they are wanted, from the file, which must not change.
         """
         try:
-            return cls.from_content(read_long(files.enter_context(path.open("rb"))))
+            if is_bundle(path):
+                return cls.of_bundle(read_bundle(path))
+            if path.stat().st_size > MOST_TEXT_BYTES:
+                raise ValueError("a JSON of the first release, and too large")
+            return cls._of_old(read_input(path))
         except (OSError, ValueError) as error:
             if isinstance(error, JobError):
                 raise error.at(Place(str(path))) from error
             raise _refusal("certificate", "the certificate cannot be read", str(error)).at(Place(str(path))) from error
 
     @classmethod
-    def from_json(cls, text: str) -> Certificate:
-        """Return the certificate of `to_json`; raises JobError when it is none, or not as it was made."""
-        try:
-            content = json.loads(text)
-        except ValueError as error:
-            raise _refusal("certificate", "this is no certificate", str(error)) from error
-        return cls.from_content(content)
+    def of_bundle(cls, bundle: Bundle) -> Certificate:
+        """Return the certificate of a bundle; raises JobError when it is none, or not as it was made."""
+        _check_format(bundle.head, VERSION)
+        content = dict(bundle.head)
+        noted, certificate = content.pop("sha256", None), cls(content, bundle.lines, bundle.file_lines)
+        _check_same(noted, certificate.sha256)
+        return certificate._checked()
 
     @classmethod
-    def from_content(cls, content: Any) -> Certificate:
-        """Return the certificate of JSON already read, as `from_json` does."""
-        if not is_certificate(content):
-            raise _refusal("certificate", "this is no certificate")
-        if content.get("version") != VERSION:
-            raise _refusal("certificate", "the certificate is of another version", str(content.get("version")))
-        content = dict(content)
-        told, certificate = content.pop("sha256", None), cls(content)
-        if told != certificate.sha256:
-            raise _refusal("certificate-changed", "the certificate was changed after it was made")
-        certificate.compare("wire", digest_of_lines(certificate.send_job().lines))
-        return certificate
+    def _of_old(cls, text: bytes) -> Certificate:
+        """Return the certificate of an old file, held whole; raises as `of_bundle` does, and ValueError."""
+        try:
+            content = json.loads(text)
+            _check_format(content, OLD_VERSION)
+            _check_same(content.pop("sha256", None), digest_of(content))
+            sent = content["send"]
+            return cls(content, sent.pop("lines"), sent.pop("file_lines", ()))._checked()
+        except (AttributeError, KeyError, TypeError, RecursionError) as error:
+            raise ValueError(str(error)) from error
 
-    def to_json(self) -> str:
-        """Return the certificate as strict JSON, with the fingerprint of all of it."""
-        return "".join(self.json_pieces())
+    def write(self, path: Path) -> None:
+        """Write the certificate to a file, whole or not at all; raises OSError."""
+        members = {PROOF: head_bytes(self.head(), indent=1, allow_nan=False), WIRE: line_bytes(self.lines)}
+        with whole_file(path) as file:
+            write_bundle(file, members | {LINE_MAP: array_bytes(self.file_lines)})
 
-    def json_pieces(self) -> Iterator[str]:
-        """Yield the text of `to_json`; lines that are in a spool are never held whole."""
-        content = dict(self.content) | {"sha256": self.sha256}
-        if isinstance(self.content["send"]["lines"], list):
-            yield json.dumps(content, indent=1, allow_nan=False)
-        else:
-            yield from pieces(content, json.JSONEncoder(allow_nan=False))
-        yield "\n"
+    def head(self) -> dict[str, Any]:
+        """Return all but what is sent, with the fingerprint of all."""
+        return {**self.content, "sha256": self.sha256}
+
+    def _checked(self) -> Certificate:
+        """Return the certificate; raises JobError where its lines are others than those proven."""
+        self.send_job()
+        if not isinstance(self.content.get("wire"), Mapping) or "sha256" not in self.content["wire"]:
+            raise _refusal("certificate", "the certificate lacks what a sender needs", "wire")
+        self.compare("wire", digest_of_lines(self.lines))
+        return self
 
     @cached_property
     def sha256(self) -> str:
         """The fingerprint of all of it."""
-        return digest_of(self.content)
+        return digest_of({**self.content, LINE_MAP: _digest(number_bytes(self.file_lines))})
 
     @property
     def dialect(self) -> str:
@@ -145,12 +174,13 @@ class Certificate:
 
     def sending(self, **more: Any) -> Certificate:
         """Return the certificate with more fields of a `SendJob` in what a sender is given."""
-        return Certificate({**self.content, "send": {**self.content["send"], **more}})
+        return replace(self, content={**self.content, "send": {**self.content["send"], **more}})
 
     def send_job(self, **instead: Any) -> SendJob:
         """Return the job of sending the proven lines, with other values for some fields of it."""
         try:
-            return SendJob.from_content({"port": "", **self.content["send"], **self._identity(), **instead})
+            sent = {"lines": self.lines, "file_lines": self.file_lines, **self.content["send"]}
+            return SendJob.from_content({"port": "", **sent, **self._identity(), **instead})
         except (AttributeError, KeyError, TypeError) as error:
             raise _refusal("certificate", "the certificate lacks what a sender needs", str(error)) from error
 
@@ -164,21 +194,32 @@ class Certificate:
         }
 
 
-def is_certificate(content: Any) -> bool:
-    """Return whether JSON that was read says that it is a certificate."""
-    return isinstance(content, dict) and content.get("format") == FORMAT
+def sendable(path: Path, **instead: Any) -> SendJob:
+    """Return the job of a certificate's file, or of one that `write_job` wrote, with other values for some fields.
 
-
-def sendable(content: Any, **instead: Any) -> SendJob:
-    """Return the job of a certificate, or of a bare `SendJob`, read of JSON, with other values for some fields.
-
-    Raises JobError for a certificate that was changed or that holds errors, TypeError or JobError for what is neither.
+    Raises JobError for a certificate that was changed or that holds errors, and for what is neither.
     """
-    if not is_certificate(content):
-        return SendJob.from_content(content | instead)
-    certificate = Certificate.from_content(content)
+    try:
+        bundle = read_bundle(path) if is_bundle(path) else None
+    except (OSError, ValueError) as error:
+        raise JobError("send-job", f"the job cannot be read: {error}", advice="make it again") from error
+    if bundle and "format" not in bundle.head:
+        return SendJob.of_bundle(bundle, **instead)
+    certificate = Certificate.of_bundle(bundle) if bundle else Certificate.read(path)
     certificate.check_clean()
     return certificate.send_job(**instead)
+
+
+def _check_format(content: Any, version: int) -> None:
+    if not isinstance(content, dict) or content.get("format") != FORMAT:
+        raise _refusal("certificate", "this is no certificate")
+    if content.get("version") != version:
+        raise _refusal("certificate", "the certificate is of another version", str(content.get("version")))
+
+
+def _check_same(noted: Any, sha256: str) -> None:
+    if noted != sha256:
+        raise _refusal("certificate-changed", "the certificate was changed after it was made")
 
 
 def _refusal(code: str, what: str, value: str = "") -> JobError:

@@ -3,14 +3,26 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, fields
+from pathlib import Path
 from typing import Any
 
+from CNCStepper.control.program.bundle import (
+    LINE_MAP,
+    WIRE,
+    Bundle,
+    array_bytes,
+    head_bytes,
+    line_bytes,
+    read_bundle,
+    write_private,
+)
 from CNCStepper.control.program.wire_line import check_length, check_line, is_plain
 from CNCStepper.control.protocol.grbl.firmware import Firmware
 from CNCStepper.errors import JobError, Place, ProgramError
+
+JOB = "job.json"
 
 
 @dataclass(frozen=True)
@@ -95,33 +107,23 @@ class SendJob:
                 check_length(text, firmware, window_bytes, self.place(index))
 
     def to_content(self) -> dict[str, Any]:
-        """Return the job as plain data."""
-        return {entry.name: getattr(self, entry.name) for entry in fields(self)} | {
-            "lines": list(self.lines),
-            "file_lines": [int(line) for line in self.file_lines],
+        """Return the job as plain data, without its lines."""
+        columns = ("lines", "file_lines")
+        return {entry.name: getattr(self, entry.name) for entry in fields(self) if entry.name not in columns} | {
             "messages": {str(index): text for index, text in self.messages.items()},
             "expected": {str(number): value for number, value in self.expected.items()},
             "work_offsets_mm": {name: list(offset) for name, offset in self.work_offsets_mm.items()},
             "inputs": [dict(entry) for entry in self.inputs],
         }
 
-    def to_json(self) -> str:
-        """Return the job as one line of JSON."""
-        return json.dumps(self.to_content())
-
     @classmethod
-    def from_json(cls, text: str, **instead: Any) -> SendJob:
-        """Return the job of `to_json`, with other values for some fields; raises JobError when it is not one."""
-        try:
-            return cls.from_content(json.loads(text) | instead)
-        except (ValueError, TypeError) as error:
-            if isinstance(error, JobError):
-                raise
-            raise _no_job(error) from error
+    def of_bundle(cls, bundle: Bundle, **instead: Any) -> SendJob:
+        """Return the job of a bundle, with other values for some fields; raises JobError when it is not one."""
+        return cls.from_content({**bundle.head, "lines": bundle.lines, "file_lines": bundle.file_lines, **instead})
 
     @classmethod
     def from_content(cls, content: Mapping[str, Any]) -> SendJob:
-        """Return the job of `to_content`, after its way through JSON; raises JobError when it is not one."""
+        """Return the job of `to_content` and its lines; raises JobError when it is not one."""
         try:
             unknown = set(content) - {entry.name for entry in fields(cls)}
             if unknown:
@@ -135,6 +137,23 @@ class SendJob:
             if isinstance(error, JobError):
                 raise
             raise _no_job(error) from error
+
+
+def write_job(path: Path, job: SendJob) -> None:
+    """Write a job to a bundle that only its owner can read.
+
+    Raises ProgramError for a line that holds the end of one, OSError.
+    """
+    members = {JOB: head_bytes(job.to_content()), WIRE: line_bytes(job.lines, job.place)}
+    write_private(path, members | {LINE_MAP: array_bytes(job.file_lines)})
+
+
+def read_job(path: Path) -> SendJob:
+    """Return the job of `write_job`, whose lines are read when they are asked for; raises JobError, OSError."""
+    try:
+        return SendJob.of_bundle(read_bundle(path))
+    except ValueError as error:
+        raise _no_job(error) from error
 
 
 def _no_job(error: Exception) -> JobError:

@@ -10,6 +10,7 @@ An alarm is no refusal here: the desk is there to home and to unlock. A job is r
 
 from __future__ import annotations
 
+import os
 import time
 from collections.abc import Callable
 from contextlib import AbstractContextManager, nullcontext, suppress
@@ -21,6 +22,8 @@ from CNCStepper.control.journal.writer import Journal
 from CNCStepper.control.operator.actions import fresh_status
 from CNCStepper.control.operator.button_actions import buttons_of
 from CNCStepper.control.operator.buttons import Buttons
+from CNCStepper.control.program.bundle import copy_private
+from CNCStepper.control.program.certificate import sendable
 from CNCStepper.control.program.send_job import SendJob
 from CNCStepper.control.protocol.grbl import connect
 from CNCStepper.control.protocol.grbl.driver import Answered, Grbl, Received
@@ -30,7 +33,6 @@ from CNCStepper.control.protocol.grbl.report import Vector
 from CNCStepper.control.protocol.grbl.timeouts import Timing
 from CNCStepper.control.service.idle_controller import Idle, is_fatal
 from CNCStepper.control.service.position_trust_file import BeliefFile
-from CNCStepper.control.service.spool_process import spooled
 from CNCStepper.control.session.command import VALUES, Command, Inbox
 from CNCStepper.control.session.status import REFUSED, Outcome, SenderStatus
 from CNCStepper.control.stream.job_run import MAY_HAVE_RESTARTED, JobRun, Refuse, Stopped, Tell
@@ -39,7 +41,7 @@ from CNCStepper.control.stream.position_trust import LOST, Belief, check_program
 from CNCStepper.control.stream.status_snapshot import tell_words
 from CNCStepper.control.transport.background_open import open_unless
 from CNCStepper.control.transport.link import Link, open_link
-from CNCStepper.errors import CNCStepperError
+from CNCStepper.errors import CNCStepperError, JobError
 from CNCStepper.state import WORK_SYSTEMS
 
 
@@ -49,7 +51,7 @@ class Desk:
     tell, refuse, ended: hear what happens, as of a `JobRun`, and how a job ended. alone_s: how long nobody has
     been there; a desk that is alone and has nothing to do ends. journals: the folder for those of its jobs; None
     keeps none. kept: what was held of the position before, and is from now on; None begins with nothing. during_job:
-    entered for the time of each job. spool: the file that holds the lines of the last job.
+    entered for the time of each job. job_file: for a copy of the last job.
     """
 
     commands: tuple[str, ...] = tuple(VALUES)
@@ -59,7 +61,7 @@ class Desk:
         port: str,
         baud: int = 115_200,
         *,
-        spool: Path,
+        job_file: Path,
         opener: Callable[[str, int], Link] = open_link,
         timing: Timing | None = None,
         clock: Callable[[], float] = time.monotonic,
@@ -73,7 +75,7 @@ class Desk:
     ):
         self.port = port
         self._baud = baud
-        self._spool = spool
+        self._job_file = job_file
         self._opener = opener
         self._timing = timing or Timing()
         self._tell = tell
@@ -257,12 +259,31 @@ class Desk:
         own = {"port": self.port, "baud": self._baud}
         consents = {"zero_confirmed": zero_confirmed, "allow_differences": allow_differences}
         try:
-            job = spooled(Path(file), self._spool, **own, **consents)
+            job = self._copied(Path(file), own | consents)
         except CNCStepperError as error:
             known = idle.position_known is not False
             self._ended(Outcome(REFUSED, str(error), known, replace(self.status(), phase=REFUSED), error))
             return
         self._run_job(idle, job)
+
+    def _copied(self, file: Path, instead: dict[str, Any]) -> SendJob:
+        """Return the job of a file, with other values for some fields, from a copy that nobody else writes.
+
+        It takes the place of the job before, unless it is refused.
+        """
+        draft = self._job_file.with_suffix(f".new{self._job_file.suffix}")
+        try:
+            draft.unlink(missing_ok=True)  # of a process that was killed
+            copy_private(file, draft)
+            sendable(draft)
+            os.replace(draft, self._job_file)
+        except CNCStepperError:
+            raise
+        except (OSError, ValueError, KeyError, TypeError, AttributeError) as error:
+            raise JobError("send-job", f"the job cannot be read: {error}", advice="make it again") from error
+        finally:
+            draft.unlink(missing_ok=True)
+        return sendable(self._job_file, **instead)
 
     def _run_job(self, idle: Idle, job: SendJob) -> None:
         self._belief = belief = idle.belief

@@ -14,8 +14,7 @@ from typing import Any
 
 from CNCStepper.control.processes.process_file import is_alive, is_closed
 from CNCStepper.control.processes.python_finder import find_python
-from CNCStepper.control.program.send_job import SendJob
-from CNCStepper.control.program.spool import write_spool
+from CNCStepper.control.program.send_job import SendJob, write_job
 from CNCStepper.control.session.detached_process import start
 from CNCStepper.control.session.files import LOG, OUTCOME, WIRE, new_session, read_private
 from CNCStepper.control.session.local_socket import Address, close_in_order
@@ -55,8 +54,8 @@ class SessionClient:
         Raises MissingPackage when no Python can run it, LinkError when it does not come up.
         """
         path = new_session(folder)
-        told = write_spool(path.with_suffix(WIRE), job).to_json().encode("utf-8")
-        client = cls(path, start(python or find_python(), WORKER, path, told=told))
+        write_job(path.with_suffix(WIRE), job)
+        client = cls(path, start(python or find_python(), WORKER, path))
         client._await_start()
         client._connect()
         return client

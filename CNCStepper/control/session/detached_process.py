@@ -15,10 +15,10 @@ from CNCStepper.control.session.files import LOG
 from CNCStepper.errors import LinkError
 
 
-def start(python: str, module: str, session_file: Path, *arguments: str, told: bytes = b"") -> subprocess.Popen:
+def start(python: str, module: str, session_file: Path, *arguments: str) -> subprocess.Popen:
     """Start `module` of ours as a process of its own: no signal of our terminal reaches it, its errors go to a log.
 
-    told: its standard input. Raises LinkError when that Python cannot be started.
+    Raises LinkError when that Python cannot be started.
     """
     apart: dict[str, Any] = {"start_new_session": True}
     if os.name == "nt":
@@ -26,9 +26,9 @@ def start(python: str, module: str, session_file: Path, *arguments: str, told: b
         apart = {"creationflags": sum(getattr(subprocess, flag) for flag in flags)}
     log = os.open(session_file.with_suffix(LOG), os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o600)
     try:
-        process = subprocess.Popen(
+        return subprocess.Popen(
             command(python, module, str(session_file), *arguments),
-            stdin=subprocess.PIPE,
+            stdin=subprocess.DEVNULL,
             stdout=subprocess.DEVNULL,
             stderr=log,
             env=environment(),
@@ -38,13 +38,6 @@ def start(python: str, module: str, session_file: Path, *arguments: str, told: b
         raise LinkError("sender-start", f"{python} cannot be started: {error}", advice="choose another") from error
     finally:
         os.close(log)
-    assert process.stdin
-    try:
-        process.stdin.write(told)
-        process.stdin.close()
-    except BrokenPipeError:  # it ended at once: its log says why, and who waits for it says so
-        pass
-    return process
 
 
 def stop_on_signals(stop: Callable[[], None]) -> None:

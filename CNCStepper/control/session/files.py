@@ -3,7 +3,7 @@
 
 NAME.session   address, token and process, locked while it runs     NAME.outcome   afterwards       NAME.log
 NAME.desk      the same of a desk                                   NAME.sock      where it listens
-NAME.wire      the lines to send, while it runs; of a desk, those of its last job
+NAME.wire      the job, while it runs; of a desk, its last one
 
 Nobody but its own process removes what belongs to a living one; whether it lives says its lock (`own_file`). A file
 that this user may not open keeps no port here and is never removed; `closed_files` has those, to be told of.
@@ -22,7 +22,6 @@ from pathlib import Path
 from typing import Any, TextIO
 
 from CNCStepper.control.processes.process_file import LOOK_EVERY_S, OwnFile, is_alive, is_closed
-from CNCStepper.control.program.long_json import pieces
 from CNCStepper.control.session.local_socket import is_abandoned, make_private, socket_paths
 from CNCStepper.control.transport.port_identity import PortIdentity, identify, read_identity
 from CNCStepper.errors import JobError, LinkError, MissingPackage
@@ -117,10 +116,10 @@ class DeskFile(OwnFile):
 
 
 def write_private(path: Path, content: Mapping[str, Any]) -> None:
-    """Write JSON that only its owner can read, long lists as `pieces` does; a reader finds it whole or not at all."""
+    """Write JSON that only its owner can read; a reader finds it whole or not at all."""
     draft = _draft_of(path)
     with _new_private(draft) as file:
-        file.writelines(pieces(content, json.JSONEncoder()))
+        json.dump(content, file)
     os.replace(draft, path)
 
 

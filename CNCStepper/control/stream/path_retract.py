@@ -5,14 +5,13 @@
                                                                             `--- a leg that is the rest ---> done
 
 The run itself knows no geometry. Its client reads `told`, finds the place, proves a leg (`recovery/retract/prove.py`)
-and gives it
-back as a file: a certificate, with what the next client must know to find the place again.
+and gives it back as a bundle: a certificate, with what the next client must know to find the place again.
 """
 
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import count
@@ -21,16 +20,23 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
 
+from CNCStepper.control.program.bundle import (
+    LINE_MAP,
+    WIRE,
+    array_bytes,
+    copy_private,
+    head_bytes,
+    line_bytes,
+    read_bundle,
+    write_private,
+)
 from CNCStepper.control.program.certificate import Certificate
-from CNCStepper.control.program.long_json import read_long
 from CNCStepper.control.program.send_job import SendJob
-from CNCStepper.control.program.spool import read_spool, write_spool
 from CNCStepper.control.protocol.grbl import connect
 from CNCStepper.control.protocol.grbl.driver import Grbl
 from CNCStepper.control.protocol.grbl.readiness import MAX_RATE, STEPS_PER_MM
 from CNCStepper.control.protocol.grbl.report import Vector
 from CNCStepper.control.protocol.grbl.timeouts import Timing
-from CNCStepper.control.session.files import WIRE, write_private
 from CNCStepper.control.stream import stop_sequence
 from CNCStepper.control.stream.feeder import Feeder
 from CNCStepper.control.stream.phases import RETREATED
@@ -39,6 +45,8 @@ from CNCStepper.state import WORK_SYSTEMS
 
 STANDS = ("held", "paused", RETREATED)  # the phases in which a leg may begin
 LAST, REST = "back along the cut: go on back, forward, or resume from here", "rest"
+HELD, LEG = "held.json", "leg.json"  # the heads of what is told and of a leg
+LEG_WIRE, OWN_MAP = "leg.txt", "own_map.npy"  # columns: the leg's lines; the lines of a leg's own text
 KEPT_REPORTS = 1000  # some minutes at the rate of a run
 SAME_PLACE_MM = 0.005  # what is reported is rounded
 ARC_TOLERANCE = 12  # the setting
@@ -47,7 +55,7 @@ PLANNER_BLOCKS = 15  # of grbl as delivered
 
 @dataclass(frozen=True)
 class Leg:
-    """A way that a client has proven; wire: the file of its lines.
+    """A way that a client has proven; wire: its file.
 
     content: of the plain data that `recovery.retract.prove` makes, what is kept for the next client.
     """
@@ -113,17 +121,16 @@ class Retrace:
             self._reports.append((driver.status_asked_s, driver.clock(), *seen))
 
     def tell(self, driver: Grbl, phase: str, file: Path, jogged: bool) -> None:
-        """Write for a client what it needs to find the place; raises MachineRefusal in motion.
+        """Write for a client what it needs to find the place; raises MachineRefusal in motion, JobError.
 
         jogged: since the machine stands.
         """
         _check_phase(phase)
         settings = driver.settings
         content = {
-            "program": _content_of(self.program),
+            "program": self.program.to_content(),
             "origin": self._origin,
             "leg": self.leg.content if self.leg else None,
-            "leg_lines": self.leg.job.lines if self.leg else [],
             "stands": self._is_over,
             "reports": list(self._reports),
             "position_mm": driver.mpos_mm,
@@ -133,14 +140,23 @@ class Retrace:
             "max_rate_mm_min": [settings.get(MAX_RATE + axis) for axis in range(3)],
             "arc_tolerance_mm": settings.get(ARC_TOLERANCE),
         }
-        write_private(file, content)
+        members: dict[str, Iterable[bytes]] = {
+            HELD: head_bytes(content),
+            WIRE: line_bytes(self.program.lines, self.program.place),
+            LINE_MAP: array_bytes(self.program.file_lines),
+            LEG_WIRE: line_bytes(self.leg.job.lines if self.leg else ()),
+        }
+        try:
+            write_private(file, members)
+        except OSError as error:
+            what = f"the place cannot be written: {error.strerror}"
+            raise JobError("retreat-file", what, advice="ask for it again") from error
 
     def read(self, file: Path, phase: str) -> Leg:
         """Return the leg of a file; raises JobError where it is none, or was not proven, MachineRefusal in motion."""
         _check_phase(phase)
         try:
-            with file.open("rb") as opened:
-                return self._leg(read_long(opened))
+            return self._leg(file)
         except CNCStepperError:
             raise
         except (OSError, ValueError, KeyError, TypeError, AttributeError) as error:
@@ -164,23 +180,29 @@ class Retrace:
 
     # --- inside --------------------------------------------------------------------------------
 
-    def _leg(self, content: Mapping[str, Any]) -> Leg:
-        """Return the leg of its content, whose lines are in an open file until then."""
-        certificate = Certificate.from_content(content["certificate"])
+    def _leg(self, file: Path) -> Leg:
+        """Return the leg of a copy of its file."""
+        wire = self._new_wire()
+        copy_private(file, wire)
+        bundle = read_bundle(wire)
+        content = bundle.head
+        proven = replace(
+            bundle, head=content["certificate"], columns={**bundle.columns, LINE_MAP: bundle.columns[OWN_MAP]}
+        )
+        certificate = Certificate.of_bundle(proven)
         certificate.check_clean()
         job = certificate.send_job(port=self.program.port, baud=self.program.baud, zero_confirmed=True)
         state = content["certificate"]["start"]["state"]
-        proven = replace(
+        job = replace(
             job,
             file=self.program.file,
-            file_lines=content["file_lines"],
+            file_lines=bundle.file_lines,
             messages={int(index): text for index, text in content["messages"].items()},
             expected={},  # settings were compared before the first line
             work_offsets_mm=state["work_offsets_mm"] | {"G92": state["g92_mm"]},
             work_system=state["work_system"],
         )
-        wire = self._new_wire()
-        return Leg(read_spool(wire, write_spool(wire, proven)), _kept(content), wire)
+        return Leg(job, _kept(content), wire)
 
     def _new_wire(self) -> Path:
         """Return the path for the lines of a new leg; of those before, the last begun is still sent from."""
@@ -188,7 +210,7 @@ class Retrace:
         for wire in folder.iterdir():
             if self.leg is None or wire != self.leg.wire:
                 wire.unlink()
-        return folder / f"{next(self._numbers)}{WIRE}"
+        return folder / f"{next(self._numbers)}.wire"
 
     @cached_property
     def _folder(self) -> TemporaryDirectory[str]:
@@ -198,14 +220,28 @@ class Retrace:
 
 def _kept(content: Mapping[str, Any]) -> dict[str, Any]:
     """Return what the next client needs of a leg beside its lines."""
-    kept = {name: value for name, value in content.items() if name not in ("file_lines", "messages")}
+    kept = {name: value for name, value in content.items() if name != "messages"}
     return kept | {"certificate": {"start": content["certificate"]["start"]}}
 
 
-def _content_of(job: SendJob) -> dict[str, Any]:
-    """Return a job as `to_content` does, its lines still in their spool."""
-    short = replace(job, lines=(), file_lines=()).to_content()
-    return short | {"lines": job.lines, "file_lines": job.file_lines}
+def write_leg(file: Path, leg: Mapping[str, Any]) -> None:
+    """Write a leg that `recovery.retract.prove` makes to a file, as `Retrace.read` takes it."""
+    certificate: Certificate = leg["certificate"]
+    content = {**leg, "certificate": certificate.head()}
+    members: dict[str, Iterable[bytes]] = {
+        LEG: head_bytes({name: value for name, value in content.items() if name != "file_lines"}),
+        WIRE: line_bytes(certificate.lines),
+        LINE_MAP: array_bytes(leg["file_lines"]),
+        OWN_MAP: array_bytes(certificate.file_lines),
+    }
+    write_private(file, members)
+
+
+def read_held(file: Path) -> dict[str, Any]:
+    """Return what `Retrace.tell` wrote, with the lines of the program and of its leg, which are held whole."""
+    bundle = read_bundle(file)
+    program = {**bundle.head["program"], "lines": list(bundle.lines), "file_lines": list(bundle.file_lines)}
+    return {**bundle.head, "program": program, "leg_lines": list(bundle.columns[LEG_WIRE])}
 
 
 def stand_reset(driver: Grbl, timing: Timing) -> connect.Found:

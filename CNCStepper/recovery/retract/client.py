@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import json
 import tempfile
 import time
 from collections.abc import Callable
@@ -12,9 +11,8 @@ from typing import Any
 
 from CNCStepper.control.service.connection_session import DeskSession
 from CNCStepper.control.session.client import SessionClient
-from CNCStepper.control.session.files import write_private
 from CNCStepper.control.session.status import SenderStatus
-from CNCStepper.control.stream.path_retract import STANDS
+from CNCStepper.control.stream.path_retract import STANDS, read_held, write_leg
 from CNCStepper.errors import LinkError, MachineRefusal
 from CNCStepper.machine.profile import Machine
 from CNCStepper.recovery.retract.prove import Held, held
@@ -47,16 +45,16 @@ class WayBack:
     def held(self) -> Held:
         """Return where on its way the tool is; raises ProgramError or JobError where no way leads back."""
         with tempfile.TemporaryDirectory() as folder:
-            file = Path(folder) / "place.json"
+            file = Path(folder) / "place.zip"
             self._client.ask("tell_place", file=str(file))
             self._await("tell_place", "place", str(file))
-            return held(json.loads(file.read_text("utf-8")), self._machine)
+            return held(read_held(file), self._machine)
 
     def go(self, leg: dict[str, Any]) -> None:
         """Let the session begin a leg, as `Held` makes it."""
         with tempfile.TemporaryDirectory() as folder:
-            file = Path(folder) / "leg.json"
-            write_private(file, leg)
+            file = Path(folder) / "leg.zip"
+            write_leg(file, leg)
             self._client.ask("retrace", file=str(file))
             self._await("retrace", "phase", "running")
 

@@ -8,7 +8,6 @@ told (control/stream/path_retract.py) ──► Held: the program's way, the pla
 
 from __future__ import annotations
 
-import json
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from math import dist, hypot
@@ -226,7 +225,7 @@ class Held:
         if len(proof.wire.lines) != len(lines):
             raise JobError("retreat-lines", "the way along the cut cannot be sent as it was written")
         return content | {
-            "certificate": json.loads(certificate.to_json()),
+            "certificate": certificate,
             "begin": self.place,
             "farthest": self.farthest,
             "reached": self.reached,

@@ -25,7 +25,7 @@ from CNCStepper.cli.main import FAMILY_OF, group, main
 EXAMPLES = Path(__file__).parents[3] / "examples"
 PROGRAM = "G21 G90\nG0 X1 Y1 Z1\nG1 X10 F600\no<sub> call\nM2\n"
 IN_FOLDERS = {
-    ("run",): ["program.nc", "report.json", "certificate-1-T2.json", "part.png"],
+    ("run",): ["program.nc", "report.json", "certificate-1-T2.zip", "part.png"],
     ("edit", "split"): ["p-2-T7.nc"],
 }
 WORDS = {"PROFILE": "m.toml", "DIALECT": "grbl", "SHAPE:MM": "flat:3", "NUMBER": "1", "X,Y": "1,1", "X,Y,Z": "1,1,1"}

@@ -49,7 +49,7 @@ def test_run_writes_program_report_and_picture_and_check_agrees(tmp_path: Path) 
     assert result.exit_code == 0, result.output
     report = json.loads((tmp_path / "saída 1" / "report.json").read_text("utf-8"))
     assert report["time_s"] > 40 and report["gouge_mm"] <= 0.01
-    certificate = Certificate.from_json((tmp_path / "saída 1" / "certificate.json").read_text("utf-8"))
+    certificate = Certificate.read(tmp_path / "saída 1" / "certificate.zip")
     certificate.check_clean()
     assert certificate.content["times"]["operations_s"][0]["time_s"] > 40
     assert "pierces 1" in result.output and "engrave: " in result.output
@@ -258,8 +258,7 @@ def test_a_program_changed_by_hand_is_checked_against_its_job(tmp_path: Path) ->
     clean = run("check", program, "--machine", "table-a", *against, "--certificate", certificate)
     assert clean.exit_code == 0, clean.output
     again, first = (
-        Certificate.from_json(path.read_text("utf-8")).sending(made_with={})
-        for path in (certificate, tmp_path / "certificate.json")
+        Certificate.read(path).sending(made_with={}) for path in (certificate, tmp_path / "certificate.zip")
     )
     assert again.content == first.content
     lines = program.read_text("ascii").splitlines()

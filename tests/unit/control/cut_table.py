@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import json
 import random
 from collections.abc import Callable, Sequence
 from dataclasses import replace
@@ -18,6 +17,7 @@ from desk_table import Person, Table
 from CNCStepper.control.service.sender import Sender
 from CNCStepper.control.session.command import Command
 from CNCStepper.control.session.status import Outcome
+from CNCStepper.control.stream.path_retract import read_held, write_leg
 from CNCStepper.errors import CNCStepperError
 from CNCStepper.gcode.interpreter.interpret import interpret
 from CNCStepper.gcode.wire.backlash_compensation import play_of
@@ -133,15 +133,15 @@ class Cut:
 
     def find(self, found: list[Held]) -> Person:
         """Put into `found` what a client finds."""
-        file = self._folder / f"{next(self._numbers)}.json"
+        file = self._folder / f"{next(self._numbers)}.zip"
         self.sender.ask(Command("tell_place", {"file": str(file)}))
         yield file.exists
-        found.append(held(json.loads(file.read_text("utf-8"))))
+        found.append(held(read_held(file)))
 
     def go(self, leg: dict[str, Any]) -> Person:
         """Begin a leg."""
-        file, before = self._folder / f"{next(self._numbers)}.json", len(self.refused)
-        file.write_text(json.dumps(leg), "utf-8")
+        file, before = self._folder / f"{next(self._numbers)}.zip", len(self.refused)
+        write_leg(file, leg)
         self.told.clear()
         self.sender.ask(Command("retrace", {"file": str(file)}))
         yield lambda: ("phase", "running") in self.told or len(self.refused) > before

@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from unittest.mock import patch
@@ -12,7 +11,7 @@ from fake_controller import FakeClock, Unqueued
 from fault_disk import AtOnce
 
 from CNCStepper.control.journal import writer
-from CNCStepper.control.program.send_job import SendJob
+from CNCStepper.control.program.send_job import SendJob, write_job
 from CNCStepper.control.protocol.grbl.timeouts import Timing
 from CNCStepper.control.service.connection_service import Desk
 from CNCStepper.control.service.position_trust_file import BeliefFile
@@ -124,7 +123,7 @@ class Visit:
         self._file = tmp_path / "a job ç.json"
         self.desk = Desk(
             "table",
-            spool=tmp_path / "desk ç.wire",
+            job_file=tmp_path / "desk ç.wire",
             opener=lambda name, baud: self.table,
             timing=timing,
             clock=self.table.clock,
@@ -163,9 +162,7 @@ class Visit:
         """
         if zeroed and self.phase == "idle" and self.desk.status().position_known is False:
             self.ask("set_zero", axes="XYZ")
-        content = json.loads(SendJob("nowhere", lines, file="part.nc", **job).to_json())
-        del content["port"]
-        self._file.write_text(json.dumps(content), "utf-8")
+        write_job(self._file, SendJob("nowhere", lines, file="part.nc", **job))
         self.ask("run", file=str(self._file), zero_confirmed=True, allow_differences=False)
 
     def at(self, *phases: str) -> Callable[[], bool]:

@@ -16,7 +16,7 @@ from trace_file import rows_at, rows_of_file
 
 from CNCStepper.control.journal.replay import KILLED, RUNNING
 from CNCStepper.control.journal.store import latest_unfinished, stories
-from CNCStepper.control.program.send_job import SendJob
+from CNCStepper.control.program.send_job import SendJob, write_job
 from CNCStepper.control.session.client import SessionClient
 from CNCStepper.control.session.files import read_private
 from CNCStepper.errors import LinkError
@@ -28,9 +28,10 @@ SERVE = (sys.executable, "-u", "-m", "CNCStepper.cli.main", "virtual", "grbl", "
 CLIENT = """
 import sys
 from pathlib import Path
-from CNCStepper.control.program.send_job import SendJob
+from CNCStepper.control.program.send_job import read_job
 from CNCStepper.control.session.client import SessionClient
-SessionClient.start(SendJob.from_json(sys.stdin.read()), python=sys.executable, folder=Path(sys.argv[1])).wait()
+job = read_job(Path(sys.stdin.read()))
+SessionClient.start(job, python=sys.executable, folder=Path(sys.argv[1])).wait()
 """
 LIMIT_S = 120.0
 
@@ -72,7 +73,8 @@ def test_killed_client_leaves_its_sender_to_cut_the_part_exactly(tmp_path):
             [sys.executable, "-c", CLIENT, str(tmp_path)], stdin=subprocess.PIPE, text=True
         ) as client:
             (tmp_path / "pid").write_text(str(client.pid), "utf-8")
-            client.communicate(job.to_json())
+            write_job(tmp_path / "job.zip", job)
+            client.communicate(str(tmp_path / "job.zip"))
         assert client.returncode != 0 and "kill at byte 3000" in machine.stdout.readline()
         end_s = time.monotonic() + LIMIT_S
         while (story := next(stories(tmp_path))).end == RUNNING:

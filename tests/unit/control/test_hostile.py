@@ -23,8 +23,8 @@ from CNCStepper.control.program.send_job import SendJob
 from CNCStepper.control.service.sender import Sender
 from CNCStepper.control.session.client import SessionClient
 from CNCStepper.control.session.command import Command
-from CNCStepper.control.session.files import write_private
 from CNCStepper.control.session.status import FAILED, REFUSED, STOPPED, Outcome
+from CNCStepper.control.stream.path_retract import write_leg
 from CNCStepper.errors import LinkError
 from CNCStepper.machine.profile import load_machine
 from CNCStepper.recovery.retract.client import WayBack
@@ -176,8 +176,8 @@ def retracting(controller: HostileController, client: SessionClient) -> None:
 
 def ask_way_back(client: SessionClient) -> None:
     place = WayBack(client, load_machine("table-a")).held()
-    leg = client.session_file.with_name("leg.json")
-    write_private(leg, place.along(place.back_by(BACK_MM)))
+    leg = client.session_file.with_name("leg.zip")
+    write_leg(leg, place.along(place.back_by(BACK_MM)))
     client.ask("retrace", file=str(leg))
 
 

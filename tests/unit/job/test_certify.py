@@ -7,6 +7,8 @@ import functools
 import json
 from collections.abc import Callable
 from dataclasses import replace
+from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import Any
 
 import numpy as np
@@ -14,9 +16,11 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from CNCStepper.control.program.bundle import LINE_MAP, WIRE, Bundle
 from CNCStepper.control.program.certificate import Certificate, digest_of, digest_of_lines, digest_of_text, sendable
+from CNCStepper.control.program.send_job import write_job
 from CNCStepper.control.protocol.grbl.readiness import expected_settings
-from CNCStepper.errors import JobError
+from CNCStepper.errors import JobError, Place
 from CNCStepper.gcode.wire.encoder import prepare
 from CNCStepper.job.certify import (
     certificate_of,
@@ -30,6 +34,7 @@ from CNCStepper.job.certify import (
 from CNCStepper.job.prove import Proof, prove
 from CNCStepper.machine.profile import Machine, load_machine
 from CNCStepper.machine.tools.tool import Tool
+from CNCStepper.output_files import is_ours
 from CNCStepper.simulation.checks.clamps import Clamp
 from CNCStepper.simulation.stock import Cylinder, HeightField, Stock
 from CNCStepper.state import Start
@@ -60,13 +65,17 @@ def certificate() -> Certificate:
     return certificate_of(proof())
 
 
-@functools.cache
-def certificate_json() -> str:
-    return certificate().to_json()
+def written(made: Certificate, folder: Path) -> Path:
+    made.write(folder / "ç certificate.zip")
+    return folder / "ç certificate.zip"
+
+
+def read_back(made: Certificate, folder: Path) -> Certificate:
+    return Certificate.read(written(made, folder))
 
 
 def test_it_names_what_was_proven_and_what_was_found() -> None:
-    content = json.loads(certificate_json())
+    content = json.loads(json.dumps(certificate().head()))
     assert content["wire"]["sha256"] == prepare(TEXT).sha256 == digest_of_lines(prepare(TEXT).lines)
     assert content["start"]["sha256"] == START.sha256()
     assert content["start"]["state"]["work_offsets_mm"] == {"G54": [-200.0, -150.0, -40.0]}
@@ -81,15 +90,15 @@ def test_it_names_what_was_proven_and_what_was_found() -> None:
     assert content["tolerance"]["cell_mm"] == pytest.approx(proof().part.cell_mm)
 
 
-def test_a_program_that_starts_nowhere_has_a_certificate_in_strict_json() -> None:
-    content = json.loads(certificate_of(proof_of(start=None, stock=None, tools=None)).to_json())
+def test_a_program_that_starts_nowhere_has_a_certificate_in_strict_json(tmp_path: Path) -> None:
+    content = read_back(certificate_of(proof_of(start=None, stock=None, tools=None)), tmp_path).content
     assert content["start"]["state"]["position_mm"] == [None] * 3
     assert content["stock"]["stock"] is None and content["tools"]["tools"] is None
     assert content["send"]["work_offsets_mm"] == {}
 
 
-def test_the_sender_finds_all_it_needs() -> None:
-    job = sendable(json.loads(certificate_json()), port="COM3", zero_confirmed=True)
+def test_the_sender_finds_all_it_needs(tmp_path: Path) -> None:
+    job = sendable(written(certificate(), tmp_path), port="COM3", zero_confirmed=True)
     wire = prepare(TEXT)
     assert (job.port, job.zero_confirmed, tuple(job.lines)) == ("COM3", True, wire.lines)
     assert list(job.file_lines) == wire.file_lines.tolist() and job.messages == wire.messages
@@ -104,15 +113,18 @@ def test_places_that_the_program_goes_to_are_compared_on_the_machine() -> None:
     assert dict(job.work_offsets_mm) == {"G28": (-9.0, -8.0, -7.0)}
 
 
-def test_a_bare_job_stays_sendable() -> None:
+def test_a_bare_job_stays_sendable(tmp_path: Path) -> None:
     job = send_job(prepare(TEXT), MACHINE, "p.nc")
-    assert sendable(job.to_content()) == replace(job, lines=list(job.lines))
+    write_job(tmp_path / "job.zip", job)
+    found = sendable(tmp_path / "job.zip")
+    assert list(found.lines) == list(job.lines) and list(found.file_lines) == list(job.file_lines)
+    assert replace(found, lines=(), file_lines=()) == replace(job, lines=(), file_lines=())
 
 
-def test_errors_are_not_sendable() -> None:
+def test_errors_are_not_sendable(tmp_path: Path) -> None:
     refused = certificate_of(proof_of(start=Start.with_work_zero((-5.0, -150.0, -40.0))))
     with pytest.raises(JobError, match=r"1 error\(s\)") as refusal:
-        sendable(json.loads(refused.to_json()))
+        sendable(written(refused, tmp_path))
     assert refusal.value.code == "certificate-errors" and refusal.value.place.line == 8
     certificate().check_clean()
 
@@ -125,9 +137,8 @@ def test_any_changed_character_of_the_wire_text_is_refused(data: st.DataObject) 
     lines = (wire[:at] + other + wire[at + 1 :]).split("\n")[:-1]
     with pytest.raises(JobError, match="not those that were proven"):
         certificate().compare("wire", digest_of_lines(lines))
-    forged = dict(certificate().content) | {"send": certificate().content["send"] | {"lines": lines}}
-    with pytest.raises(JobError):  # also when the certificate's own fingerprint was made anew
-        Certificate.from_json(Certificate(forged).to_json())
+    with TemporaryDirectory() as folder, pytest.raises(JobError):  # also with a fingerprint that was made anew
+        read_back(replace(certificate(), lines=lines), Path(folder))
 
 
 @given(st.data())
@@ -147,24 +158,59 @@ def leaves(content: Any, path: tuple[Any, ...] = ()) -> list[tuple[Any, ...]]:
     return [path]
 
 
-def test_parameters_and_tools_of_any_number_are_read_back_unchanged():
+def test_parameters_and_tools_of_any_number_are_read_back_unchanged(tmp_path: Path) -> None:
     start = replace(START, parameters={9: 1.0, 10: 2.0, 5221: 3.0}, tool_lengths_mm={2: 10.0, 10: 20.0})
-    told = certificate_of(proof_of(start=start)).to_json()
-    read = Certificate.from_json(told)  # refuses what was changed
+    read = read_back(certificate_of(proof_of(start=start)), tmp_path)  # refuses what was changed
     assert read.content["start"]["state"]["parameters"] == {"9": 1.0, "10": 2.0, "5221": 3.0}
 
 
 @given(st.data())
 def test_any_changed_value_of_a_certificate_is_refused(data: st.DataObject) -> None:
-    content = json.loads(certificate_json())
+    content = json.loads(json.dumps(certificate().head()))
     *way, last = data.draw(st.sampled_from(leaves(content)))
     inner = content
     for key in way:
         inner = inner[key]
     inner[last] = data.draw(st.sampled_from([None, 0, 17.5, "x", [], {}]).filter(lambda value: value != inner[last]))
     with pytest.raises(JobError) as refusal:
-        Certificate.from_json(json.dumps(content))
+        Certificate.of_bundle(bundle_of(content))
     assert refusal.value.advice
+
+
+def bundle_of(head: dict[str, Any]) -> Bundle:
+    return Bundle(head, {WIRE: certificate().lines, LINE_MAP: certificate().file_lines})
+
+
+def test_a_changed_line_map_is_refused() -> None:
+    changed = replace(bundle_of(certificate().head()), columns={WIRE: certificate().lines, LINE_MAP: [1] * 10})
+    with pytest.raises(JobError) as refusal:
+        Certificate.of_bundle(changed)
+    assert refusal.value.code == "certificate-changed"
+
+
+def old_content() -> dict[str, Any]:
+    """Return what the last release wrote: one JSON with the lines in it."""
+    sent = {"lines": list(certificate().lines), "file_lines": list(certificate().file_lines)}
+    content = dict(certificate().content) | {"version": 1, "send": {**certificate().content["send"], **sent}}
+    return content | {"sha256": digest_of(content)}
+
+
+def test_an_old_certificate_is_read(tmp_path: Path) -> None:
+    file = tmp_path / "certificate.json"
+    file.write_text(json.dumps(old_content(), indent=1), "utf-8")
+    job = sendable(file, port="COM3")
+    assert is_ours(file, "certificate") and is_ours(written(certificate(), tmp_path), "certificate")
+    assert (tuple(job.lines), job.port) == (prepare(TEXT).lines, "COM3") and job.messages == prepare(TEXT).messages
+    file.write_text(file.read_text("utf-8").replace("look", "talk"), "utf-8")
+    with pytest.raises(JobError) as refusal:
+        Certificate.read(file)
+    assert refusal.value.code == "certificate-changed" and refusal.value.place.file == str(file)
+
+
+def test_the_same_proof_gives_the_same_bytes(tmp_path: Path) -> None:
+    first = written(certificate(), tmp_path).read_bytes()
+    assert written(certificate(), tmp_path).read_bytes() == first
+    assert certificate_of(proof_of()).sha256 == certificate().sha256
 
 
 CHANGES: dict[str, Callable[[], str]] = {
@@ -199,16 +245,32 @@ def test_stocks_of_other_forms_have_other_fingerprints() -> None:
     assert len({stock_digest(stock) for stock in stocks}) == len(stocks)
 
 
-@pytest.mark.parametrize("text", ["", "{", "[]", "{}", '{"format": "CNCStepper certificate"}', "\ud800".join("ab")])
-def test_what_is_no_certificate_is_refused_with_a_sentence(text: str) -> None:
-    with pytest.raises(JobError, match="check the program again"):
-        Certificate.from_json(text)
+@pytest.mark.parametrize(
+    "data",
+    [
+        b"",
+        b"{",
+        b"[]",
+        b"{}",
+        b'{"format": "CNCStepper certificate"}',
+        b'{"format": "CNCStepper certificate", "version": 1}',
+        b'{"format": "CNCStepper certificate", "version": 1, "send": 3}',
+        b"\xff\xfe",
+        b"[" * 100_000,
+        b"PK\3\4",
+        b"PK\3\4" + b"\0" * 100,
+    ],
+)
+def test_what_is_no_certificate_is_refused_with_a_sentence(data: bytes, tmp_path: Path) -> None:
+    (tmp_path / "c").write_bytes(data)
+    with pytest.raises(JobError, match="check the program again") as refusal:
+        Certificate.read(tmp_path / "c")
+    assert refusal.value.place == Place(str(tmp_path / "c"))
 
 
 def test_another_version_is_refused() -> None:
-    content = dict(certificate().content) | {"version": 2}
     with pytest.raises(JobError, match="another version"):
-        Certificate.from_json(json.dumps(content | {"sha256": digest_of(content)}))
+        Certificate.of_bundle(bundle_of(dict(certificate().content) | {"version": 3}))
 
 
 PLAY = {"backlash_mm": [0.1] * 3, "true_sense": [1] * 3, "steps_per_mm": [80.0] * 3}
@@ -219,7 +281,7 @@ def loose(backlash_mm: float) -> Machine:
     return MACHINE.model_copy(update={"axis": axes})
 
 
-def test_play_that_is_taken_up_is_proven_with_the_text() -> None:
+def test_play_that_is_taken_up_is_proven_with_the_text(tmp_path: Path) -> None:
     """The same part, findings and tool's way as without play, later, and a wire text of its own."""
     clean, loosened = proof(), proof_of(machine=loose(0.1))
     assert [finding.code for finding in loosened.findings] == [finding.code for finding in clean.findings]
@@ -228,7 +290,7 @@ def test_play_that_is_taken_up_is_proven_with_the_text() -> None:
     assert clean.times_s[-1] + 0.1 < loosened.times_s[-1] < clean.times_s[-1] + 2.0
     assert loosened.wire.sha256 != clean.wire.sha256
     assert len(loosened.motors) == len(loosened.toolpath) > len(clean.toolpath)
-    made = Certificate.from_json(certificate_of(loosened).to_json())
+    made = read_back(certificate_of(loosened), tmp_path)
     assert made.content["wire"]["play"]["backlash_mm"] == [0.1, 0.1, 0.1]
     assert tuple(made.send_job().lines) == tuple(loosened.wire.lines)
     for start in (None, START):

@@ -4,11 +4,11 @@
 from __future__ import annotations
 
 import re
+import shutil
 import subprocess
 import sys
 from collections import Counter
 from collections.abc import Iterator
-from contextlib import ExitStack
 from pathlib import Path
 from typing import Any
 
@@ -77,9 +77,10 @@ def both(folder: Path, text: str, machine: Machine, dialect: str = "grbl", **mor
     file.write_text(text, encoding="utf-8", newline="")
     stock, tools, start = (more.get(name) for name in ("stock", "tools", "start"))
     whole = prove(text, machine, file=str(file), dialect=dialect, stock=stock, tools=tools, start=start)
-    spool = folder / "sent"
-    spool.unlink(missing_ok=True)
-    parts = prove_file(file, machine, dialect=dialect, stock=stock, tools=tools, start=start, spool=spool)
+    sent = folder / "sent"
+    shutil.rmtree(sent, ignore_errors=True)
+    sent.mkdir()
+    parts = prove_file(file, machine, dialect=dialect, stock=stock, tools=tools, start=start, sent=sent)
     return whole, parts
 
 
@@ -166,7 +167,7 @@ def test_tools_that_say_what_they_may_meet(tmp_path: Path, monkeypatch: pytest.M
     if small:
         monkeypatch.setattr(tip_path_store, "BLOCK", 3)
         monkeypatch.setattr(engagement, "MOST_PLACES", 7)
-    parts = prove_file(file, TABLE, dialect="grbl", stock=STOCK, tools=tools, spool=tmp_path / "sent")
+    parts = prove_file(file, TABLE, dialect="grbl", stock=STOCK, tools=tools, sent=tmp_path)
     assert_same(whole, parts)
     found = Counter(finding.code for finding in whole.findings)
     assert found["flute-length"] == found["engagement"] == 2 and found["holder"] == 1, found
@@ -207,19 +208,18 @@ def test_a_file_that_is_written_while_it_is_proven_gets_no_certificate(tmp_path:
     other.write_text(file.read_text("ascii").replace("X-10", "X-30"), "ascii")
     saved = {"while it is read": lambda share: other.exists() and other.replace(file)}.get(when, lambda share: None)
     with pytest.raises(JobError) as refused:
-        proof = prove_file(file, TABLE, spool=tmp_path / "sent", share=saved)
+        proof = prove_file(file, TABLE, sent=tmp_path, share=saved)
         other.replace(file)
         certificate_of(proof)
     assert refused.value.code == "file-changed"
 
 
-def test_a_certificate_of_a_spool_is_read_back(tmp_path: Path) -> None:
+def test_a_certificate_of_a_file_is_read_back(tmp_path: Path) -> None:
     _, parts = both(tmp_path, "G21 G90\nG0 Z5\nG1 X1 F100\nM2\n", TABLE)
-    file = tmp_path / "certificate.json"
-    with file.open("w", encoding="utf-8") as stream:
-        stream.writelines(certificate_of(parts).json_pieces())
-    with ExitStack() as files:
-        assert list(Certificate.read(file, files).send_job().lines) == ["G21G90", "G0Z5", "G1X1F100", "M2"]
+    file = tmp_path / "certificate.zip"
+    certificate_of(parts).write(file)
+    assert list(Certificate.read(file).send_job().lines) == ["G21G90", "G0Z5", "G1X1F100", "M2"]
+    assert list(Certificate.read(file).file_lines) == [1, 2, 3, 4]
 
 
 RASTER = "G21 G90\nG0 X0 Y0\nM4 S0\nG1 F3000\n", "G1 X{x} Y{y} S{s}\n", "M5\nM2\n"

@@ -33,7 +33,7 @@ def both(folder: Path, job: Job, machine: Machine, text: str) -> tuple[Any, File
     file = folder / "program.nc"
     file.write_text(text, encoding="utf-8", newline="")
     whole = prove_job(job, machine, text, str(file))
-    return whole, prove_job_file(job, file, machine, spool=folder / "sent")
+    return whole, prove_job_file(job, file, machine, sent=folder)
 
 
 @pytest.mark.parametrize("pieces", FEW, indirect=True)

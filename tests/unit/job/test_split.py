@@ -169,10 +169,10 @@ def test_run_writes_program_report_certificate_and_picture_for_each_tool(folder:
     result = CliRunner().invoke(group, ["run", str(folder / "peça.toml"), "--out", str(folder / "saída")])
     assert result.exit_code == 0, result.output
     names = {path.name for path in (folder / "saída").iterdir()}
-    kinds = {"program": "nc", "report": "json", "certificate": "json", "part": "png"}
+    kinds = {"program": "nc", "report": "json", "certificate": "zip", "part": "png"}
     assert names == {f"{kind}-{part}.{end}" for kind, end in kinds.items() for part in ("1-T1", "2-T3")}
     for part in ("1-T1", "2-T3"):
-        certificate = Certificate.from_json((folder / "saída" / f"certificate-{part}.json").read_text("utf-8"))
+        certificate = Certificate.read(folder / "saída" / f"certificate-{part}.zip")
         certificate.check_clean()
         program = (folder / "saída" / f"program-{part}.nc").read_text("ascii")
         certificate.compare("program", digest_of_text(program))

@@ -72,10 +72,11 @@ def test_an_example_restarted_at_a_random_line_is_cut_whole(name: str) -> None:
     judge_at_random_places(name, max(1, CASES // 100))
 
 
-def test_the_certificate_is_that_of_the_restart_and_names_what_has_cut_before() -> None:
+def test_the_certificate_is_that_of_the_restart_and_names_what_has_cut_before(tmp_path: Path) -> None:
     job, machine, text = made("cycles/rectangular-pocket.toml")
     proven = restart_job(job, machine, text, Where(line=60), file="p.nc")
-    certificate = Certificate.from_json(certificate_of(proven.proof).to_json())
+    certificate_of(proven.proof).write(tmp_path / "certificate.zip")
+    certificate = Certificate.read(tmp_path / "certificate.zip")
     certificate.check_clean()
     assert certificate.content["before"] == [digest_of_text(text)]
     assert certificate.content["program"] == {"file": "p-restart.nc", "sha256": digest_of_text(proven.restart.text)}

@@ -49,7 +49,7 @@ def test_the_answer_is_that_of_restart_job(tmp_path: Path) -> None:
     assert told.words == tuple(words_of(proven.restart))
     found = read_answer(tmp_path)
     assert found.report == proven.proof.report and found.part.heights_mm.shape == proven.proof.part.heights_mm.shape
-    content = Certificate.from_json(found.send_file.read_text("utf-8")).content
+    content = Certificate.read(found.send_file).content
     assert content["program"]["sha256"] == digest_of_text(told.program)
     assert content["before"] == [digest_of_text(program)]
     assert content["send"]["restart_of"]["program_sha256"] == digest_of_text(program)

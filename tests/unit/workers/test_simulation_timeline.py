@@ -41,7 +41,7 @@ def proven(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Proof]:
     start = Start.with_work_zero((60.0, 50.0, -30.0))
     write_start(folder, start)
     proof = prove_job(job, machine, program, "pocket.nc", start)
-    write_answer(folder, proof, job, certificate_of(proof).to_json())
+    write_answer(folder, proof, job, certificate_of(proof))
     return folder, proof
 
 
@@ -131,7 +131,7 @@ def test_a_program_with_a_subroutine_in_a_file_beside_it_is_shown_too(tmp_path: 
     start = Start.with_work_zero((60.0, 50.0, -30.0))
     write_start(folder, start)
     proof = prove_job(job, machine, program, str(tmp_path / "main.ngc"), start)
-    write_answer(folder, proof, job, certificate_of(proof).to_json())
+    write_answer(folder, proof, job, certificate_of(proof))
     assert Answers(folder).to({"at": 0.0})["tiles"]
 
 

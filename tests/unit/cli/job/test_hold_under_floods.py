@@ -17,7 +17,7 @@ import pytest
 from being_sent import attached, being_sent
 from test_send import called, command
 
-from CNCStepper.control.program.send_job import SendJob
+from CNCStepper.control.program.send_job import SendJob, write_job
 from CNCStepper.control.service.connection_client import DeskClient
 from CNCStepper.control.session.client import SessionClient
 from CNCStepper.control.session.files import read_private, running_desks, sessions
@@ -109,7 +109,7 @@ def test_hold_and_stop_pass_connections_without_a_token(transport: str, tmp_path
 @pytest.mark.slow
 def test_hold_and_stop_pass_them_where_a_window_cuts(transport: str, tmp_path: Path) -> None:
     job = tmp_path / "job.json"
-    job.write_text(SendJob("", PROGRAM.splitlines(), file="part.nc").to_json(), "utf-8")
+    write_job(job, SendJob("", PROGRAM.splitlines(), file="part.nc"))
     with subprocess.Popen(command(*VIRTUAL, "--until-left"), stdout=subprocess.PIPE, encoding="utf-8") as table:
         assert table.stdout
         try:

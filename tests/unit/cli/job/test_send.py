@@ -7,7 +7,6 @@ The controller and the sender are processes of their own always, the command lin
 from __future__ import annotations
 
 import io
-import json
 import signal
 import subprocess
 import sys
@@ -19,8 +18,8 @@ import numpy as np
 import pytest
 
 from CNCStepper.cli.main import main
-from CNCStepper.control.program.certificate import digest_of_text
-from CNCStepper.control.program.long_json import LongList
+from CNCStepper.control.program.bundle import Lines, Numbers
+from CNCStepper.control.program.certificate import Certificate, digest_of_text
 from CNCStepper.control.program.send_job import SendJob
 from CNCStepper.control.session.status import DONE, Outcome, SenderStatus
 
@@ -206,7 +205,7 @@ def test_other_bytes_machines_starts_and_tools_are_refused(program: Path, certif
         assert sent.returncode == 1 and f"[certificate-{word}]" in sent.stderr, sent.stderr
     program.write_text(program.read_text("utf-8").replace("X10", "X9"), encoding="utf-8")
     assert "[certificate-program]" in certified(program, nowhere, certificate).stderr
-    certificate.write_text(certificate.read_text("utf-8").replace("look", "talk"), encoding="utf-8")
+    certificate.write_bytes(certificate.read_bytes().replace(b"look", b"talk"))
     assert "[certificate-changed]" in certified(program, nowhere, certificate).stderr
 
 
@@ -214,11 +213,11 @@ def test_other_bytes_machines_starts_and_tools_are_refused(program: Path, certif
 def test_a_certified_program_is_never_held_whole(
     program: Path, certificate: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """What is watched is spooled a block at a time."""
+    """What is watched is read a block at a time."""
     jobs = []
 
     def watch(job: SendJob, resume_pauses: bool) -> Outcome:
-        assert isinstance(job.lines, LongList) and isinstance(job.file_lines, LongList)
+        assert isinstance(job.lines, Lines) and isinstance(job.file_lines, Numbers)
         jobs.append((list(job.lines), list(job.file_lines)))
         assert job.program_sha256 == digest_of_text(program.read_text("utf-8"))
         return Outcome(DONE, "", True, SenderStatus("idle", total=len(job.lines)))
@@ -227,8 +226,8 @@ def test_a_certified_program_is_never_held_whole(
     monkeypatch.setattr("CNCStepper.cli.job.program_file.read_program", lambda path: pytest.fail("it is held"))
     sent = certified(program, "nowhere", certificate, "--machine", "table-a", *ZERO)
     assert sent.returncode == 0, sent.stderr
-    told = json.loads(certificate.read_text("utf-8"))["send"]
-    assert jobs == [(told["lines"], told["file_lines"])]
+    proven = Certificate.read(certificate)
+    assert jobs == [(list(proven.lines), list(proven.file_lines))] and len(proven.lines) == 10
 
 
 def test_a_program_whose_subroutine_was_changed_since_is_refused(tmp_path: Path) -> None:
@@ -298,7 +297,7 @@ def test_a_job_without_a_certificate_is_checked_against_all_that_it_says(job: Pa
 @pytest.mark.slow
 def test_a_job_whose_tools_were_changed_since_is_refused(job: Path, tmp_path: Path) -> None:
     text = job.read_text("utf-8")
-    program, path = tmp_path / "program.nc", tmp_path / "certificate.json"
+    program, path = tmp_path / "program.nc", tmp_path / "certificate.zip"
     same = certified(program, "/dev/no-such-port", path, "--job", job)
     assert "/dev/no-such-port" in same.stderr and "[certificate" not in same.stderr
     for old, new, word in (

@@ -13,6 +13,7 @@ import pytest
 from being_sent import attached, being_sent
 from test_send import called, command
 
+from CNCStepper.control.program.send_job import write_job
 from CNCStepper.control.service.connection_client import DeskClient
 from CNCStepper.control.session.files import read_private, sessions
 from CNCStepper.gcode.wire.encoder import prepare
@@ -97,7 +98,7 @@ def desk(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[DeskClient
     machine = load_machine("table-a")
     job = send_job(prepare(PROGRAM, "grbl", "a part ç.nc"), machine, "a part ç.nc", None, "grbl")
     file = tmp_path / "send ç.json"
-    file.write_text(job.to_json(), "utf-8")
+    write_job(file, job)
     with subprocess.Popen(command(*VIRTUAL), stdout=subprocess.PIPE, encoding="utf-8") as table:
         assert table.stdout
         client = DeskClient.launch(table.stdout.readline().rpartition(" ")[2].strip())

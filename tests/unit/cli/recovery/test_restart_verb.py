@@ -64,7 +64,7 @@ def test_program_and_certificate_are_written(program: Path) -> None:
     assert result.exit_code == 0, result.output
     text = out.read_text("utf-8")
     assert text.startswith("(restart of peca de teste.nc at line 14)")
-    proof = Certificate.from_json(certificate.read_text("utf-8"))
+    proof = Certificate.read(certificate)
     proof.compare("program", digest_of_text(text))
     first = FirstProgram.of(proof.send_job().restart_of)
     assert first and (first.file, first.sha256) == (str(program.resolve()), digest_of_text(PROGRAM))
@@ -119,7 +119,7 @@ def test_without_stock_it_says_so_and_is_not_sent(program: Path) -> None:
 def test_a_dry_run_says_that_it_goes_up_and_never_down(program: Path) -> None:
     result = called(program, *AGAINST, "--line", "10", "--certificate", program.with_suffix(".json"))
     assert "goes to Z 10.000 first, straight up (it is not sent while the tool stands higher)" in result.output
-    lift = Certificate.from_json(program.with_suffix(".json").read_text("utf-8")).send_job().lift
+    lift = Certificate.read(program.with_suffix(".json")).send_job().lift
     assert lift == {"system": "G54", "z_mm": 10.0, "height_mm": 10.0}
 
 

@@ -17,7 +17,7 @@ from fake_controller import FakeServer
 
 from CNCStepper.control.processes import python_finder
 from CNCStepper.control.processes.process_file import OwnFile
-from CNCStepper.control.program.send_job import SendJob
+from CNCStepper.control.program.send_job import SendJob, write_job
 from CNCStepper.control.service.connection_client import DeskClient, running_desks
 from CNCStepper.control.service.connection_launch import WORKER
 from CNCStepper.control.session import detached_process
@@ -89,10 +89,8 @@ def window(table, tmp_path) -> Iterator[Window]:
 
 
 def job_file(folder: Path, lines: tuple[str, ...]) -> Path:
-    content = json.loads(SendJob("", lines, file="part ç.nc").to_json())
-    del content["port"]
-    path = folder / "a job ç.json"
-    path.write_text(json.dumps(content), "utf-8")
+    path = folder / "a job ç.zip"
+    write_job(path, SendJob("", lines, file="part ç.nc"))
     return path
 
 

@@ -13,6 +13,7 @@ import pytest
 from cut_table import ROUNDING_MM, STANDS, STEP_MM, Cut, path_of, polyline, worst_distance_mm
 from desk_table import Person, Visit
 
+from CNCStepper.control.program.send_job import write_job
 from CNCStepper.control.service.connection_service import Desk
 from CNCStepper.control.session.command import Command
 from CNCStepper.control.session.status import DONE, STOPPED, Outcome
@@ -30,10 +31,10 @@ class DeskCut(Cut):
         super().__init__(folder, program, **table)
         self.outcomes: list[Outcome] = []
         self._job_file = folder / "a job ç.json"
-        self._job_file.write_text(self.job.to_json(), "utf-8")
+        write_job(self._job_file, self.job)
         self.sender = Desk(
             "table",
-            spool=folder / "desk.wire",
+            job_file=folder / "desk.wire",
             opener=lambda name, baud: self.table,
             clock=self.table.clock,
             tell=self._hear,

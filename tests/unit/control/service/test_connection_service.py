@@ -776,10 +776,10 @@ def test_end_asked_in_a_jog_brakes_first(visit):
     assert len(visit.table.sent(JOG_CANCEL)) >= 1 and visit.table.board.axes.idle and visit.table.x_mm() > -20
 
 
-def certificate(findings=(), **send) -> str:
+def certificate(findings=(), lines=SQUARE, **send) -> Certificate:
     wire = {"sha256": digest_of_lines(SQUARE), "dialect": "grbl"}
     content = {"format": FORMAT, "version": VERSION, "wire": wire, "findings": list(findings)}
-    return Certificate(content | {"send": {"lines": list(SQUARE), "file": "part.nc"} | send}).to_json()
+    return Certificate(content | {"send": {"file": "part.nc"} | send}, lines)
 
 
 ERROR = {"severity": "error", "file": "part.nc", "line": 3, "column": 1, "text": "the spindle stands still"}
@@ -787,15 +787,17 @@ CERTIFICATES = {
     "done": certificate(),
     "start-differs": certificate(work_offsets_mm={"G54": [-1.0, 0.0, 0.0]}, work_system="G54"),
     "certificate-errors": certificate([ERROR]),
-    "certificate-changed": certificate().replace("part.nc", "tarp.nc"),
+    "certificate-changed": certificate(),
     "certificate-wire": certificate(lines=[*SQUARE, "G0X1"]),
 }
 
 
 @pytest.mark.parametrize("code", CERTIFICATES)
 def test_certificate_is_run_when_it_holds_and_refused_when_not(code, visit, tmp_path):
-    file = tmp_path / "send.json"
-    file.write_text(CERTIFICATES[code], "utf-8")
+    file = tmp_path / "send.zip"
+    CERTIFICATES[code].write(file)
+    if code == "certificate-changed":
+        file.write_bytes(file.read_bytes().replace(b"part.nc", b"tarp.nc"))
 
     def person():
         visit.ask("set_zero", axes="XYZ")

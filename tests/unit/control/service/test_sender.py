@@ -9,7 +9,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from CNCStepper.control.preflight.controller_restart import check_zero_here
-from CNCStepper.control.program.send_job import SendJob
+from CNCStepper.control.program.bundle import write_bundle
+from CNCStepper.control.program.send_job import SendJob, read_job, write_job
 from CNCStepper.control.protocol.grbl.connect import Found
 from CNCStepper.control.protocol.grbl.driver import Grbl
 from CNCStepper.control.protocol.grbl.readiness import expected_settings
@@ -333,19 +334,22 @@ def test_message_before_the_lines_that_lead_to_a_pause_is_shown_at_the_pause():
     assert [text for kind, text in bench.told if kind == "message"] == ["put in tool 2", "going on"]
 
 
-def test_job_survives_its_way_to_the_process():
+def test_job_survives_its_way_to_the_process(tmp_path):
     wire = prepare("(a comment)\nG21\n(MSG, turn it)\nM0\nG1X1F100\n")
     expected = expected_settings(load_machine("table-a"))
     job = SendJob("loop://", wire.lines, "a.nc", wire.file_lines.tolist(), wire.messages, True, expected)
-    again = SendJob.from_json(job.to_json())
+    write_job(tmp_path / "job.zip", job)
+    again = read_job(tmp_path / "job.zip")
     assert list(again.lines) == ["G21", "M0", "G1X1F100"] and again.place(2) == job.place(2) == Place("a.nc", 5)
     assert again.messages == {1: "turn it"} and again.expected == expected and again.zero_confirmed
 
 
-@pytest.mark.parametrize("text", ["", "[]", "{}", '{"port": "x", "lines": ["G0"], "speed": 3}', '{"port": 1'])
-def test_job_that_is_none_is_refused(text):
+@pytest.mark.parametrize("head", [b"", b"[]", b"{}", b'{"port": "x", "speed": 3}', b'{"port": 1'])
+def test_job_that_is_none_is_refused(head, tmp_path):
+    with (tmp_path / "job.zip").open("wb") as file:
+        write_bundle(file, {"job.json": [head], "wire.txt": [b"G0\n"]})
     with pytest.raises(JobError, match="not a job"):
-        SendJob.from_json(text)
+        read_job(tmp_path / "job.zip")
 
 
 def test_line_map_must_fit_the_lines():

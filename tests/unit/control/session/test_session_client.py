@@ -18,12 +18,12 @@ from fake_controller import FakeServer
 from CNCStepper.control.processes import python_finder
 from CNCStepper.control.processes.bootstrap import BEHIND, python_version, see_packages
 from CNCStepper.control.processes.python_finder import candidates, checked, find_python, seek_python
-from CNCStepper.control.program.send_job import SendJob
+from CNCStepper.control.program.send_job import SendJob, write_job
 from CNCStepper.control.service.connection_client import DeskClient
 from CNCStepper.control.service.port_owner import check_free
 from CNCStepper.control.session.client import WORKER, SessionClient
 from CNCStepper.control.session.detached_process import start
-from CNCStepper.control.session.files import OUTCOME, RECENT_S, new_session, sessions, write_private
+from CNCStepper.control.session.files import OUTCOME, RECENT_S, WIRE, new_session, sessions, write_private
 from CNCStepper.control.session.local_socket import Address
 from CNCStepper.control.session.status import DONE, FAILED, REFUSED, STOPPED
 from CNCStepper.errors import LinkError, MachineRefusal, MissingPackage
@@ -250,8 +250,8 @@ def test_worker_that_ends_at_once_names_its_log(tmp_path):
     broken = SendJob("x", ["G1"])
     object.__setattr__(broken, "baud", "fast")
     object.__setattr__(broken, "expected", {"no number": 1})
-    told = broken.to_json().encode()
-    client._process = start(sys.executable, WORKER, client.session_file, told=told)
+    write_job(client.session_file.with_suffix(WIRE), broken)
+    client._process = start(sys.executable, WORKER, client.session_file)
     with pytest.raises(LinkError, match=r"\.log"):
         client._await_start()
     assert "not a job to send" in client.session_file.with_suffix(".log").read_text()

@@ -127,13 +127,14 @@ def test_changed_leg_is_refused_and_the_machine_stays_held(tmp_path: Path) -> No
         yield from held_on_side(cut)
         held = yield from found_by(cut)
         leg = held.along(held.back_by(1.0))
-        leg["certificate"]["send"]["lines"][-1] = "G1X-1Y-1Z-9F100"
+        proven = leg["certificate"]
+        leg["certificate"] = replace(proven, lines=[*proven.lines[:-1], "G1X-1Y-1Z-9F100"])
         yield from cut.go(leg)
         assert cut.phase == "held"
         cut.sender.resume()
 
     assert cut.run(person).done
-    assert [error.code for error in cut.refused] == ["certificate-changed"]
+    assert [error.code for error in cut.refused] == ["certificate-wire"]
     assert cut.length_mm == pytest.approx(along_mm(Way(path_of(SQUARE)), Place(7, 1.0)), abs=CORNERS_MM)
 
 

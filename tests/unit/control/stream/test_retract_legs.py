@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A leg is read from its file into a spool: the job that was proven, and no whole program in memory."""
+"""A leg is read from a copy of its file: the job that was proven, and no whole program in memory."""
 
 from __future__ import annotations
 
@@ -8,16 +8,16 @@ import tracemalloc
 from collections.abc import Sequence
 from dataclasses import asdict
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
-from unittest.mock import patch
 
 import pytest
 
-from CNCStepper.control.program import long_json
+from CNCStepper.control.program.bundle import LINE_MAP, WIRE, array_bytes, head_bytes, line_bytes, write_bundle
 from CNCStepper.control.program.certificate import FORMAT, VERSION, Certificate, digest_of_lines
 from CNCStepper.control.program.send_job import SendJob
-from CNCStepper.control.stream.path_retract import REST, Retrace
-from CNCStepper.errors import CNCStepperError, JobError, Place
+from CNCStepper.control.stream.path_retract import LEG, OWN_MAP, REST, Retrace, read_held
+from CNCStepper.errors import JobError, Place
 from CNCStepper.state import Start
 
 LINES = ("G21G90G94", "G1X-2F1500", "G1Y-2")
@@ -32,22 +32,24 @@ def write_leg(path: Path, lines: Sequence[str], **more: Any) -> Path:
         "findings": [],
         "wire": {"sha256": digest_of_lines(lines), "dialect": "grbl"},
         "start": {"sha256": start.sha256(), "state": asdict(start) | {"position_mm": [1.0, 2.0, 3.0]}},
-        "send": {"lines": list(lines), "expected": {"100": 80.0}},
+        "send": {"expected": {"100": 80.0}},
     }
     leg = {
         "kind": REST,
         "heads": 1,
-        "certificate": json.loads(Certificate(content).to_json()),
-        "file_lines": [40 + number for number in range(len(lines))],
+        "certificate": Certificate(content, lines).head(),
         "messages": {"1": "turn it"},
     }
-    path.write_text(json.dumps(leg | more), encoding="utf-8")
+    numbers = more.pop("file_lines", [40 + number for number in range(len(lines))])
+    members = {LEG: head_bytes(leg | more), WIRE: line_bytes(lines), OWN_MAP: array_bytes([])}
+    with path.open("wb") as file:
+        write_bundle(file, members | ({} if numbers is None else {LINE_MAP: array_bytes(numbers)}))
     return path
 
 
 def test_the_job_is_the_proven_one_at_the_programs_lines(tmp_path: Path) -> None:
     retrace = Retrace(PROGRAM)
-    leg = retrace.read(write_leg(tmp_path / "leg ç.json", LINES), "held")
+    leg = retrace.read(write_leg(tmp_path / "leg ç.zip", LINES), "held")
     job = leg.job
     assert tuple(job.lines) == LINES and job.place(1) == Place("peça.nc", 41) and job.messages == {1: "turn it"}
     assert (job.port, job.baud, job.zero_confirmed, job.expected) == ("/dev/é", 9600, True, {})
@@ -58,13 +60,13 @@ def test_the_job_is_the_proven_one_at_the_programs_lines(tmp_path: Path) -> None
 
 
 def test_what_is_kept_for_the_next_client_holds_no_lines(tmp_path: Path) -> None:
-    kept = Retrace(PROGRAM).read(write_leg(tmp_path / "leg.json", LINES, parts=[None]), "held").content
+    kept = Retrace(PROGRAM).read(write_leg(tmp_path / "leg.zip", LINES, parts=[None]), "held").content
     assert set(kept) == {"kind", "heads", "parts", "certificate"} and set(kept["certificate"]) == {"start"}
     assert json.dumps(kept)
 
 
 def test_the_lines_of_the_leg_under_way_stay_and_those_before_go(tmp_path: Path) -> None:
-    retrace, file = Retrace(PROGRAM), write_leg(tmp_path / "leg.json", LINES)
+    retrace, file = Retrace(PROGRAM), write_leg(tmp_path / "leg.zip", LINES)
     refused, under_way = (retrace.read(file, "held") for _ in range(2))
     retrace.start(under_way)
     coming = retrace.read(write_leg(file, LINES[:1]), "held")
@@ -81,30 +83,42 @@ def test_the_lines_of_the_leg_under_way_stay_and_those_before_go(tmp_path: Path)
         ({"certificate": {}}, "certificate"),
         ({"file_lines": [1]}, "line-map"),
         ({"messages": []}, "retreat-file"),
-        ({"file_lines": None}, "retreat-file"),
+        ({"certificate": 3}, "certificate"),
     ],
 )
 def test_what_is_no_leg_is_refused(tmp_path: Path, more: dict[str, Any], code: str) -> None:
     with pytest.raises(JobError) as refused:
-        Retrace(PROGRAM).read(write_leg(tmp_path / "leg.json", LINES, **more), "held")
+        Retrace(PROGRAM).read(write_leg(tmp_path / "leg.zip", LINES, **more), "held")
     assert refused.value.code == code
 
 
-def test_a_line_that_holds_the_end_of_one_is_refused(tmp_path: Path) -> None:
-    with pytest.raises(CNCStepperError) as refused:
-        Retrace(PROGRAM).read(write_leg(tmp_path / "leg.json", ["G1X1", "G1X2\nM3"]), "held")
-    assert refused.value.code == "acting-byte"
+@pytest.mark.parametrize("data", [b"", b"{}", b"PK\3\4", b"\0" * 1000])
+def test_a_file_that_is_no_bundle_is_refused(tmp_path: Path, data: bytes) -> None:
+    (tmp_path / "leg.zip").write_bytes(data)
+    with pytest.raises(JobError) as refused:
+        Retrace(PROGRAM).read(tmp_path / "leg.zip", "held")
+    assert refused.value.code == "retreat-file"
+
+
+def test_what_is_told_is_read_back(tmp_path: Path) -> None:
+    driver = SimpleNamespace(settings={100: 80.0}, mpos_mm=(1.0, 2.0, 3.0))
+    Retrace(PROGRAM).tell(driver, "held", tmp_path / "held.zip", jogged=False)
+    told = read_held(tmp_path / "held.zip")
+    assert told["program"]["lines"] == list(PROGRAM.lines) and told["leg_lines"] == [] and told["leg"] is None
+    assert told["position_mm"] == [1.0, 2.0, 3.0] and told["steps_per_mm"] == [80.0, None, None]
+    with pytest.raises(JobError, match="cannot be written"):
+        Retrace(PROGRAM).tell(driver, "held", tmp_path / "nowhere" / "held.zip", jogged=False)
 
 
 def test_memory_does_not_grow_with_the_leg(tmp_path: Path) -> None:
     def most_bytes(count: int) -> int:
-        file, retrace = write_leg(tmp_path / f"{count}.json", ["G1X10.123Y20.456"] * count), Retrace(PROGRAM)
+        file, retrace = write_leg(tmp_path / f"{count}.zip", ["G1X10.123Y20.456"] * count), Retrace(PROGRAM)
         tracemalloc.start()
         retrace.read(file, "held")
         most = tracemalloc.get_traced_memory()[1]
         tracemalloc.stop()
         return most
 
-    with patch.multiple(long_json, BLOCK_BYTES=5000, BLOCK_ITEMS=250):
-        few, many = most_bytes(2000), most_bytes(12_000)
-    assert many < few + 8 * 10_000  # a list of as many more
+    most_bytes(100)  # imports
+    few, many = most_bytes(200_000), most_bytes(400_000)
+    assert many < few + 8 * 50_000  # a list of a quarter as many more
