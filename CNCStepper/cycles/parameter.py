@@ -35,11 +35,11 @@ GROUPS = (CUT, TABS, LEADS, FINISH, PATH)  # in this order in a panel; a group o
 class Parameter:
     """What a field is besides name, type and default.
 
-    group, label, help: English texts of the panel's box, its row and its explanation; empty in a row of a table that
-    says its own. new: the value of a new object, where that is not the field's default. only: the key of another
-    parameter, in the same table, and those of its values with which this one counts. name: FreeCAD's name of the
-    property, where it is not that of the key. choices: as a window offers them, where a job file has others. row:
-    rows of lower numbers come first in their group.
+    group, label, help: English texts of the panel's box, its row and its explanation. No window shows a field without a
+    group; a label is empty where the table gives it. new: the value of a new object, where that is not the field's
+    default. only: the key of another parameter, in the same table, and those of its values with which this one counts.
+    name: FreeCAD's name of the property, where it is not that of the key. choices: in the window's order, where a job
+    file has another. row: rows of lower numbers come first in their group.
     """
 
     group: str
@@ -80,7 +80,7 @@ class Declared:
     def rows(self) -> tuple[Declared, ...]:
         """What a window shows: itself, or the rows of its table with the texts that the table has for them."""
         if self.table is None:
-            return (self,) if self.shown else ()
+            return (self,) if self.shown and self.shown.group else ()
         return tuple(row._with(*self.table.texts.get(row.key, ("", ""))) for row in declared(self.table.parameters))
 
     def _with(self, label: str, help: str) -> Declared:
@@ -107,6 +107,7 @@ class Parameters:
     """The base of classes of parameters; each is made a pydantic model by the cycle that derives from it."""
 
 
+OFFSET = Parameter("", "", "Moves what is drawn")
 DEPTH = Parameter(CUT, "Depth", "The depth below the top of the stock", 10.0)
 STEPDOWN = Parameter(CUT, "Stepdown ap", "The depth of one pass at most, ap", 2.0)
 STEPOVER = Parameter(CUT, "Stepover ae", "The width of one pass at most, ae", 2.4)

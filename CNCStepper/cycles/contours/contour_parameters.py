@@ -12,6 +12,7 @@ from CNCStepper.cycles.parameter import (
     FINISH_STEPDOWN,
     FINISH_STEPOVER,
     LEADS,
+    OFFSET,
     PATH,
     STEPDOWN,
     STOCK_TO_LEAVE,
@@ -107,7 +108,7 @@ class ContourParameters(Parameters):
     cycle: Literal["contour"] = "contour"
     tool: ToolReference
     curves: Any
-    offset_mm: tuple[Coordinate, Coordinate] = (0.0, 0.0)
+    offset_mm: Annotated[tuple[Coordinate, Coordinate], OFFSET] = (0.0, 0.0)
     side: Annotated[
         Side,
         Parameter(CUT, "Side", "On which side of the lines the tool runs",
@@ -152,12 +153,12 @@ class EngraveParameters(Parameters):
     cycle: Literal["engrave"] = "engrave"
     tool: ToolReference
     curves: Any
-    offset_mm: tuple[Coordinate, Coordinate] = (0.0, 0.0)
+    offset_mm: Annotated[tuple[Coordinate, Coordinate], OFFSET] = (0.0, 0.0)
     depth_mm: Annotated[Depth, replace(DEPTH, new=1.0)]
     stepdown_mm: Annotated[
         DepthOr0, replace(STEPDOWN, help="The depth of one pass at most; 0: all at once", new=None)
     ] = 0.0  # fmt: skip
-    closed: Any
+    closed: Annotated[bool, Parameter("", "", "Whether each line must end where it begins")]
     simplify_mm: Annotated[
         WidthOr0,
         Parameter(LINES, "Simplify",

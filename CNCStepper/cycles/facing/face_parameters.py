@@ -11,6 +11,7 @@ from CNCStepper.cycles.parameter import (
     ENTRY_ANGLE,
     FINISH_FEED,
     FINISH_STEPDOWN,
+    OFFSET,
     PATH,
     PATTERN,
     PATTERN_ANGLE,
@@ -45,7 +46,7 @@ class FaceParameters(Parameters):
     cycle: Literal["face"] = "face"
     tool: ToolReference
     outlines: Any
-    offset_mm: tuple[Coordinate, Coordinate] = (0.0, 0.0)
+    offset_mm: Annotated[tuple[Coordinate, Coordinate], OFFSET] = (0.0, 0.0)
     depth_mm: Annotated[Depth, DEPTH]
     stepdown_mm: Annotated[Depth, STEPDOWN]
     stepover_mm: Annotated[Width, STEPOVER]

@@ -10,6 +10,7 @@ from CNCStepper.cycles.parameter import (
     DIRECTION,
     FINISH_FEED,
     FINISH_STEPOVER,
+    OFFSET,
     PATH,
     STEPOVER,
     Direction,
@@ -120,7 +121,7 @@ class DrillParameters(Parameters):
     cycle: Literal["drill"] = "drill"
     tool: ToolReference
     pattern: Any
-    offset_mm: tuple[Coordinate, Coordinate] = (0.0, 0.0)
+    offset_mm: Annotated[tuple[Coordinate, Coordinate], OFFSET] = (0.0, 0.0)
     depth_mm: Annotated[Depth, DEPTH]
     tip: Annotated[
         Literal["tip", "diameter"],
@@ -153,7 +154,7 @@ class BoreParameters(Parameters):
     cycle: Literal["bore"] = "bore"
     tool: ToolReference
     pattern: Any
-    offset_mm: tuple[Coordinate, Coordinate] = (0.0, 0.0)
+    offset_mm: Annotated[tuple[Coordinate, Coordinate], OFFSET] = (0.0, 0.0)
     diameter_mm: Annotated[
         LengthOr0, Parameter(CUT, "Diameter", "Of the bores; 0: that of each circle of the drawing", 12.0)
     ] = 0.0
@@ -179,7 +180,7 @@ class ThreadParameters(Parameters):
     cycle: Literal["thread"] = "thread"
     tool: ToolReference
     pattern: Any
-    offset_mm: tuple[Coordinate, Coordinate] = (0.0, 0.0)
+    offset_mm: Annotated[tuple[Coordinate, Coordinate], OFFSET] = (0.0, 0.0)
     major_diameter_mm: Annotated[
         WidthOr0, Parameter(CUT, "Major", "The nominal diameter; 0: that of each circle of the drawing", 10.0)
     ] = 0.0

@@ -12,6 +12,7 @@ from CNCStepper.cycles.parameter import (
     FINISH_FEED,
     FINISH_STEPDOWN,
     FINISH_STEPOVER,
+    OFFSET,
     PATH,
     PATTERN,
     PATTERN_ANGLE,
@@ -65,7 +66,7 @@ class AreaParameters(Parameters):
     entry_angle_deg: Annotated[EntryAngle, ENTRY_ANGLE] = 3.0
     direction: Annotated[Direction, DIRECTION] = "climb"
     tolerance_mm: Annotated[CutTolerance, TOLERANCE] = 0.01
-    offset_mm: tuple[Coordinate, Coordinate] = (0.0, 0.0)
+    offset_mm: Annotated[tuple[Coordinate, Coordinate], OFFSET] = (0.0, 0.0)
 
 
 class PatternParameters(AreaParameters):
