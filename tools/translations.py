@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Brings the catalogues of translations up to date with the source: `make translations`.
 
-It reads the source without running it, finds every text that a person sees, and writes resources/translations: new
-texts come in as unfinished, those that nothing shows any more go. Qt's own lrelease then compiles what FreeCAD loads.
+It reads the source, finds every text that a person sees, and writes resources/translations: new texts come in as
+unfinished, those that nothing shows any more go. Qt's own lrelease then compiles what FreeCAD loads. Nothing is run but
+the tables of properties, for the texts that the fields of the cycles declare (CNCStepper/cycles/parameter.py).
 
 Where a text belongs (its context) is where FreeCAD or we look it up:
     CNCStepper       `tr("…")` and `later("…")`
@@ -51,6 +52,7 @@ NO_SENTENCES = {
     "path_commands.py",
     "message_translation.py",
 }  # labels in pictures; what puts these together
+DECLARATIONS = re.compile(r"/cycles/(.*_parameters|parameter)\.py$")  # their texts are those of properties
 MARKED = {"tr", "later", "QT_TRANSLATE_NOOP"}
 # code, styles, names, pieces, and the calls of `gcode/interpreter/canonical_trace.py`
 NO_SENTENCE = re.compile(r"[\n|\\]|\{ |px|: \{0\};|^User parameter|^\*\.|^\s|^, |\s$|^[A-Z][A-Z0-9_]+\(")
@@ -82,7 +84,8 @@ def sources() -> list[Path]:
 def core_sources() -> list[Path]:
     """Return the files of the core whose sentences the window may show."""
     rooms = (sorted((ROOT / "CNCStepper" / room).rglob("*.py")) for room in CORE_ROOMS)
-    return [*(path for room in rooms for path in room), *(ROOT / "CNCStepper" / name for name in CORE_MODULES)]
+    paths = [*(path for room in rooms for path in room), *(ROOT / "CNCStepper" / name for name in CORE_MODULES)]
+    return [path for path in paths if path.name not in NO_SENTENCES and not DECLARATIONS.search(path.as_posix())]
 
 
 def texts() -> dict[Text, str]:
@@ -92,9 +95,23 @@ def texts() -> dict[Text, str]:
         for text, line in texts_of(path.read_text("utf-8"), in_features=path.parent.name == "features"):
             found.setdefault(text, f"{path.relative_to(ROOT).as_posix()}:{line}")
     for path in core_sources():
-        for sentence, line in [] if path.name in NO_SENTENCES else sentences_of(path.read_text("utf-8")):
+        for sentence, line in sentences_of(path.read_text("utf-8")):
             found.setdefault(Text(CORE, sentence), f"{path.relative_to(ROOT).as_posix()}:{line}")
+    for text, cycle in declared_texts():
+        found.setdefault(text, f"parameters of {cycle}")
     return found
+
+
+def declared_texts() -> Iterator[tuple[Text, str]]:
+    """Yield the texts of all properties of operations, and the name of the cycle."""
+    sys.path.append(str(ROOT))
+    from CNCStepper.workbench.features.catalogue import KINDS
+
+    for kind in KINDS:
+        for entry in kind.PROPERTIES:
+            shown = {entry.group, entry.label, entry.text}
+            yield from ((Text(context, text), kind.CYCLE) for context in (OURS, PROPERTY) for text in sorted(shown))
+            yield Text(PROPERTY, spaced(entry.name)), kind.CYCLE
 
 
 def sentences_of(source: str) -> Iterator[tuple[str, int]]:

@@ -15,7 +15,7 @@ an outline is cut before it.
 from __future__ import annotations
 
 from CNCStepper.cycles.contours.contour_levels import run
-from CNCStepper.cycles.contours.contour_parameters import ContourParameters
+from CNCStepper.cycles.contours.contour_model import ContourModel
 from CNCStepper.cycles.contours.plan import planned
 from CNCStepper.cycles.contours.sides import as_cycle_error
 from CNCStepper.cycles.cycle import Answer, Setup
@@ -26,7 +26,7 @@ from CNCStepper.geometry.curve import Curve
 from CNCStepper.toolpath import TableBuilder
 
 
-class Contour(ContourParameters):
+class Contour(ContourModel):
     """A contour that can be cut."""
 
     def kept(self) -> tuple[Curve, ...]:

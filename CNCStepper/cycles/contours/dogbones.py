@@ -18,7 +18,7 @@ from typing import Literal
 import numpy as np
 import shapely
 
-from CNCStepper.cycles.contours.tab_and_lead_options import Dogbones
+from CNCStepper.cycles.contours.contour_parameters import Dogbones
 from CNCStepper.geometry.curve import COINCIDENT_MM, Curve, joined
 from CNCStepper.geometry.segments import complex_of, xy_of
 

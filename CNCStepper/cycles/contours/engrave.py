@@ -3,11 +3,10 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Literal
-
 from pydantic import BaseModel, ConfigDict, Field, StrictBool
 from shapely import LineString
 
+from CNCStepper.cycles.contours.contour_parameters import EngraveParameters
 from CNCStepper.cycles.cycle import Answer, Removal, Setup
 from CNCStepper.cycles.moves import Moves, point_of, require_setup
 from CNCStepper.cycles.parameter_types import CurveField
@@ -17,32 +16,19 @@ from CNCStepper.geometry.curve import COINCIDENT_MM, Curve
 from CNCStepper.geometry.cut_order.cut_order import Stop, Visit, ordered, spread
 from CNCStepper.geometry.fitting.point_fit import refitted
 from CNCStepper.geometry.fitting.simplify import simplified
-from CNCStepper.quantities import MOST_ITEMS, Bounds, Coordinate, Depth, DepthOr0, ToolReference, WidthOr0
+from CNCStepper.quantities import MOST_ITEMS
 from CNCStepper.toolpath import TableBuilder
 
 FLAT_MM = 0.0005
 
 
-class Engrave(BaseModel):
-    """Parameters of an engraving, named as in a job file; `curves` are in drawing order.
-
-    A curve with `closed` runs back to its first point. simplify_mm: how far the cut line may leave the
-    drawn points, and they it; they become the fewest lines, or lines and arcs. order "short" takes the curves, and
-    open ones from either end, so that rapids are short.
-    """
+class Engrave(EngraveParameters, BaseModel):
+    """An engraving that can be cut."""
 
     model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False, arbitrary_types_allowed=True)
 
-    cycle: Literal["engrave"] = "engrave"
-    tool: ToolReference
     curves: tuple[CurveField, ...] = Field(min_length=1, max_length=MOST_ITEMS["curves"])
-    offset_mm: tuple[Coordinate, Coordinate] = (0.0, 0.0)
-    depth_mm: Depth
-    stepdown_mm: DepthOr0 = 0.0
     closed: StrictBool = False
-    simplify_mm: WidthOr0 = 0.0
-    tolerance_mm: Annotated[float, Bounds("tolerance", most=1.0)] = 0.01
-    order: Literal["drawn", "short"] = "drawn"
 
     def cut(self, setup: Setup, table: TableBuilder) -> Answer:
         """Append the engraving to `table`; raises CycleError before any row when it cannot be cut."""

@@ -20,7 +20,7 @@ from dataclasses import dataclass
 import numpy as np
 import shapely
 
-from CNCStepper.cycles.contours.tab_and_lead_options import Lead
+from CNCStepper.cycles.contours.contour_model import Lead
 from CNCStepper.errors import CycleError
 from CNCStepper.geometry.curve import Curve, joined
 from CNCStepper.geometry.segments import xy_of

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from CNCStepper.cycles.contours.contour_parameters import ContourParameters
+from CNCStepper.cycles.contours.contour_model import ContourModel
 from CNCStepper.cycles.contours.cutting_width import require_contour_tool, require_kerf
 from CNCStepper.cycles.cycle import Setup
 from CNCStepper.cycles.moves import require_setup
@@ -11,7 +11,7 @@ from CNCStepper.errors import CycleError
 from CNCStepper.machine.tools.tool_shapes import BEAMS
 
 
-def require_cuttable(cycle: ContourParameters, setup: Setup) -> None:
+def require_cuttable(cycle: ContourModel, setup: Setup) -> None:
     """Raise CycleError for parameters that do not go together, or not with the tool."""
     tool = setup.tool
     require_contour_tool(tool)

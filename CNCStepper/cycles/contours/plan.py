@@ -11,7 +11,7 @@ import numpy as np
 import shapely
 
 from CNCStepper.cycles.contours.contour_levels import Path
-from CNCStepper.cycles.contours.contour_parameters import ContourParameters
+from CNCStepper.cycles.contours.contour_model import ContourModel
 from CNCStepper.cycles.contours.cutting_width import radius_at
 from CNCStepper.cycles.contours.dogbones import Corner, Corners, relieved_mm, rest_warnings, strokes, with_reliefs
 from CNCStepper.cycles.contours.leads import Fitted, Walls, fit_closed, fit_open
@@ -55,7 +55,7 @@ class _Way:
     aside_mm: float
 
 
-def planned(cycle: ContourParameters, setup: Setup) -> Plan:
+def planned(cycle: ContourModel, setup: Setup) -> Plan:
     """Return the plan of a contour; raises CycleError or GeometryError for what cannot be cut safely."""
     return _Planner(cycle, setup).plan()
 
@@ -63,7 +63,7 @@ def planned(cycle: ContourParameters, setup: Setup) -> Plan:
 class _Planner:
     """Turns the parameters into paths, removals and figures."""
 
-    def __init__(self, cycle: ContourParameters, setup: Setup):
+    def __init__(self, cycle: ContourModel, setup: Setup):
         self.cycle, self.setup, self.tool = cycle, setup, setup.tool
         require_cuttable(cycle, setup)
         self.radius_mm = cycle.kerf_mm / 2.0 or radius_at(self.tool, cycle.depth_mm, cycle.depth_mm)

@@ -14,7 +14,7 @@ from collections.abc import Sequence
 
 from shapely.geometry.base import BaseGeometry
 
-from CNCStepper.cycles.contours.contour_parameters import ContourParameters
+from CNCStepper.cycles.contours.contour_model import ContourModel
 from CNCStepper.cycles.contours.cutting_width import radius_at
 from CNCStepper.cycles.contours.sides import Sides
 from CNCStepper.cycles.contours.swept_area import swept
@@ -24,7 +24,7 @@ from CNCStepper.machine.tools.tool import Tool
 
 
 def removed(
-    cycle: ContourParameters,
+    cycle: ContourModel,
     tool: Tool,
     radius_mm: float,
     sides: Sides,

@@ -23,7 +23,7 @@ import numpy as np
 import shapely
 from shapely.geometry.base import BaseGeometry
 
-from CNCStepper.cycles.contours.tab_and_lead_options import Side
+from CNCStepper.cycles.contours.contour_parameters import Side
 from CNCStepper.errors import CycleError, GeometryError
 from CNCStepper.geometry.curve import Curve
 from CNCStepper.geometry.cut_order.cut_order import parents

@@ -19,7 +19,8 @@ import numpy as np
 import shapely
 from shapely import Polygon
 
-from CNCStepper.cycles.contours.tab_and_lead_options import MOST_TABS, Tabs
+from CNCStepper.cycles.contours.contour_model import Tabs
+from CNCStepper.cycles.contours.contour_parameters import MOST_TABS
 from CNCStepper.errors import CycleError
 from CNCStepper.geometry.curve import Curve
 

@@ -16,7 +16,6 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import accumulate
-from typing import Literal
 
 from pydantic import BaseModel, ConfigDict, Field
 from shapely import Polygon
@@ -26,6 +25,7 @@ from CNCStepper.cycles.clearing.entry_moves import Entry, entry_for
 from CNCStepper.cycles.clearing.pattern import Area
 from CNCStepper.cycles.clearing.straight_links import Ground
 from CNCStepper.cycles.cycle import Answer, Removal, Setup
+from CNCStepper.cycles.facing.face_parameters import FaceParameters
 from CNCStepper.cycles.facing.facing_lines import chains_of, inwards, level, lines_of, one_way, zigzags
 from CNCStepper.cycles.facing.side_entry import Surroundings, lead_to
 from CNCStepper.cycles.moves import Moves, Point, point_of, require_setup
@@ -38,49 +38,18 @@ from CNCStepper.geometry.cut_order.cut_order import Stop, ordered
 from CNCStepper.geometry.fitting.point_fit import refitted
 from CNCStepper.geometry.region import Region
 from CNCStepper.geometry.shapely_polygons import polygons_of
-from CNCStepper.quantities import (
-    MOST_ITEMS,
-    Coordinate,
-    CutTolerance,
-    Depth,
-    DepthOr0,
-    EntryAngle,
-    FeedOr0,
-    ToolReference,
-    Turn,
-    Width,
-    WidthOr0,
-)
+from CNCStepper.quantities import MOST_ITEMS
 from CNCStepper.toolpath import TableBuilder
 
 ROUNDING_MM = 0.002  # so much narrower than the tool a strip is at least
 
 
-class Face(BaseModel):
-    """Parameters of facing, named as in a job file; without outlines the whole stock is faced.
-
-    finish_stepdown_mm is the last depth, cut at finish_feed_mm_min; 0 is none, and the tool's own feed. angle_deg: of
-    the lines.
-    """
+class Face(FaceParameters, BaseModel):
+    """A facing that can be cut."""
 
     model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False, arbitrary_types_allowed=True)
 
-    cycle: Literal["face"] = "face"
-    tool: ToolReference
     outlines: tuple[CurveField, ...] = Field(default=(), max_length=MOST_ITEMS["areas"])
-    offset_mm: tuple[Coordinate, Coordinate] = (0.0, 0.0)
-    depth_mm: Depth
-    stepdown_mm: Depth
-    stepover_mm: Width
-    finish_stepdown_mm: DepthOr0 = 0.0
-    finish_feed_mm_min: FeedOr0 = 0.0
-    overhang_mm: WidthOr0 = 0.0
-    pattern: Literal["zigzag", "oneway", "spiral"] = "zigzag"
-    angle_deg: Turn = 0.0
-    entry: Literal["helix", "ramp", "plunge"] = "helix"
-    entry_angle_deg: EntryAngle = 3.0
-    direction: Literal["climb", "conventional"] = "climb"
-    tolerance_mm: CutTolerance = 0.01
 
     def cut(self, setup: Setup, table: TableBuilder) -> Answer:
         """Append the facing to `table`; raises CycleError before any row when it cannot be cut."""

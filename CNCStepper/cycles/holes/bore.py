@@ -10,19 +10,18 @@ from __future__ import annotations
 
 import math
 from itertools import pairwise
-from typing import Literal
 
 from pydantic import BaseModel, ConfigDict
 
 from CNCStepper.cycles.cycle import Answer, Removal, Setup
 from CNCStepper.cycles.holes.hole_cycle import rings, widened
-from CNCStepper.cycles.holes.hole_patterns import Hole, Order, Pattern, placed
+from CNCStepper.cycles.holes.hole_parameters import BoreParameters
+from CNCStepper.cycles.holes.hole_patterns import Hole, Pattern, placed
 from CNCStepper.cycles.moves import Moves, require_setup
 from CNCStepper.cycles.passes import require_few_blocks, whole_steps
 from CNCStepper.cycles.tool_requirements import require_flat, require_stepover
 from CNCStepper.errors import CycleError
 from CNCStepper.machine.tools.tool import Tool
-from CNCStepper.quantities import Coordinate, Depth, DepthOr0, FeedOr0, LengthOr0, ToolReference, Width, WidthOr0
 from CNCStepper.toolpath import TableBuilder
 
 NO_CORE = 0.8  # of the tool's radius: the first helix' radius at most
@@ -31,29 +30,12 @@ NARROWEST_MM = 0.01  # radius of a helix that is one
 LEAST_ROOM = 0.05  # of the tool's radius: a helix of a smaller one is a plunge, however small its pitch
 
 
-class Bore(BaseModel):
-    """Parameters of a helical bore, named as in a job file.
-
-    diameter_mm: 0 takes each circle's own. pitch_mm: the fall of one turn, at most; less where the inner helix would be
-    steeper than the tool's ramp_max_deg. stepover_mm: between helices, 0 is 0.4 of the tool's diameter.
-    finish_stepover_mm: what the last helix takes off the wall, 0 is none of its own.
-    """
+class Bore(BoreParameters, BaseModel):
+    """A helical bore that can be cut."""
 
     model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False, arbitrary_types_allowed=True)
 
-    cycle: Literal["bore"] = "bore"
-    tool: ToolReference
     pattern: Pattern
-    offset_mm: tuple[Coordinate, Coordinate] = (0.0, 0.0)
-    diameter_mm: LengthOr0 = 0.0
-    depth_mm: Depth
-    through_mm: DepthOr0 = 0.0
-    pitch_mm: Width
-    stepover_mm: WidthOr0 = 0.0
-    finish_stepover_mm: WidthOr0 = 0.0
-    finish_feed_mm_min: FeedOr0 = 0.0
-    direction: Literal["climb", "conventional"] = "climb"
-    order: Order = "short"
 
     def cut(self, setup: Setup, table: TableBuilder) -> Answer:
         """Append the bores to `table`; raises CycleError before any row when they cannot be cut."""

@@ -10,48 +10,31 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Literal
-
 from pydantic import BaseModel, ConfigDict
 from shapely import Polygon
 
 from CNCStepper.canned_drilling import OWN_WORD, Canned
 from CNCStepper.cycles.cycle import Answer, Removal, Setup
 from CNCStepper.cycles.holes.hole_cycle import cut_canned, discs
-from CNCStepper.cycles.holes.hole_patterns import Order, Pattern, placed
+from CNCStepper.cycles.holes.hole_parameters import DrillParameters
+from CNCStepper.cycles.holes.hole_patterns import Pattern, placed
 from CNCStepper.cycles.moves import Point, require_feed
 from CNCStepper.cycles.passes import require_few_blocks
 from CNCStepper.errors import CycleError
 from CNCStepper.machine.tools.tool import Tool
 from CNCStepper.machine.tools.tool_point import Cone, cone_of
-from CNCStepper.quantities import Bounds, Coordinate, Depth, DepthOr0, ToolReference
 from CNCStepper.toolpath import TableBuilder
 
 SHAPES = ("drill", "flat", "v", "engraver")
 STEPS = 8  # that stand for the cone of a point
 
 
-class Drill(BaseModel):
-    """Parameters of drilling, named as in a job file.
-
-    style: the canned cycle; peck_mm belongs to G83 and G73, dwell_s to G82. retract: the height of the rapids between
-    holes, "clearance" (G98) or "retract" (G99). order: "short" rapids or the pattern's own.
-    """
+class Drill(DrillParameters, BaseModel):
+    """Drilling that can be cut."""
 
     model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False, arbitrary_types_allowed=True)
 
-    cycle: Literal["drill"] = "drill"
-    tool: ToolReference
     pattern: Pattern
-    offset_mm: tuple[Coordinate, Coordinate] = (0.0, 0.0)
-    depth_mm: Depth
-    tip: Literal["tip", "diameter"] = "tip"
-    through_mm: DepthOr0 = 0.0
-    style: Literal["G81", "G82", "G83", "G73"] = "G81"
-    peck_mm: DepthOr0 = 0.0
-    dwell_s: Annotated[float, Bounds("time", most=600.0, zero=True)] = 0.0
-    retract: Literal["clearance", "retract"] = "clearance"
-    order: Order = "short"
 
     def cut(self, setup: Setup, table: TableBuilder) -> Answer:
         """Append the holes to `table`; raises CycleError before any row when they cannot be drilled."""

@@ -18,18 +18,23 @@ from typing import Annotated, Literal, NamedTuple
 import numpy as np
 from pydantic import BaseModel, ConfigDict, Field
 
+from CNCStepper.cycles.holes.hole_parameters import (
+    MOST_HOLES,
+    ArcParameters,
+    BoltCircleParameters,
+    GridParameters,
+    LineParameters,
+    Order,
+    Point,
+    PointsParameters,
+)
 from CNCStepper.cycles.parameter_types import CurveField
 from CNCStepper.errors import CycleError
 from CNCStepper.geometry.curve import Curve
 from CNCStepper.geometry.cut_order.cut_order import Stop, ordered
-from CNCStepper.quantities import Angle, Bounds, Coordinate, Length
 
-MOST_HOLES = 5_000
 SAME_PLACE_MM = 0.001
 ROUND_MM = 0.001  # by which a drawn circle may be off a circle
-Point = tuple[Coordinate, Coordinate]
-Count = Annotated[int, Bounds("count", most=MOST_HOLES)]
-Order = Literal["short", "given"]
 
 
 class Hole(NamedTuple):
@@ -44,10 +49,9 @@ class _Pattern(BaseModel):
     model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False, arbitrary_types_allowed=True)
 
 
-class Points(_Pattern):
+class Points(PointsParameters, _Pattern):
     """Holes at given points."""
 
-    kind: Literal["points"]
     points_mm: tuple[Point, ...] = Field(min_length=1, max_length=MOST_HOLES)
 
     def holes(self) -> list[Hole]:
@@ -55,27 +59,16 @@ class Points(_Pattern):
         return [Hole(x, y) for x, y in self.points_mm]
 
 
-class Line(_Pattern):
+class Line(LineParameters, _Pattern):
     """Holes evenly spaced from `start_mm` to `end_mm`, both included."""
-
-    kind: Literal["line"]
-    start_mm: Point
-    end_mm: Point
-    count: Count
 
     def holes(self) -> list[Hole]:
         """Return the holes from the start on."""
         return [Hole(x, y) for x, y in np.linspace(self.start_mm, self.end_mm, self.count).tolist()]
 
 
-class Grid(_Pattern):
+class Grid(GridParameters, _Pattern):
     """Rows along X and columns along Y from `origin_mm`, the grid turned about it counter-clockwise."""
-
-    kind: Literal["grid"]
-    origin_mm: Point
-    spacing_mm: Point
-    count: tuple[Count, Count]
-    rotation_deg: Angle = 0.0
 
     def holes(self) -> list[Hole]:
         """Return the holes row by row."""
@@ -88,14 +81,8 @@ class Grid(_Pattern):
         return [Hole(x + u * cos - v * sin, y + u * sin + v * cos) for u, v in steps]
 
 
-class BoltCircle(_Pattern):
+class BoltCircle(BoltCircleParameters, _Pattern):
     """Holes evenly spaced all round a circle, counter-clockwise from `start_deg`."""
-
-    kind: Literal["bolt_circle"]
-    centre_mm: Point
-    radius_mm: Length
-    count: Count
-    start_deg: Angle = 0.0
 
     def holes(self) -> list[Hole]:
         """Return the holes from the start on."""
@@ -103,15 +90,8 @@ class BoltCircle(_Pattern):
         return _around(self.centre_mm, self.radius_mm, self.start_deg + turns)
 
 
-class Arc(_Pattern):
+class Arc(ArcParameters, _Pattern):
     """Holes evenly spaced on an arc from `start_deg` to `end_deg`, both included; counter-clockwise if it is larger."""
-
-    kind: Literal["arc"]
-    centre_mm: Point
-    radius_mm: Length
-    start_deg: Angle
-    end_deg: Angle
-    count: Count
 
     def holes(self) -> list[Hole]:
         """Return the holes from the start on."""

@@ -17,7 +17,6 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Annotated, Literal
 
 import numpy as np
 from pydantic import BaseModel, ConfigDict
@@ -25,13 +24,13 @@ from shapely import Polygon
 
 from CNCStepper.cycles.cycle import Answer, Removal, Setup
 from CNCStepper.cycles.holes.hole_cycle import rings, widened
-from CNCStepper.cycles.holes.hole_patterns import Hole, Order, Pattern, placed
+from CNCStepper.cycles.holes.hole_parameters import ThreadParameters
+from CNCStepper.cycles.holes.hole_patterns import Hole, Pattern, placed
 from CNCStepper.cycles.moves import Moves, require_setup
 from CNCStepper.cycles.passes import require_few_blocks, whole_steps
 from CNCStepper.errors import CycleError
 from CNCStepper.geometry.curve import Curve
 from CNCStepper.machine.tools.tool_point import cone_of
-from CNCStepper.quantities import Bounds, Coordinate, Depth, ToolReference, Width, WidthOr0
 from CNCStepper.toolpath import TableBuilder
 
 SHAPES = ("flat", "v", "engraver")
@@ -41,28 +40,12 @@ CLEAR_MM = 0.5  # between the tool and the boss where the way in begins
 ROUNDING_MM = 1e-9  # farther than this from where its half circle begins, the tool goes there first
 
 
-class Thread(BaseModel):
-    """Parameters of thread milling, named as in a job file; the tool counts as its largest disc.
-
-    major_diameter_mm: 0 takes each circle's own. minor_diameter_mm: 0 is that of a metric thread. passes: radially, in
-    equal steps from the drilled hole (or the boss) to the thread's full depth.
-    """
+class Thread(ThreadParameters, BaseModel):
+    """Thread milling that can be cut."""
 
     model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False, arbitrary_types_allowed=True)
 
-    cycle: Literal["thread"] = "thread"
-    tool: ToolReference
     pattern: Pattern
-    offset_mm: tuple[Coordinate, Coordinate] = (0.0, 0.0)
-    major_diameter_mm: WidthOr0 = 0.0
-    minor_diameter_mm: WidthOr0 = 0.0
-    pitch_mm: Width
-    depth_mm: Depth
-    side: Literal["inside", "outside"] = "inside"
-    hand: Literal["right", "left"] = "right"
-    passes: Annotated[int, Bounds("count", most=100)] = 1
-    direction: Literal["climb", "conventional"] = "climb"
-    order: Order = "short"
 
     @property
     def inside(self) -> bool:

@@ -13,7 +13,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from itertools import accumulate
-from typing import Literal
 
 from pydantic import BaseModel, ConfigDict
 
@@ -25,47 +24,19 @@ from CNCStepper.cycles.clearing.region_stages import Ways, parts_of
 from CNCStepper.cycles.cycle import Answer, Setup
 from CNCStepper.cycles.moves import require_setup
 from CNCStepper.cycles.passes import whole_passes
+from CNCStepper.cycles.pockets.pocket_parameters import AreaParameters
 from CNCStepper.cycles.tool_requirements import require_flat, require_stepover
 from CNCStepper.errors import CycleError
 from CNCStepper.geometry.curve import Curve
 from CNCStepper.geometry.region import Region
 from CNCStepper.machine.tools.tool import Tool
-from CNCStepper.quantities import (
-    Coordinate,
-    CutTolerance,
-    Depth,
-    DepthOr0,
-    EntryAngle,
-    FeedOr0,
-    ToolReference,
-    Width,
-    WidthOr0,
-)
 from CNCStepper.toolpath import TableBuilder
 
 
-class AreaCycle(BaseModel):
-    """The keys of every cycle that clears an area, named as in a job file.
-
-    depth_mm is ap_total, stepdown_mm ap, stepover_mm ae, finish_stepdown_mm ap_acab and finish_stepover_mm ae_acab:
-    what the pass along the wall takes, 0 for none. offset_mm moves the drawn curves.
-    """
+class AreaCycle(AreaParameters, BaseModel):
+    """A cycle that clears an area."""
 
     model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False, arbitrary_types_allowed=True)
-
-    tool: ToolReference
-    depth_mm: Depth
-    stepdown_mm: Depth
-    stepover_mm: Width
-    finish_stepdown_mm: DepthOr0 = 0.0
-    finish_stepover_mm: WidthOr0 = 0.0
-    finish_feed_mm_min: FeedOr0 = 0.0
-    stock_to_leave_mm: WidthOr0 = 0.0
-    entry: Literal["helix", "ramp", "plunge"] = "helix"
-    entry_angle_deg: EntryAngle = 3.0
-    direction: Literal["climb", "conventional"] = "climb"
-    tolerance_mm: CutTolerance = 0.01
-    offset_mm: tuple[Coordinate, Coordinate] = (0.0, 0.0)
 
     def _clear(
         self,

@@ -16,7 +16,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from itertools import accumulate
-from typing import Annotated, Literal
 
 from pydantic import BaseModel, ConfigDict
 from shapely import Polygon
@@ -34,58 +33,20 @@ from CNCStepper.cycles.pockets.elliptical_rings import (
     similar_way,
 )
 from CNCStepper.cycles.pockets.pocket_entry import Entry, entry_of
+from CNCStepper.cycles.pockets.pocket_parameters import EllipticalPocketParameters
 from CNCStepper.cycles.tool_requirements import require_flat, require_stepover
 from CNCStepper.errors import CycleError
 from CNCStepper.geometry.curve import Curve
 from CNCStepper.geometry.shapes.ellipse import Ellipse
-from CNCStepper.quantities import (
-    Angle,
-    Bounds,
-    Coordinate,
-    CutTolerance,
-    Depth,
-    DepthOr0,
-    EntryAngle,
-    FeedOr0,
-    Length,
-    ToolReference,
-    Width,
-    WidthOr0,
-)
 from CNCStepper.toolpath import TableBuilder
 
 FINE = 256  # segments a quarter: the edge of the reachable region is exact to 0.0001 mm
 
 
-class EllipticalPocket(BaseModel):
-    """Parameters of the elliptical pocket, named as in a job file.
-
-    depth_mm is ap_total, stepdown_mm ap, stepover_mm ae, finish_stepdown_mm ap_acab and
-    finish_stepover_mm ae_acab; rotation_deg turns the ellipse counter-clockwise about its centre. stock_to_leave_mm
-    stays on the wall all round.
-    """
+class EllipticalPocket(EllipticalPocketParameters, BaseModel):
+    """An elliptical pocket that can be cut."""
 
     model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
-
-    cycle: Literal["elliptical_pocket"] = "elliptical_pocket"
-    tool: ToolReference
-    centre_mm: tuple[Coordinate, Coordinate] = (0.0, 0.0)
-    radius_x_mm: Length
-    radius_y_mm: Length
-    rotation_deg: Angle = 0.0
-    depth_mm: Depth
-    stepdown_mm: Depth
-    stepover_mm: Width
-    finish_stepdown_mm: DepthOr0 = 0.0
-    finish_stepover_mm: WidthOr0 = 0.0
-    finish_feed_mm_min: FeedOr0 = 0.0
-    stock_to_leave_mm: WidthOr0 = 0.0
-    method: Literal["tolerance", "dda"] = "tolerance"
-    tolerance_mm: CutTolerance = 0.01
-    resolution_mm: Annotated[float, Bounds("tolerance", 0.001)] = 0.05
-    entry: Literal["helix", "ramp", "plunge"] = "helix"
-    entry_angle_deg: EntryAngle = 3.0
-    direction: Literal["climb", "conventional"] = "climb"
 
     def cut(self, setup: Setup, table: TableBuilder) -> Answer:
         """Append the pocket to `table`; raises CycleError before any row when it cannot be cut safely."""

@@ -5,7 +5,6 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import partial
-from typing import Annotated, Literal
 
 from pydantic import Field
 
@@ -17,10 +16,10 @@ from CNCStepper.cycles.clearing.zigzag_pattern import zigzag
 from CNCStepper.cycles.cycle import Answer, Setup
 from CNCStepper.cycles.parameter_types import CurveField
 from CNCStepper.cycles.pockets.area_cycle import AreaCycle
-from CNCStepper.quantities import MOST_ITEMS, Bounds, Turn
+from CNCStepper.cycles.pockets.pocket_parameters import PatternName, PatternParameters, PocketParameters
+from CNCStepper.quantities import MOST_ITEMS
 from CNCStepper.toolpath import TableBuilder
 
-PatternName = Literal["offset", "zigzag", "spiral", "engagement"]
 PATTERNS: dict[PatternName, Callable[[PocketCycle], Pattern]] = {
     "offset": lambda pocket: offset,
     "zigzag": lambda pocket: partial(zigzag, angle_deg=pocket.angle_deg),
@@ -29,21 +28,13 @@ PATTERNS: dict[PatternName, Callable[[PocketCycle], Pattern]] = {
 }
 
 
-class PocketCycle(AreaCycle):
-    """The keys of every pocket that a pattern clears.
-
-    angle_deg: of the rows of the pattern "zigzag". engagement_max_deg: of the pattern "engagement".
-    """
-
-    pattern: PatternName = "offset"
-    angle_deg: Turn = 0.0
-    engagement_max_deg: Annotated[float, Bounds("angle", 20.0, 180.0)] = 60.0
+class PocketCycle(PatternParameters, AreaCycle):
+    """A pocket that a pattern clears."""
 
 
-class Pocket(PocketCycle):
-    """Parameters of the pocket, named as in a job file: what lies in any outline and in no island is cut."""
+class Pocket(PocketParameters, PocketCycle):
+    """A pocket that can be cut: what lies in any outline and in no island."""
 
-    cycle: Literal["pocket"] = "pocket"
     outlines: tuple[CurveField, ...] = Field(min_length=1, max_length=MOST_ITEMS["areas"])
     islands: tuple[CurveField, ...] = Field(default=(), max_length=MOST_ITEMS["areas"])
 

@@ -8,24 +8,16 @@ A-----------+
 
 from __future__ import annotations
 
-from typing import Literal
-
 from CNCStepper.cycles.cycle import Answer, Setup
+from CNCStepper.cycles.pockets.pocket_parameters import RectangularPocketParameters
 from CNCStepper.cycles.pockets.shaped_pocket import ShapedPocket
 from CNCStepper.geometry.curve import Curve
 from CNCStepper.geometry.shapes.rectangle import rectangle
-from CNCStepper.quantities import Coordinate, LengthOr0, Turn
 from CNCStepper.toolpath import TableBuilder
 
 
-class RectangularPocket(ShapedPocket):
-    """Parameters of the rectangular pocket, named as in a job file; the corners are those before it is rotated."""
-
-    cycle: Literal["rectangular_pocket"] = "rectangular_pocket"
-    corner_a_mm: tuple[Coordinate, Coordinate]
-    corner_b_mm: tuple[Coordinate, Coordinate]
-    corner_radius_mm: LengthOr0 = 0.0
-    rotation_deg: Turn = 0.0
+class RectangularPocket(RectangularPocketParameters, ShapedPocket):
+    """A rectangular pocket that can be cut."""
 
     def outline(self) -> Curve:
         """Return the rectangle, turned about its first corner; `offset_mm` moves it further."""

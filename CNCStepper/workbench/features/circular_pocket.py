@@ -3,20 +3,17 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
+from CNCStepper.cycles.pockets.pocket_parameters import CIRCLE, CircularPocketParameters
 from CNCStepper.errors import GeometryError
-from CNCStepper.workbench.features.base import DISTANCE, POSITION, Property, edit
-from CNCStepper.workbench.features.common import ANY_POCKET, PATTERN
+from CNCStepper.workbench.features.base import edit
 from CNCStepper.workbench.features.operation import OPERATION, Operation, drawn, the_drawing
+from CNCStepper.workbench.features.parameters import PASSES, REST, properties_of
 from CNCStepper.workbench.services.translation import later
 
 if TYPE_CHECKING:
     from CNCStepper.workbench.drawings.ellipses import EllipseFound
-
-CIRCLE = later("Circle")
-SPIRALLING = tuple(replace(entry, default="spiral") if entry is PATTERN else entry for entry in ANY_POCKET)
 
 
 class CircularPocket(Operation):
@@ -29,11 +26,10 @@ class CircularPocket(Operation):
     PROPERTIES = (
         *OPERATION,
         *drawn(CIRCLE, later("A sketch or wire that holds one circle; without it the numbers count")),
-        Property("centre_mm", "Centre", POSITION, CIRCLE, later("Centre"), later("The centre, from the work zero"),
-                 (0.0, 0.0), plane=True),
-        Property("radius_mm", "Radius", DISTANCE, CIRCLE, later("Radius"), later("Half the width of the pocket"), 20.0),
-        *SPIRALLING,
-    )  # fmt: skip
+        *properties_of(CircularPocketParameters),
+        *PASSES,
+        *REST,
+    )
 
     @classmethod
     def look(cls, drawing: Any, picked: tuple[str, ...]) -> None:

@@ -5,21 +5,11 @@ from __future__ import annotations
 
 from typing import Any
 
-from CNCStepper.workbench.features.base import ANGLE, DISTANCE, ENUMERATION, POSITION, Property, edit
-from CNCStepper.workbench.features.common import (
-    AREA_CUT,
-    ENTRY,
-    FINISHING,
-    PASSES,
-    PATH,
-    RESULT,
-    STOCK_TO_LEAVE,
-    TOLERANCE,
-)
+from CNCStepper.cycles.pockets.pocket_parameters import ELLIPSE, EllipticalPocketParameters
+from CNCStepper.workbench.features.base import DISTANCE, Property, edit
 from CNCStepper.workbench.features.operation import OPERATION, Operation, drawn, the_drawing
+from CNCStepper.workbench.features.parameters import PASSES, RESULT, properties_of
 from CNCStepper.workbench.services.translation import later
-
-ELLIPSE = later("Ellipse")
 
 
 class EllipticalPocket(Operation):
@@ -32,24 +22,7 @@ class EllipticalPocket(Operation):
     PROPERTIES = (
         *OPERATION,
         *drawn(ELLIPSE, later("A sketch or wire that holds one ellipse; without it the numbers count")),
-        Property("centre_mm", "Centre", POSITION, ELLIPSE, later("Centre"), later("The centre, from the work zero"),
-                 (0.0, 0.0), plane=True),
-        Property("radius_x_mm", "RadiusX", DISTANCE, ELLIPSE, later("Radius x"),
-                 later("Half the width along the ellipse's first axis"), 40.0),
-        Property("radius_y_mm", "RadiusY", DISTANCE, ELLIPSE, later("Radius y"),
-                 later("Half the width along its second axis"), 25.0),
-        Property("rotation_deg", "Rotation", ANGLE, ELLIPSE, later("Rotation"),
-                 later("From X to the ellipse's first axis"), 0.0),
-        *AREA_CUT,
-        *FINISHING,
-        STOCK_TO_LEAVE,
-        Property("method", "Method", ENUMERATION, PATH, later("Method"),
-                 later("Arcs within a tolerance, or the published points"), "tolerance",
-                 choices=("tolerance", "dda")),
-        TOLERANCE,
-        Property("resolution_mm", "Resolution", DISTANCE, PATH, later("Resolution"),
-                 later("The step of the published method"), 0.05, only=("method", ("dda",))),
-        *ENTRY,
+        *properties_of(EllipticalPocketParameters),
         *PASSES,
         Property("unreachable_mm", "Unreachable", DISTANCE, RESULT, later("Unreachable"),
                  later("What the round tool must leave at the ends of the long axis"), 0.0, output=True),

@@ -5,12 +5,11 @@ from __future__ import annotations
 
 from typing import Any
 
-from CNCStepper.workbench.features.base import DISTANCE, ENUMERATION, Property, values
-from CNCStepper.workbench.features.common import CUT, LEVELS, RESULT
+from CNCStepper.cycles.contours.contour_parameters import LINES, EngraveParameters
+from CNCStepper.workbench.features.base import DISTANCE, Property, values
 from CNCStepper.workbench.features.operation import OPERATION, Operation, drawn, drawn_lines
+from CNCStepper.workbench.features.parameters import LEVELS, RESULT, properties_of
 from CNCStepper.workbench.services.translation import later
-
-LINES = later("Lines")
 
 
 class Engrave(Operation):
@@ -21,16 +20,7 @@ class Engrave(Operation):
     PROPERTIES = (
         *OPERATION,
         *drawn(LINES, later("The sketch, wire, B-spline or freehand line to follow")),
-        Property("tolerance_mm", "Tolerance", DISTANCE, LINES, later("Tolerance"),
-                 later("How far the path may be off an ellipse or a B-spline; lines and arcs are exact"), 0.01),
-        Property("simplify_mm", "Simplify", DISTANCE, LINES, later("Simplify"),
-                 later("How far the cut line may leave the drawn one, to be of fewer moves; 0: not at all"), 0.0),
-        Property("order", "Order", ENUMERATION, LINES, later("Order"), later("The order in which the lines are cut"),
-                 "drawn", choices=("drawn", "short")),
-        Property("depth_mm", "Depth", DISTANCE, CUT, later("Depth"),
-                 later("The depth below the top of the stock"), 1.0),
-        Property("stepdown_mm", "Stepdown", DISTANCE, CUT, later("Stepdown ap"),
-                 later("The depth of one pass at most; 0: all at once"), 0.0),
+        *properties_of(EngraveParameters),
         *LEVELS,
         Property("length_mm", "LineLength", DISTANCE, RESULT, later("Line length"),
                  later("The length of all lines"), 0.0, output=True),

@@ -3,28 +3,13 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from typing import Any
 
-from CNCStepper.workbench.features.base import DISTANCE, Property, values
-from CNCStepper.workbench.features.common import (
-    DEPTH,
-    DIRECTION,
-    ENTRY,
-    FINISH_FEED,
-    FINISH_STEPDOWN,
-    PASSES,
-    PATH,
-    PATTERN,
-    PATTERN_VALUES,
-    STEPDOWN,
-    STEPOVER,
-    TOLERANCE,
-)
+from CNCStepper.cycles.facing.face_parameters import FaceParameters
+from CNCStepper.workbench.features.base import values
 from CNCStepper.workbench.features.operation import OPERATION, Operation, drawings_of, drawn, drawn_lines
+from CNCStepper.workbench.features.parameters import PASSES, properties_of
 from CNCStepper.workbench.services.translation import later
-
-ANGLED = PATTERN_VALUES[0]
 
 
 class Face(Operation):
@@ -37,20 +22,9 @@ class Face(Operation):
     PROPERTIES = (
         *OPERATION,
         *drawn(later("Region"), later("Closed lines round what is faced; without it the whole stock")),
-        DEPTH,
-        STEPDOWN,
-        STEPOVER,
-        replace(PATTERN, default="zigzag", choices=("zigzag", "oneway", "spiral")),
-        ANGLED,
-        DIRECTION,
-        replace(FINISH_STEPDOWN, default=0.0),
-        replace(FINISH_FEED, text=later("The feed of the last pass; 0: the tool's own feed")),
-        Property("overhang_mm", "Overhang", DISTANCE, PATH, later("Overhang"),
-                 later("How far the tool's rim runs over the edge"), 1.0),
-        TOLERANCE,
-        *ENTRY,
+        *properties_of(FaceParameters),
         *PASSES,
-    )  # fmt: skip
+    )
 
     def cycle_values(self, obj: Any, origin_mm: tuple[float, ...]) -> dict[str, Any]:
         """Return the parameters, and the drawings' outermost closed curves where there are some."""

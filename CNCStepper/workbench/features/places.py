@@ -3,64 +3,43 @@
 
 from __future__ import annotations
 
+from collections import defaultdict
+from dataclasses import replace
+from itertools import chain
 from typing import Any
 
+from CNCStepper.cycles.holes.hole_parameters import PATTERNS, PLACES
+from CNCStepper.cycles.parameter import declared
 from CNCStepper.errors import CycleError
-from CNCStepper.workbench.features.base import (
-    ANGLE,
-    DISTANCE,
-    ENUMERATION,
-    INTEGER,
-    POINTS,
-    POSITION,
-    Property,
-    values,
-)
-from CNCStepper.workbench.features.common import CUT, PATH
+from CNCStepper.workbench.features.base import ENUMERATION, INTEGER, Property, values
 from CNCStepper.workbench.features.operation import Operation, drawings_of, drawn
+from CNCStepper.workbench.features.parameters import property_of
 from CNCStepper.workbench.services.translation import later
 
-PLACES = later("Places")
 DRAWN = "drawing"
 KIND = "pattern_kind"
-ROUND, COUNTED = (KIND, ("bolt_circle", "arc")), (KIND, ("bolt_circle", "arc", "line"))
+ORDER = ("points_mm", "centre_mm", "radius_mm", "start_mm", "end_mm", "count", "start_deg", "end_deg", "origin_mm",
+         "spacing_mm", "columns", "rows", "rotation_deg")  # fmt: skip
+
+
+def pattern_properties() -> dict[str, Property]:
+    """Return a property for each key of the patterns, which counts with the kinds that have that key."""
+    found: dict[str, Property] = {}
+    kinds: defaultdict[str, tuple[str, ...]] = defaultdict(tuple)
+    for kind, *fields in map(declared, PATTERNS):
+        for row in chain.from_iterable(field.rows for field in fields):
+            kinds[row.key] += kind.choices
+            found[row.key] = replace(property_of(row, "pattern_", "place_"), only=(KIND, kinds[row.key]))
+    return found
+
 
 PATTERN = (
     Property(KIND, "Places", ENUMERATION, PLACES, later("Places"), later("Where the holes stand"), "bolt_circle",
-             choices=(DRAWN, "bolt_circle", "grid", "line", "arc", "points")),
+             choices=(DRAWN, *(choice for pattern in PATTERNS for choice in declared(pattern)[0].choices))),
     *drawn(PLACES, later("The circles and points of sketches, or the circular edges of solids"),
            only=(KIND, (DRAWN,))),
-    Property("pattern_points_mm", "PlacePoints", POINTS, PLACES, later("Points"), later("One hole at each point"),
-             ((0.0, 0.0, 0.0),), only=(KIND, ("points",)), plane=True),
-    Property("pattern_centre_mm", "PlaceCentre", POSITION, PLACES, later("Centre"),
-             later("The middle of the circle, from the work zero"), (0.0, 0.0), only=ROUND, plane=True),
-    Property("pattern_radius_mm", "PlaceRadius", DISTANCE, PLACES, later("Radius"),
-             later("From the middle of the circle to the holes"), 20.0, only=ROUND),
-    Property("pattern_start_mm", "PlaceStart", POSITION, PLACES, later("First hole"),
-             later("Where the row begins, from the work zero"), (-30.0, 0.0), only=(KIND, ("line",)), plane=True),
-    Property("pattern_end_mm", "PlaceEnd", POSITION, PLACES, later("Last hole"), later("Where the row ends"),
-             (30.0, 0.0), only=(KIND, ("line",)), plane=True),
-    Property("pattern_count", "PlaceCount", INTEGER, PLACES, later("Count"), later("How many holes"), 6, only=COUNTED),
-    Property("pattern_start_deg", "PlaceStartAngle", ANGLE, PLACES, later("Start angle"),
-             later("From X to the first hole, counter-clockwise"), 0.0, only=ROUND),
-    Property("pattern_end_deg", "PlaceEndAngle", ANGLE, PLACES, later("End angle"), later("From X to the last hole"),
-             90.0, only=(KIND, ("arc",))),
-    Property("pattern_origin_mm", "PlaceOrigin", POSITION, PLACES, later("First hole"),
-             later("The corner where the grid begins, from the work zero"), (-30.0, -20.0), only=(KIND, ("grid",)),
-             plane=True),
-    Property("pattern_spacing_mm", "PlaceSpacing", POSITION, PLACES, later("Spacing"),
-             later("From hole to hole along X and along Y"), (20.0, 20.0), only=(KIND, ("grid",)), plane=True),
-    Property("pattern_columns", "PlaceColumns", INTEGER, PLACES, later("Columns"), later("How many holes along X"), 4,
-             only=(KIND, ("grid",))),
-    Property("pattern_rows", "PlaceRows", INTEGER, PLACES, later("Rows"), later("How many holes along Y"), 3,
-             only=(KIND, ("grid",))),
-    Property("pattern_rotation_deg", "PlaceRotation", ANGLE, PLACES, later("Rotation"),
-             later("Of the grid about its first hole"), 0.0, only=(KIND, ("grid",))),
+    *map(pattern_properties().__getitem__, ORDER),
 )  # fmt: skip
-THROUGH = Property("through_mm", "Through", DISTANCE, CUT, later("Beyond"),
-                   later("How much deeper the tool goes, to come out below"), 0.0)  # fmt: skip
-ORDER = Property("order", "Order", ENUMERATION, PATH, later("Order"),
-                 later("The order in which the holes are made"), "short", choices=("short", "given"))  # fmt: skip
 HOLES = Property("holes", "Holes", INTEGER, later("Figures"), later("Holes"), later("How many holes are made"), 0,
                  output=True)  # fmt: skip
 

@@ -5,9 +5,10 @@ from __future__ import annotations
 
 from typing import Any
 
+from CNCStepper.cycles.pockets.pocket_parameters import PocketParameters
 from CNCStepper.workbench.features.base import values
-from CNCStepper.workbench.features.common import ANY_POCKET
 from CNCStepper.workbench.features.operation import OPERATION, Operation, drawn, drawn_lines
+from CNCStepper.workbench.features.parameters import PASSES, REST, properties_of
 from CNCStepper.workbench.services.translation import later
 
 
@@ -20,7 +21,9 @@ class Pocket(Operation):
     PROPERTIES = (
         *OPERATION,
         *drawn(later("Region"), later("A sketch, wires or faces: closed lines, those inside are islands")),
-        *ANY_POCKET,
+        *properties_of(PocketParameters),
+        *PASSES,
+        *REST,
     )
 
     def cycle_values(self, obj: Any, origin_mm: tuple[float, ...]) -> dict[str, Any]:

@@ -5,12 +5,11 @@ from __future__ import annotations
 
 from typing import Any
 
-from CNCStepper.workbench.features.base import ANGLE, DISTANCE, POSITION, Property, edit
-from CNCStepper.workbench.features.common import ANY_POCKET
+from CNCStepper.cycles.pockets.pocket_parameters import RECTANGLE, RectangularPocketParameters
+from CNCStepper.workbench.features.base import edit
 from CNCStepper.workbench.features.operation import OPERATION, Operation, drawn, the_drawing
+from CNCStepper.workbench.features.parameters import PASSES, REST, properties_of
 from CNCStepper.workbench.services.translation import later
-
-RECTANGLE = later("Rectangle")
 
 
 class RectangularPocket(Operation):
@@ -23,16 +22,10 @@ class RectangularPocket(Operation):
     PROPERTIES = (
         *OPERATION,
         *drawn(RECTANGLE, later("A sketch or wire that holds one rectangle; without it the numbers count")),
-        Property("corner_a_mm", "CornerA", POSITION, RECTANGLE, later("First corner"),
-                 later("One end of the diagonal, from the work zero"), (-30.0, -20.0), plane=True),
-        Property("corner_b_mm", "CornerB", POSITION, RECTANGLE, later("Other corner"),
-                 later("The other end of the diagonal, before the rectangle is rotated"), (30.0, 20.0), plane=True),
-        Property("corner_radius_mm", "CornerRadius", DISTANCE, RECTANGLE, later("Corner radius"),
-                 later("Of the corners seen from above; 0: as round as the tool"), 0.0),
-        Property("rotation_deg", "Rotation", ANGLE, RECTANGLE, later("Rotation"),
-                 later("About the first corner, counter-clockwise"), 0.0),
-        *ANY_POCKET,
-    )  # fmt: skip
+        *properties_of(RectangularPocketParameters),
+        *PASSES,
+        *REST,
+    )
 
     @classmethod
     def look(cls, drawing: Any, picked: tuple[str, ...]) -> None:

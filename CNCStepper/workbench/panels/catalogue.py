@@ -5,9 +5,8 @@ from __future__ import annotations
 
 from typing import Any
 
+from CNCStepper.cycles.parameter import FINISH, LEADS, PATH, TABS
 from CNCStepper.workbench.features.base import JOB, proxy_type
-from CNCStepper.workbench.features.common import FINISH, PATH
-from CNCStepper.workbench.features.contour import LEADS, TABS
 from CNCStepper.workbench.features.operation import Operation
 from CNCStepper.workbench.features.tool import FORM, LIMITS
 from CNCStepper.workbench.panels.drawing_fields import DrawingField, DrawingsField

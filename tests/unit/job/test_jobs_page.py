@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The page on job files tells the truth: its pieces are one job, and its tables name what there is."""
+"""The page on job files is true: its pieces are one job, and its tables are what the cycles declare."""
 
 from __future__ import annotations
 
+import importlib.util
 import re
 from pathlib import Path
 
@@ -13,7 +14,9 @@ from CNCStepper.job.make import make_program
 from CNCStepper.job.model import load_job
 from CNCStepper.job.prove import prove_job
 
-PAGE = (Path(__file__).parents[3] / "docs" / "reference" / "job-file.md").read_text("utf-8")
+ROOT = Path(__file__).parents[3]
+PAGE = (ROOT / "docs" / "reference" / "job-file.md").read_text("utf-8")
+TOOL = ROOT / "tools" / "reference.py"
 
 
 def job_file(folder: Path) -> Path:
@@ -35,12 +38,19 @@ def test_the_job_is_proven_without_an_error(tmp_path: Path) -> None:
     assert not proof.refused, [str(finding) for finding in proof.findings]
 
 
-def test_every_cycle_and_its_keys_are_those_that_there_are() -> None:
-    told = {}
-    for row in re.findall(r"^\| `(\w+)` \|(.*)\|$", PAGE.partition("| cycle |")[2], re.MULTILINE):
-        if row[0] in CYCLES:
-            told[row[0]] = set(re.findall(r"`(\w+)`", row[1]))
-    assert set(told) == set(CYCLES)
-    values = {"zigzag", "oneway", "spiral", "pocket", "region"}
-    for cycle, keys in told.items():
-        assert keys - values <= set(CYCLES[cycle].model_fields), cycle
+def test_the_tables_of_the_cycles_are_those_of_the_code() -> None:
+    spec = importlib.util.spec_from_file_location("reference", TOOL)
+    assert spec is not None and spec.loader is not None
+    tool = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(tool)
+    assert tool.page(PAGE) == PAGE, "run 'python tools/reference.py'"
+
+
+@pytest.mark.parametrize("cycle", CYCLES)
+def test_every_key_of_every_cycle_is_declared_with_its_help(cycle: str) -> None:
+    told = PAGE.partition(f"### `{cycle}`\n")[2].partition("\n### ")[0]
+    if "those of `pocket`" in told:
+        told += PAGE.partition("### `pocket`\n")[2].partition("\n### ")[0]
+    keys = {key.partition(".")[0] for key in re.findall(r"^\| `([\w.]+)` \|", told, re.MULTILINE)}
+    shapes = {"outlines", "islands", "curves", *(["pattern"] if "`pattern.circles`" in told else [])}
+    assert keys == set(CYCLES[cycle].model_fields) - shapes - {"cycle", "tool"}
