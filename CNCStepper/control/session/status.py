@@ -9,6 +9,7 @@ from typing import Any
 from CNCStepper import errors
 from CNCStepper.control.protocol.grbl.report import Vector
 from CNCStepper.errors import CNCStepperError, LinkError, Place
+from CNCStepper.text_json import restored, with_texts
 
 TUPLES = ("mpos_mm", "wpos_mm", "overrides", "buffer")
 DONE, STOPPED, REFUSED, FAILED = "done", "stopped", "refused", "failed"
@@ -155,15 +156,16 @@ class Outcome:
 
 
 def error_to_json(error: CNCStepperError) -> dict[str, Any]:
-    """Return an error of ours as plain values."""
+    """Return an error of ours as plain values, with the templates of its texts."""
     place = asdict(error.place) if error.place else None
     words = {name: getattr(error, name) for name in WORDS}
-    return {"type": type(error).__name__, "place": place, **words}
+    return with_texts({"type": type(error).__name__, "place": place, **words})
 
 
 def error_from_json(content: dict[str, Any]) -> CNCStepperError:
     """Return the error of `error_to_json`, of the same class; raises ValueError for what is none."""
     try:
+        content = restored(content)
         kind = getattr(errors, content["type"], None)
         place = Place(**content["place"]) if content["place"] else None
         words = [content[name] for name in WORDS]
