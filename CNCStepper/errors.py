@@ -62,6 +62,8 @@ def _value(value: object) -> Any:
         return value
     if isinstance(value, Number) and hasattr(value, "item"):  # of NumPy
         return value.item()
+    if isinstance(value, ValueError) and value.args and isinstance(value.args[0], Text):  # of a model's own check
+        return value.args[0]
     return value.text if isinstance(value, CNCStepperError) else str(value)
 
 

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import json
 import re
+from collections.abc import Mapping
 from typing import Any
 
 from CNCStepper.errors import Text
@@ -21,21 +22,21 @@ FIELD = re.compile(
 )  # no width that fills the memory
 
 
-def dumps(content: dict[str, Any], **options: Any) -> str:
+def dumps(content: Mapping[str, Any], **options: Any) -> str:
     """Return an object as JSON, with the templates and values of the texts in it."""
     return json.dumps(with_texts(content), **options)
 
 
-def loads(text: str | bytes) -> Any:
+def loads(text: str | bytes | bytearray) -> Any:
     """Return the object of `dumps`, or what any other JSON holds; raises ValueError for text that is no JSON."""
     return restored(json.loads(text))
 
 
-def with_texts(content: dict[str, Any]) -> dict[str, Any]:
+def with_texts(content: Mapping[str, Any]) -> dict[str, Any]:
     """Return an object with the key "templates", where it holds texts with values."""
     texts: dict[str, Any] = {}
     _collect(content, texts)
-    return content | {TEMPLATES: texts} if texts else content
+    return {**content, TEMPLATES: texts} if texts else dict(content)
 
 
 def restored(content: Any) -> Any:
@@ -49,7 +50,7 @@ def restored(content: Any) -> Any:
 def _collect(content: Any, texts: dict[str, Any]) -> None:
     if isinstance(content, Text):
         texts[str(content)] = _plain(content)
-    elif isinstance(content, dict):
+    elif isinstance(content, Mapping):
         for value in () if TEMPLATES in content else content.values():
             _collect(value, texts)
     elif isinstance(content, list | tuple):

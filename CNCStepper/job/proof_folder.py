@@ -18,6 +18,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from CNCStepper import text_json
 from CNCStepper.control.session.status import error_from_json, error_to_json
 from CNCStepper.errors import CNCStepperError
 from CNCStepper.simulation.finding import Finding, refused
@@ -140,7 +141,7 @@ def write_answer(folder: Path, proof: Proof, job: Job, send_json: str) -> None:
     named = {f"{number}-{place}": both[place] for number, both in outlines.items() for place in (0, 1)}
     np.savez(folder / TOOLS, **named)
     (folder / SEND).write_text(send_json, encoding="utf-8")
-    (folder / RESULT).write_text(json.dumps(proof.report, allow_nan=False), encoding="utf-8")
+    (folder / RESULT).write_text(text_json.dumps(proof.report, allow_nan=False), encoding="utf-8")
 
 
 def write_error(folder: Path, error: CNCStepperError) -> None:
@@ -164,7 +165,7 @@ def read_answer(folder: Path) -> Answer:
             "the process that proves the program ended without an answer",
             advice="try again; if it stays so, the program may need more memory than there is",
         )
-    report = json.loads((folder / RESULT).read_text("utf-8"))
+    report = text_json.loads((folder / RESULT).read_text("utf-8"))
     with np.load(folder / LINES, allow_pickle=False) as arrays:
         columns = [arrays[name] for name in LINE_COLUMNS]
     findings = [Finding.from_dict(content) for content in report["findings"]]

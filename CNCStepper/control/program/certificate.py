@@ -19,7 +19,7 @@ from typing import Any
 
 from CNCStepper.control.program.long_json import blocks_of, pieces, read_long
 from CNCStepper.control.program.send_job import SendJob
-from CNCStepper.errors import JobError, Place
+from CNCStepper.errors import JobError, Place, Text
 
 FORMAT, VERSION = "CNCStepper certificate", 1
 CHECK_AGAIN = "check the program again, and send it with the certificate that this gives"
@@ -140,7 +140,11 @@ class Certificate:
         if errors:
             first = errors[0]
             place = Place(first["file"], first["line"], first["column"])
-            what = f"the proof found {len(errors)} error(s) in the program, the first: {first['text']}"
+            what = Text(
+                "the proof found {errors} error(s) in the program, the first: {text}",
+                errors=len(errors),
+                text=first["text"],
+            )
             raise JobError("certificate-errors", what, advice="correct the program, and check it again", place=place)
 
     def sending(self, **more: Any) -> Certificate:

@@ -13,6 +13,8 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import chain, islice
 from typing import Any, BinaryIO, TypeVar, overload
 
+from CNCStepper.errors import Text
+
 LONG = ("lines", "file_lines")  # the keys of long lists, which hold texts and numbers only
 OF = ((), ("send",), ("certificate", "send"))  # the keys before them: of a job, of its certificate, of a way back
 BLOCK_BYTES = 262_144
@@ -151,7 +153,7 @@ class _Text:
 
     def fault(self) -> ValueError:
         """Return that this is no JSON from here on."""
-        return ValueError(f"no JSON at byte {self.offset}")
+        return ValueError(Text("no JSON at byte {offset}", offset=self.offset))
 
     def _read_on(self) -> bool:
         """Hold more, twice as much where a value is longer than a block; return whether there was more."""

@@ -21,7 +21,7 @@ from CNCStepper.control.program.long_json import read_long
 from CNCStepper.control.program.send_job import SendJob
 from CNCStepper.control.program.spool import read_spool, write_spool
 from CNCStepper.control.session.status import error_from_json, error_to_json
-from CNCStepper.errors import CNCStepperError, JobError
+from CNCStepper.errors import CNCStepperError, JobError, Text
 
 SPOOLER = "CNCStepper.control.service.spool_process"
 NO_WINDOW = getattr(subprocess, "CREATE_NO_WINDOW", 0)  # Windows opens one for the child of a process that has none
@@ -81,7 +81,7 @@ def _told(file: Path, spool: Path, instead: dict[str, Any]) -> dict[str, Any]:
 
 
 def _unread(why: object) -> JobError:
-    return JobError("send-job", f"the job cannot be read: {why}", advice="make it again")
+    return JobError("send-job", Text("the job cannot be read: {why}", why=why), advice="make it again")
 
 
 if __name__ == "__main__":

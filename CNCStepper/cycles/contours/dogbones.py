@@ -19,6 +19,7 @@ import numpy as np
 import shapely
 
 from CNCStepper.cycles.contours.tab_and_lead_options import Dogbones
+from CNCStepper.errors import Text
 from CNCStepper.geometry.curve import COINCIDENT_MM, Curve, joined
 from CNCStepper.geometry.segments import complex_of, xy_of
 
@@ -157,8 +158,14 @@ def _sharp_warnings(corners: Sequence[Corner], boned: bool) -> list[str]:
     more = "more than" if most.why_not else "up to"
     told = "a dog-bone would be too long" if boned else "dog-bones or a smaller tool take it away"
     return [
-        f"{more} {most.rest_mm:.3f} mm of material stays in {len(corners)} inside corner(s) that are sharper "
-        f"than the tool; {told}"
+        Text(
+            "{more} {rest_mm:.3f} mm of material stays in {corners} inside corner(s) that are "
+            "sharper than the tool; {told}",
+            more=more,
+            rest_mm=most.rest_mm,
+            corners=len(corners),
+            told=told,
+        )
     ]
 
 
@@ -168,8 +175,13 @@ def _gap_warnings(corners: Sequence[Corner]) -> list[str]:
         return []
     x, y = max(gaps, key=lambda corner: corner.rest_mm).place
     return [
-        f"material stays in {len(gaps)} gap(s) between walls that are narrower than the tool, the deepest one before "
-        f"X{x:.3f} Y{y:.3f}; a smaller tool takes it away"
+        Text(
+            "material stays in {gaps} gap(s) between walls that are narrower than the tool, the "
+            "deepest one before X{x:.3f} Y{y:.3f}; a smaller tool takes it away",
+            gaps=len(gaps),
+            x=x,
+            y=y,
+        )
     ]
 
 

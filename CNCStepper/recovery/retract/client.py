@@ -15,7 +15,7 @@ from CNCStepper.control.session.client import SessionClient
 from CNCStepper.control.session.files import write_private
 from CNCStepper.control.session.status import SenderStatus
 from CNCStepper.control.stream.path_retract import STANDS
-from CNCStepper.errors import LinkError, MachineRefusal
+from CNCStepper.errors import LinkError, MachineRefusal, Text
 from CNCStepper.machine.profile import Machine
 from CNCStepper.recovery.retract.prove import Held, held
 
@@ -84,5 +84,5 @@ class WayBack:
 
     def _check_runs(self) -> None:
         if self._client.outcome is not None:
-            what = f"the job has ended: {self._client.outcome.text}"
+            what = Text("the job has ended: {outcome}", outcome=self._client.outcome.text)
             raise MachineRefusal("session-ended", what, advice="nothing is held any more")

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from CNCStepper.errors import Text
 from CNCStepper.machine.feeds_and_speeds import remarks_on, with_feeds
 from CNCStepper.machine.materials import material
 from CNCStepper.machine.tools.tool import Tool
@@ -22,4 +23,8 @@ def fed(tool: Tool, job: Any) -> Tool:
 def remarks(tool: Tool, job: Any) -> tuple[str, ...]:
     """Return what of a tool's feeds and speed is out of the range of the job's material, as sentences."""
     found = remarks_on(tool, material(job.Material), machine_of(job)) if job.Material else ()
-    return tuple(f"{remark.text}; {remark.advice}" for remark in found if remark.severity == "warning")
+    return tuple(
+        Text("{remark}; {advice}", remark=remark.text, advice=remark.advice)
+        for remark in found
+        if remark.severity == "warning"
+    )

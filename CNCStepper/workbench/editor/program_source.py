@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Any
 
 from CNCStepper.atomic_file import write_whole
-from CNCStepper.errors import JobError, Place
+from CNCStepper.errors import JobError, Place, Text
 from CNCStepper.gcode.syntax.text_format import FileForm, decoded
 from CNCStepper.gcode.syntax.words import with_line_feeds
 from CNCStepper.input_file import read_input
@@ -72,7 +72,7 @@ class FileSource:
         try:
             write_whole(self.path, self._form.bytes_of(text))
         except OSError as error:
-            what = f"the program cannot be written: {error.strerror or error}"
+            what = Text("the program cannot be written: {error}", error=error.strerror or error)
             advice = "choose a folder that exists and that you may write to"
             raise JobError("program-unwritable", what, advice=advice, place=Place(str(self.path))) from error
         return self

@@ -6,7 +6,7 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
-from CNCStepper.errors import GeometryError
+from CNCStepper.errors import GeometryError, Text
 from CNCStepper.workbench.features.base import DISTANCE, POSITION, Property, edit
 from CNCStepper.workbench.features.common import ANY_POCKET, PATTERN
 from CNCStepper.workbench.features.operation import OPERATION, Operation, drawn, the_drawing
@@ -55,7 +55,7 @@ def _circle_of(drawing: Any, picked: tuple[str, ...]) -> EllipseFound:
     if abs(found.radius_x_mm - found.radius_y_mm) > 1e-6:
         raise GeometryError(
             "circle-missing",
-            f"the drawing '{drawing.Label}' holds an ellipse and no circle",
+            Text("the drawing '{drawing}' holds an ellipse and no circle", drawing=drawing.Label),
             advice="draw a circle, or cut it as an elliptical pocket",
         )
     return found

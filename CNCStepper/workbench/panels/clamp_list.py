@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from CNCStepper.errors import CNCStepperError
+from CNCStepper.errors import CNCStepperError, Text
 from CNCStepper.workbench.document.clamps import outline_of
 from CNCStepper.workbench.features.base import edit
 from CNCStepper.workbench.panels.job_lists import ObjectList
@@ -65,7 +65,7 @@ class ClampList(ObjectList):
         from CNCStepper.errors import JobError
 
         if self.job in [obj, *obj.OutListRecursive]:
-            raise JobError("clamp", f"'{obj.Label}' stands on this job and cannot be its clamp")
+            raise JobError("clamp", Text("'{obj}' stands on this job and cannot be its clamp", obj=obj.Label))
         outline_of(obj)
 
     def _show(self, clamp: Any) -> None:
