@@ -1,11 +1,16 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""One root for every refusal: a code, the place, the value, the limit, and what to do."""
+"""One root for every refusal: a code, the place, the value, the limit, and what to do.
+
+A sentence with values is a `Text`: English for everybody, template and values for a window in another language.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
+from numbers import Number
+from typing import Any
 
 from CNCStepper.safe_text import printable
 
@@ -29,6 +34,63 @@ class Place:
         return ":".join(parts)
 
 
+class Text(str):
+    """A sentence in English that keeps its template and its values: `Text("{key} is too long", key=key)`.
+
+    Numbers, strings and texts stay values as they are; an error becomes its text, anything else its str().
+    """
+
+    __slots__ = ("template", "values")
+    template: str
+    values: dict[str, Any]
+
+    def __new__(cls, template: str, /, **values: object) -> Text:
+        kept = {name: _value(value) for name, value in values.items()}
+        text = super().__new__(cls, template.format_map(kept))
+        text.template, text.values = template, kept
+        return text
+
+    def __reduce__(self) -> tuple[Callable[..., Text], tuple[str, dict[str, Any]]]:
+        return _text, (self.template, self.values)
+
+    def __deepcopy__(self, memo: object) -> Text:
+        return self
+
+
+def _value(value: object) -> Any:
+    if isinstance(value, str | int | float):
+        return value
+    if isinstance(value, Number) and hasattr(value, "item"):  # of NumPy
+        return value.item()
+    if isinstance(value, ValueError) and value.args and isinstance(value.args[0], Text):  # of a model's own check
+        return value.args[0]
+    return value.text if isinstance(value, CNCStepperError) else str(value)
+
+
+def _text(template: str, values: dict[str, Any]) -> Text:
+    return Text(template, **values)
+
+
+def joined(separator: str, parts: Iterable[str]) -> str:
+    """Return texts with `separator` between them as one text, "" for none."""
+    values = {f"part{number}": part for number, part in enumerate(parts, 1)}
+    if len(values) < 2:
+        return values.get("part1", "")
+    return Text(separator.join(f"{{{name}}}" for name in values), **values)
+
+
+def _printable(text: str) -> str:
+    """Return a text bounded and on one line; template and values stay, where they give the same."""
+    safe = printable(text, MOST_CHARACTERS)
+    if safe == text:
+        return text
+    if not isinstance(text, Text):
+        return safe
+    values = {name: _printable(value) if isinstance(value, str) else value for name, value in text.values.items()}
+    again = Text(text.template, **values)
+    return again if again == safe else safe
+
+
 class CNCStepperError(Exception):
     """The root of all errors of this project.
 
@@ -47,26 +109,44 @@ class CNCStepperError(Exception):
         place: Place | None = None,
     ):
         self.code = code
-        self.what = printable(what, MOST_CHARACTERS)
-        self.advice = printable(advice, MOST_CHARACTERS)
-        self.value = printable(value, MOST_CHARACTERS)
-        self.limit = printable(limit, MOST_CHARACTERS)
+        self.what = _printable(what)
+        self.advice = _printable(advice)
+        self.value = _printable(value)
+        self.limit = _printable(limit)
         self.place = place
         super().__init__(str(self))
 
     @property
     def sentence(self) -> str:
         """What is wrong and what to do, for a person who sees the place."""
-        numbers = [f"{name} {text}" for name, text in (("value", self.value), ("limit", self.limit)) if text]
-        return self.what + (f" ({', '.join(numbers)})" if numbers else "") + (f"; {self.advice}" if self.advice else "")
+        value = Text("value {value}", value=self.value) if self.value else ""
+        limit = Text("limit {limit}", limit=self.limit) if self.limit else ""
+        numbers = joined(", ", filter(None, (value, limit)))
+        what = Text("{what} ({numbers})", what=self.what, numbers=numbers) if numbers else self.what
+        return joined("; ", filter(None, (what, self.advice)))
+
+    @property
+    def text(self) -> Text:
+        """The whole error, as `str()` gives it in English."""
+        whole = Text("{sentence} [{code}]", sentence=self.sentence, code=self.code)
+        return Text("{place}: {error}", place=self.place, error=whole) if self.place else whole
 
     def __str__(self) -> str:
-        place = f"{self.place}: " if self.place else ""
-        return f"{place}{self.sentence} [{self.code}]"
+        return str(self.text)
+
+    def __reduce__(self) -> tuple[Callable[..., CNCStepperError], tuple[object, ...]]:
+        return _error, (type(self), self.code, self.what, self._rest())
 
     def at(self, place: Place) -> CNCStepperError:
         """Return the same error, naming `place`."""
-        return type(self)(self.code, self.what, advice=self.advice, value=self.value, limit=self.limit, place=place)
+        return type(self)(self.code, self.what, **(self._rest() | {"place": place}))
+
+    def _rest(self) -> dict[str, Any]:
+        return {"advice": self.advice, "value": self.value, "limit": self.limit, "place": self.place}
+
+
+def _error(kind: type[CNCStepperError], code: str, what: str, rest: dict[str, Any]) -> CNCStepperError:
+    return kind(code, what, **rest)
 
 
 @contextmanager

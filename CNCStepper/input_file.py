@@ -15,7 +15,7 @@ import re
 import stat
 from pathlib import Path
 
-from CNCStepper.errors import CNCStepperError, JobError, Place
+from CNCStepper.errors import CNCStepperError, JobError, Place, Text
 from CNCStepper.safe_text import printable
 
 MOST_TEXT_BYTES = 64_000_000  # of a job, a profile, a tool file, a point list: far more than a person or a CAD writes
@@ -126,7 +126,7 @@ def _bounded(file: io.FileIO, name: str, most_bytes: int, refusal: type[CNCStepp
 
 def _wrong_kind(name: str, kind: str, refusal: type[CNCStepperError]) -> CNCStepperError:
     advice = "give the path of a file"
-    return refusal("input-kind", f"this is {kind}, not a file", advice=advice, place=Place(name))
+    return refusal("input-kind", Text("this is {kind}, not a file", kind=kind), advice=advice, place=Place(name))
 
 
 def _too_large(name: str, size_bytes: int, most_bytes: int, refusal: type[CNCStepperError]) -> CNCStepperError:
@@ -145,5 +145,5 @@ def _unreadable(name: str, error: Exception, refusal: type[CNCStepperError]) -> 
         what, advice = "there is no such file", "correct the path"
         return refusal("input-missing", what, advice=advice, place=Place(name))
     why = printable(getattr(error, "strerror", None) or str(error))
-    what, advice = f"the file cannot be read: {why}", "correct the path or the file's permissions"
+    what, advice = Text("the file cannot be read: {why}", why=why), "correct the path or the file's permissions"
     return refusal("input-unreadable", what, advice=advice, place=Place(name))

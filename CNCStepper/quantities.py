@@ -14,7 +14,7 @@ import reprlib
 from dataclasses import dataclass
 from typing import Annotated, Any
 
-from CNCStepper.errors import JobError, Place
+from CNCStepper.errors import JobError, Place, Text
 from CNCStepper.safe_text import printable
 
 ERROR_TYPE = "quantity"  # of pydantic's error for a number out of its bounds
@@ -119,7 +119,7 @@ class Bounds:
     @property
     def advice(self) -> str:
         """What to do about a value out of the bounds, and why these are the bounds."""
-        return f"write a number within these bounds: {QUANTITIES[self.kind].why}"
+        return Text("write a number within these bounds: {why}", why=QUANTITIES[self.kind].why)
 
     def allows(self, value: Any) -> bool:
         """Return whether a value is a number (no truth value, no text) within the bounds."""
@@ -130,7 +130,7 @@ class Bounds:
     def refusal(self, value: Any, says: str, place: Place | None = None) -> JobError:
         """Return the error for a value that is not allowed; `says` is how its key or option is called."""
         is_number = isinstance(value, int | float) and not isinstance(value, bool)
-        what = f"{says} is out of its bounds" if is_number else f"{says} is no number"
+        what = Text("{says} is out of its bounds", says=says) if is_number else Text("{says} is no number", says=says)
         said = with_unit(value, self.unit) if is_number else shown(value)
         return JobError("quantity", what, value=said, limit=self.words, advice=self.advice, place=place)
 
@@ -156,14 +156,16 @@ class Bounds:
             custom_error_type=ERROR_TYPE,
             custom_error_message="{sentence}",
             custom_error_context={
-                "sentence": f"must be {number} from {self.words}",
+                "sentence": Text("must be {number} from {words}", number=number, words=self.words),
                 "number": number,
                 "bounds": self.words,
                 "unit": self.unit,
                 "low": self.low,
                 "high": self.high,
                 "zero": self.zero,
-                "advice": f"write {number} within these bounds: {QUANTITIES[self.kind].why}",
+                "advice": Text(
+                    "write {number} within these bounds: {why}", number=number, why=QUANTITIES[self.kind].why
+                ),
             },
         )
 

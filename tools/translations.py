@@ -9,8 +9,7 @@ Where a text belongs (its context) is where FreeCAD or we look it up:
     CNCStepper       `tr("…")` and `later("…")`
     App::Property    names, groups and texts of properties, for FreeCAD's property editor
     a command's name and Workbench: `QT_TRANSLATE_NOOP("context", "…")`
-    CNCStepper core  sentences of errors and findings, which workbench/services/message_translation.py recognises; {0}
-    is a value
+    CNCStepper core  sentences of errors and findings; of one with values, `Text("… {key} …", key=…)`, the template
 """
 
 from __future__ import annotations
@@ -45,7 +44,7 @@ CORE_ROOMS = (
     "workers",
     "workbench",
 )
-CORE_MODULES = ("input_file.py", "quantities.py", "atomic_file.py")
+CORE_MODULES = ("errors.py", "input_file.py", "quantities.py", "atomic_file.py")
 NO_SENTENCES = {
     "picture.py",
     "picture_style.py",
@@ -63,6 +62,7 @@ SHOWN_BY = {
     "setHeaderLabels", "setHorizontalHeaderLabels", "addButton", "setFormat", "openTransaction", "QLabel",
     "QPushButton", "QToolButton", "QCheckBox", "QRadioButton", "QGroupBox", "QAction", "QMenu", "QDockWidget",
 }  # fmt: skip
+FIELD = re.compile(r"\{[^{}]*\}")
 LETTERS = re.compile(r"[^\W\d_]{2,}")
 WORD = re.compile(r"[^\W\d_]{3,}")
 SAME_EVERYWHERE = {"CNCStepper", "grbl", "rpm"}
@@ -119,8 +119,12 @@ def sentences_of(source: str) -> Iterator[tuple[str, int]]:
     passed: set[int] = set()
     for node in ast.walk(ast.parse(source)):  # what holds a string comes before it
         passed.update(map(id, no_sentences_in(node)))
+        if isinstance(node, ast.Call) and called(node) == "Text" and node.args and literal(node.args[0]) is not None:
+            passed.add(id(node.args[0]))
+            if LETTERS.search(FIELD.sub("", str(literal(node.args[0])))):
+                yield str(literal(node.args[0])), node.lineno
         sentence = template(node) if isinstance(node, ast.expr) and id(node) not in passed else ""
-        if len(LETTERS.findall(re.sub(r"\{\d+\}", "", sentence))) > 1 and not NO_SENTENCE.search(sentence):
+        if len(LETTERS.findall(FIELD.sub("", sentence))) > 1 and not NO_SENTENCE.search(sentence):
             yield sentence, node.lineno
 
 

@@ -15,7 +15,7 @@ from CNCStepper.cycles.pockets.circular_pocket import CircularPocket
 from CNCStepper.cycles.pockets.elliptical_pocket import EllipticalPocket
 from CNCStepper.cycles.pockets.pocket import Pocket
 from CNCStepper.cycles.pockets.rectangular_pocket import RectangularPocket
-from CNCStepper.errors import JobError
+from CNCStepper.errors import JobError, Text
 from CNCStepper.quantities import shown
 
 CYCLES: dict[str, type[BaseModel]] = {
@@ -37,6 +37,8 @@ def cycle_class(name: object) -> type[BaseModel]:
     if not isinstance(name, str) or name not in CYCLES:
         told = name if isinstance(name, str) else shown(name)
         raise JobError(
-            "cycle-unknown", f"there is no cycle '{told[:60]}'", advice=f"use one of: {', '.join(sorted(CYCLES))}"
+            "cycle-unknown",
+            Text("there is no cycle '{told}'", told=told[:60]),
+            advice=Text("use one of: {cycles}", cycles=", ".join(sorted(CYCLES))),
         )
     return CYCLES[name]

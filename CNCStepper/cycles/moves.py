@@ -15,7 +15,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from CNCStepper.cycles.cycle import Setup
-from CNCStepper.errors import CycleError
+from CNCStepper.errors import CycleError, Text
 from CNCStepper.geometry.curve import Curve
 from CNCStepper.machine.tools.tool import Tool
 from CNCStepper.toolpath import ARC_CCW, ARC_CW, LINE, TableBuilder
@@ -155,10 +155,10 @@ def require_feed(tool: Tool, name: str) -> None:
     if not 0 < feed_mm_min < math.inf:
         raise CycleError(
             "feed-missing",
-            f"tool {tool.number} has no {name}",
-            value=f"{feed_mm_min:g} mm/min",
+            Text("tool {tool_number} has no {name}", tool_number=tool.number, name=name),
+            value=Text("{feed_mm_min:g} mm/min", feed_mm_min=feed_mm_min),
             limit="above 0 mm/min",
-            advice=f"give the tool a {name}",
+            advice=Text("give the tool a {name}", name=name),
         )
 
 

@@ -7,7 +7,7 @@ from typing import Annotated, Any
 
 from pydantic import BeforeValidator, PlainSerializer
 
-from CNCStepper.errors import GeometryError
+from CNCStepper.errors import GeometryError, Text
 from CNCStepper.geometry.curve import Curve
 
 
@@ -17,7 +17,7 @@ def _curve(content: Any) -> Curve:
     try:
         return Curve(content["xy"], content["bulge"])
     except (KeyError, TypeError, GeometryError) as error:
-        raise ValueError(f"not a curve with xy and bulge: {error}") from error
+        raise ValueError(Text("not a curve with xy and bulge: {error}", error=error)) from error
 
 
 CurveField = Annotated[

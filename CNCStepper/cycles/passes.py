@@ -7,7 +7,7 @@ import math
 
 import numpy as np
 
-from CNCStepper.errors import CycleError
+from CNCStepper.errors import CycleError, Text
 from CNCStepper.machine.tools.tool import Tool
 
 MOST_PASSES = 10_000
@@ -26,10 +26,10 @@ def whole_passes(total_mm: float, step_mm: float, finish_mm: float, name: str) -
     if rough_mm < THINNEST_MM:
         raise CycleError(
             "finish-large",
-            f"finish_{name} leaves nothing to rough",
+            Text("finish_{name} leaves nothing to rough", name=name),
             value=f"{finish_mm:g} mm",
-            limit=f"below {total_mm:g} mm",
-            advice=f"make finish_{name} smaller",
+            limit=Text("below {total_mm:g} mm", total_mm=total_mm),
+            advice=Text("make finish_{name} smaller", name=name),
         )
     require_few_passes(rough_mm, step_mm, name)
     return equal_passes(rough_mm, max(math.ceil(rough_mm / step_mm - 1e-9), 1), finish_mm)
@@ -40,10 +40,10 @@ def require_few_passes(rough_mm: float, step_mm: float, name: str) -> None:
     if rough_mm > MOST_PASSES * step_mm:
         raise CycleError(
             "passes-many",
-            f"{name} asks for more than {MOST_PASSES} passes",
+            Text("{name} asks for more than {most_passes} passes", name=name, most_passes=MOST_PASSES),
             value=f"{step_mm:g} mm",
-            limit=f"at least {rough_mm / MOST_PASSES:.3g} mm",
-            advice=f"make {name} larger",
+            limit=Text("at least {rough_mm:.3g} mm", rough_mm=rough_mm / MOST_PASSES),
+            advice=Text("make {name} larger", name=name),
         )
 
 
@@ -62,8 +62,12 @@ def deep_pass_warnings(deepest_mm: float, tool: Tool) -> list[str]:
     if tool.shape in ("jet", "wire") or deepest_mm <= tool.diameter_mm * (1.0 + 1e-9):
         return []
     return [
-        f"one pass is {deepest_mm:g} mm deep, deeper than the tool's diameter of {tool.diameter_mm:g} mm; "
-        f"give stepdown_mm"
+        Text(
+            "one pass is {deepest_mm:g} mm deep, deeper than the tool's diameter of "
+            "{diameter_mm:g} mm; give stepdown_mm",
+            deepest_mm=deepest_mm,
+            diameter_mm=tool.diameter_mm,
+        )
     ]
 
 

@@ -3,14 +3,18 @@
 
 from __future__ import annotations
 
-from CNCStepper.errors import CycleError
+from CNCStepper.errors import CycleError, Text
 from CNCStepper.machine.tools.tool import Tool
 
 
 def require_flat(tool: Tool) -> None:
     """Raise CycleError when the tool leaves no flat floor."""
     if tool.shape != "flat":
-        raise CycleError("tool-shape", f"a {tool.shape} tool leaves no flat floor", advice="use a flat tool")
+        raise CycleError(
+            "tool-shape",
+            Text("a {tool_shape} tool leaves no flat floor", tool_shape=tool.shape),
+            advice="use a flat tool",
+        )
 
 
 def require_stepover(stepover_mm: float, tool: Tool, says: str = "stepover_mm (ae)") -> None:
@@ -18,7 +22,7 @@ def require_stepover(stepover_mm: float, tool: Tool, says: str = "stepover_mm (a
     if stepover_mm > tool.diameter_mm:
         raise CycleError(
             "stepover-wide",
-            f"{says} is larger than the tool",
+            Text("{says} is larger than the tool", says=says),
             value=f"{stepover_mm:g} mm",
             limit=f"{tool.diameter_mm:g} mm",
             advice="make it smaller, or islands remain",

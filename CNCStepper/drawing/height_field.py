@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from CNCStepper.errors import JobError, Place
+from CNCStepper.errors import JobError, Place, Text
 from CNCStepper.input_file import read_input
 
 Heights = tuple[tuple[float, ...], ...]
@@ -20,13 +20,13 @@ def read_heights(path: Path) -> Heights:
     try:
         lines = read_input(path).decode("utf-8-sig").splitlines()
     except UnicodeDecodeError as error:
-        what, advice = f"the heights cannot be read: {error.reason}", "save the file as UTF-8 text"
-        raise JobError("heights-text", what, advice=advice, place=Place(str(path))) from error
+        what = Text("the heights cannot be read: {reason}", reason=error.reason)
+        raise JobError("heights-text", what, advice="save the file as UTF-8 text", place=Place(str(path))) from error
     rows = [_row(text, Place(str(path), number)) for number, text in enumerate(lines, start=1)]
     kept = tuple(row for row in rows if row)
     if len({len(row) for row in kept}) > 1:
-        what, advice = "the lines have different numbers of heights", "give every line as many"
-        raise JobError("heights-rows", what, advice=advice, place=Place(str(path)))
+        wrong, advice = "the lines have different numbers of heights", "give every line as many"
+        raise JobError("heights-rows", wrong, advice=advice, place=Place(str(path)))
     return kept
 
 

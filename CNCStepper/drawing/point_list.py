@@ -10,7 +10,7 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
-from CNCStepper.errors import JobError, Place
+from CNCStepper.errors import JobError, Place, Text
 from CNCStepper.geometry.curve import LIMIT_MM, Curve, from_points
 from CNCStepper.input_file import read_input
 from CNCStepper.quantities import MOST_ITEMS
@@ -65,7 +65,7 @@ def _point(line: str, place: Place) -> tuple[float, float]:
     if len(parts) != 2 or not all(NUMBER.fullmatch(part) for part in parts):
         raise JobError(
             "points-line",
-            f"not a point: '{line[:40]}'",
+            Text("not a point: '{line}'", line=line[:40]),
             advice="write x,y in mm, or x;y where the comma is the decimal sign",
             place=place,
         )

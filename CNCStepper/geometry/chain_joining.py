@@ -17,7 +17,7 @@ from dataclasses import dataclass
 import numpy as np
 import shapely
 
-from CNCStepper.errors import GeometryError
+from CNCStepper.errors import GeometryError, Text
 from CNCStepper.geometry.curve import Curve
 from CNCStepper.geometry.segments import Segments, complex_of
 
@@ -112,8 +112,8 @@ def _require_apart(places: np.ndarray, within_mm: float) -> None:
     if pairs > MOST_PAIRS:
         raise GeometryError(
             "chains-crowded",
-            f"too many ends of lines lie within {within_mm:g} mm of each other",
-            value=f"{int(counts.max())} at one place",
+            Text("too many ends of lines lie within {within_mm:g} mm of each other", within_mm=within_mm),
+            value=Text("{counts} at one place", counts=int(counts.max())),
             limit=f"{MOST_PAIRS} pairs",
             advice="correct the drawing's unit, or take out what is drawn twice",
         )

@@ -35,7 +35,7 @@ from typing import Any
 
 import numpy as np
 
-from CNCStepper.errors import GeometryError
+from CNCStepper.errors import GeometryError, Text
 from CNCStepper.geometry.arc_length import area_of, measured, places_along, stretch, with_vertices
 from CNCStepper.geometry.curve_columns import COINCIDENT_MM, LIMIT_MM, Columns, pairs_of, require_lengths
 from CNCStepper.geometry.nearest_point import nearest, nearest_of
@@ -157,7 +157,11 @@ class Curve(Columns):
             return self._stretch(begin_mm, begin_mm + (long_mm if long_mm > COINCIDENT_MM else whole_mm))
         begin_mm, end_mm = max(first_mm, 0.0), min(last_mm, whole_mm)
         if end_mm - begin_mm <= COINCIDENT_MM:
-            raise GeometryError("curve-part", "a part must have a length", value=f"{first_mm:g} to {last_mm:g} mm")
+            raise GeometryError(
+                "curve-part",
+                "a part must have a length",
+                value=Text("{first_mm:g} to {last_mm:g} mm", first_mm=first_mm, last_mm=last_mm),
+            )
         return self._stretch(begin_mm, end_mm)
 
     def split(self, lengths_mm: Iterable[float]) -> list[Curve]:

@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from CNCStepper.errors import GeometryError
+from CNCStepper.errors import GeometryError, Text
 from CNCStepper.geometry.segments import Segments, segments_of, xy_of
 
 LIMIT_MM = 1e6  # coordinates beyond a kilometre are mistakes
@@ -35,12 +35,16 @@ class Columns:
             raise GeometryError(
                 "curve-short",
                 "a curve needs at least two points and a bulge for each segment",
-                value=f"{len(xy)} points, {len(bulge)} bulges",
+                value=Text("{xy} points, {bulge} bulges", xy=len(xy), bulge=len(bulge)),
             )
         require_lengths(xy)
         rise_mm = np.abs(bulge) * np.hypot(*np.diff(xy, axis=0).T) / 2.0
         if not (np.isfinite(bulge).all() and rise_mm.max() <= LIMIT_MM):
-            raise GeometryError("curve-range", "a bulge is not that of an arc in mm", limit=f"{LIMIT_MM:g} mm high")
+            raise GeometryError(
+                "curve-range",
+                "a bulge is not that of an arc in mm",
+                limit=Text("{limit_mm:g} mm high", limit_mm=LIMIT_MM),
+            )
         object.__setattr__(self, "xy", xy)
         object.__setattr__(self, "bulge", np.where(rise_mm > STRAIGHT_MM, bulge, 0.0))
 
@@ -112,7 +116,7 @@ def numbers_of(values: Any) -> np.ndarray:
     try:
         return np.array(values, float, order="C")
     except (TypeError, ValueError, OverflowError) as error:
-        raise GeometryError("curve-numbers", f"not the numbers of a curve: {error}") from error
+        raise GeometryError("curve-numbers", Text("not the numbers of a curve: {error}", error=error)) from error
 
 
 def pairs_of(values: Any) -> np.ndarray:

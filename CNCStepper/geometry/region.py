@@ -21,7 +21,7 @@ from functools import cached_property
 import numpy as np
 
 from CNCStepper.cancellation import checkpoint
-from CNCStepper.errors import GeometryError
+from CNCStepper.errors import GeometryError, Text
 from CNCStepper.geometry.boundary_loops import bounds
 from CNCStepper.geometry.curve import Curve
 from CNCStepper.geometry.curve_bundle import Bundle, areas, bundle_of, bundled_rows, short_ones
@@ -54,7 +54,9 @@ class Region:
         for curve in curves:
             if not curve.closed:
                 gap_mm = float(np.hypot(*(curve.xy[-1] - curve.xy[0])))
-                raise GeometryError("region-open", "an outline or island is open", value=f"gap {gap_mm:g} mm")
+                raise GeometryError(
+                    "region-open", "an outline or island is open", value=Text("gap {gap_mm:g} mm", gap_mm=gap_mm)
+                )
         outer = [curve for curve in outlines if _has_length(curve)]
         inner = [curve for curve in islands if _has_length(curve)]
         return cls.trusted(_bounds(outer + inner, len(outer))) if outer else cls(())
@@ -175,5 +177,5 @@ def _bounds(curves: Sequence[Curve], outlines: int) -> Bundle:
         "region-tangle",
         "outlines and islands lie too close to each other to be told apart",
         value=f"near {x:g}, {y:g}",
-        advice=f"let them coincide, or keep them {SMALL_MM[-1]:g} mm apart",
+        advice=Text("let them coincide, or keep them {small_mm:g} mm apart", small_mm=SMALL_MM[-1]),
     )

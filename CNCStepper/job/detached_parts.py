@@ -11,6 +11,7 @@ from shapely.geometry.base import BaseGeometry
 from CNCStepper.cycles.contours.contour import Contour
 from CNCStepper.cycles.contours.sides import enclosed
 from CNCStepper.cycles.cycle import Answer, Cycle
+from CNCStepper.errors import Text
 from CNCStepper.geometry.shapely_polygons import polygons_of
 from CNCStepper.job.make import operation_name
 from CNCStepper.job.model import Job
@@ -57,4 +58,4 @@ def _freed(operation: Cycle, job: Job) -> BaseGeometry | None:
 
 def _words(operations: Sequence[Cycle], before: int, number: int) -> str:
     one, other = (f"operation {place} ({operation_name(operations[place - 1])})" for place in (number, before))
-    return f"{one} cuts into a piece that {other} has set free: nothing holds it"
+    return Text("{one} cuts into a piece that {other} has set free: nothing holds it", one=one, other=other)

@@ -12,6 +12,7 @@ from collections.abc import Iterable
 from typing import Any
 
 from CNCStepper.cycles.cycle import Cycle
+from CNCStepper.errors import Text
 from CNCStepper.geometry.curve import Curve
 from CNCStepper.job.model import Job
 
@@ -21,13 +22,18 @@ MM_PER_M = 1000.0
 
 def long_work(job: Job) -> list[str]:
     """Return a sentence for each operation whose cut is longer than LONG_MM, which will take minutes to make."""
-    told = []
+    told: list[str] = []
     for number, operation in enumerate(job.operation, start=1):
         length_mm, levels = cut_length_mm(operation, job)
         if length_mm > LONG_MM:
             told.append(
-                f"operation {number} ({operation.cycle}) will take long: about {length_mm / MM_PER_M:.0f} m of cut "
-                f"in {levels} levels"
+                Text(
+                    "operation {number} ({cycle}) will take long: about {length_mm:.0f} m of cut in {levels} levels",
+                    number=number,
+                    cycle=operation.cycle,
+                    length_mm=length_mm / MM_PER_M,
+                    levels=levels,
+                )
             )
     return told
 

@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 
 from CNCStepper.cycles.cycle import Answer
-from CNCStepper.errors import Place
+from CNCStepper.errors import Place, Text
 from CNCStepper.job.detached_parts import cuts_into_loose, wanted_area
 from CNCStepper.job.first_lines import FirstLines
 from CNCStepper.job.model import Job
@@ -45,7 +45,9 @@ def _notes(job: Job, machine: Machine, file: str) -> Iterator[Finding]:
         )
     if machine.tool_length == "table":
         for tool in (tool for tool in job.tool if tool.length_offset_mm is None):
-            text = f"the length offset of tool {tool.number} is not known, it is taken as 0"
+            text = Text(
+                "the length offset of tool {tool_number} is not known, it is taken as 0", tool_number=tool.number
+            )
             yield Finding("info", "tool-length", Place(file), text, "give the tool its length_offset_mm")
 
 

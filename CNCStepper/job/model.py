@@ -19,7 +19,7 @@ from CNCStepper.cycles.pockets.elliptical_pocket import EllipticalPocket
 from CNCStepper.drawing.dxf.reader import Share
 from CNCStepper.drawing.height_field import read_heights
 from CNCStepper.drawing.point_list import read_points
-from CNCStepper.errors import JobError, Place, placed
+from CNCStepper.errors import JobError, Place, Text, placed
 from CNCStepper.geometry.curve import Curve, circle, from_points
 from CNCStepper.job.shapes import NO_SHAPES, Drawn, Shapes, read_shapes, with_curves
 from CNCStepper.job.tool_library import take_tool_file
@@ -60,7 +60,7 @@ class StockForm(BaseModel):
         try:
             self.stock()
         except JobError as error:
-            raise ValueError(f"{error.what}; {error.advice}") from error
+            raise ValueError(Text("{error}; {advice}", error=error.what, advice=error.advice)) from error
         return self
 
     def stock(self) -> Stock:
@@ -102,7 +102,7 @@ class ClampForm(BaseModel):
         try:
             self.clamp()
         except JobError as error:
-            raise ValueError(f"{error.what}; {error.advice}") from error
+            raise ValueError(Text("{error}; {advice}", error=error.what, advice=error.advice)) from error
         return self
 
     def clamp(self) -> Clamp:
@@ -137,9 +137,15 @@ class Job(BaseModel):
     @model_validator(mode="after")
     def _parts_fit_together(self) -> Job:
         if self.work_offset not in WORK_SYSTEMS:
-            raise ValueError(f"work_offset must be one of {', '.join(WORK_SYSTEMS)}")
+            raise ValueError(Text("work_offset must be one of {work_systems}", work_systems=", ".join(WORK_SYSTEMS)))
         if self.material and self.material not in material_names():
-            raise ValueError(f"there is no material '{self.material}'; use one of: {', '.join(material_names())}")
+            raise ValueError(
+                Text(
+                    "there is no material '{material}'; use one of: {material_names}",
+                    material=self.material,
+                    material_names=", ".join(material_names()),
+                )
+            )
         if self.clearance_mm < self.retract_mm:
             raise ValueError("clearance_mm must not be below retract_mm")
         numbers = [tool.number for tool in self.tool]
@@ -148,7 +154,11 @@ class Job(BaseModel):
         for operation in self.operation:
             if operation.tool not in numbers:
                 raise ValueError(
-                    f"operation '{operation.cycle}' uses tool {operation.tool}, which the job does not have"
+                    Text(
+                        "operation '{cycle}' uses tool {tool}, which the job does not have",
+                        cycle=operation.cycle,
+                        tool=operation.tool,
+                    )
                 )
         return self
 
@@ -295,9 +305,11 @@ def operation_of(
 def _tables(content: dict[str, Any], key: str, path: Path) -> list[dict[str, Any]]:
     tables, place = content.get(key, []), Place(str(path))
     if not isinstance(tables, list) or not all(isinstance(table, dict) for table in tables):
-        raise JobError("bad-value", f"{key} must be a list of tables", advice=f"write [[{key}]]", place=place)
+        raise JobError(
+            "bad-value", Text("{key} must be a list of tables", key=key), advice=f"write [[{key}]]", place=place
+        )
     if len(tables) > (most := MOST_ITEMS[f"{key}s"]):
-        what, advice = f"{key} is too long", "make several jobs of this one"
+        what, advice = Text("{key} is too long", key=key), "make several jobs of this one"
         raise JobError("bad-value", what, value=f"{len(tables)}", limit=f"{most}", advice=advice, place=place)
     return tables
 
@@ -313,8 +325,10 @@ def _notes(content: dict[str, Any], path: Path) -> list[Any]:
 def file_beside(folder: Path, name: Any, key: str, file: str) -> Path:
     """Return the path of a file that a job names, looked for in its folder; raises JobError for what is no text."""
     if not isinstance(name, str):
-        advice = f'write {key} = "file"'
-        raise JobError("bad-value", f"{key} must name a file", value=shown(name), advice=advice, place=Place(file))
+        advice = Text('write {key} = "file"', key=key)
+        raise JobError(
+            "bad-value", Text("{key} must name a file", key=key), value=shown(name), advice=advice, place=Place(file)
+        )
     return folder / name
 
 

@@ -18,6 +18,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from CNCStepper import text_json
 from CNCStepper.control.session.status import error_from_json, error_to_json
 from CNCStepper.errors import CNCStepperError
 from CNCStepper.simulation.finding import Finding, refused
@@ -165,7 +166,7 @@ def read_answer(folder: Path) -> Answer:
             "the process that proves the program ended without an answer",
             advice="try again; if it stays so, the program may need more memory than there is",
         )
-    report = json.loads((folder / RESULT).read_text("utf-8"))
+    report = text_json.loads((folder / RESULT).read_text("utf-8"))
     with np.load(folder / LINES, allow_pickle=False) as arrays:
         columns = [arrays[name] for name in LINE_COLUMNS]
     findings = [Finding.from_dict(content) for content in report["findings"]]

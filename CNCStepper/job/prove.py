@@ -17,7 +17,7 @@ import numpy as np
 
 from CNCStepper.control.program.certificate import digest_of_text
 from CNCStepper.cycles.cycle import Answer, Removal
-from CNCStepper.errors import JobError, Place
+from CNCStepper.errors import JobError, Place, Text
 from CNCStepper.gcode.wire.wire_text import WireText
 from CNCStepper.job.findings import findings_of
 from CNCStepper.job.first_lines import FirstLines
@@ -312,7 +312,10 @@ def _refused(earlier: Sequence[Proof], file: str) -> Iterator[Finding]:
     """Yield that a program before this one is refused: what it leaves of the stock is not known."""
     for proof in earlier:
         if proof.refused:
-            text = f"{proof.report['program'] or 'the program before it'}, which is to be run before it, is refused"
+            text = Text(
+                "{program}, which is to be run before it, is refused",
+                program=proof.report["program"] or "the program before it",
+            )
             yield Finding("error", "earlier-refused", Place(file, 1, 1), text, "correct that one first")
 
 

@@ -22,7 +22,7 @@ from pydantic import BaseModel, ConfigDict, Field, StrictBool, model_validator
 from CNCStepper.cycles.parameter_types import CurveField
 from CNCStepper.drawing.dxf.reader import Drawing, Share, read_dxf
 from CNCStepper.drawing.point_list import read_points
-from CNCStepper.errors import GeometryError, JobError, Place, placed
+from CNCStepper.errors import GeometryError, JobError, Place, Text, placed
 from CNCStepper.geometry.curve import Curve, circle, from_points
 from CNCStepper.geometry.shapes.ellipse import Ellipse
 from CNCStepper.geometry.shapes.rectangle import rectangle
@@ -111,8 +111,10 @@ class ShapeForm(_Checked):
     def _is_drawn_once(self) -> ShapeForm:
         ways = [key for key in WAYS if getattr(self, key) is not None]
         if len(ways) != 1:
-            told = f"it has {' and '.join(ways)}" if ways else "it has none"
-            raise ValueError(f"the shape '{self.name}' needs one of {', '.join(WAYS)}; {told}")
+            told = Text("it has {ways}", ways=" and ".join(ways)) if ways else "it has none"
+            raise ValueError(
+                Text("the shape '{name}' needs one of {ways}; {told}", name=self.name, ways=", ".join(WAYS), told=told)
+            )
         if self.closed and self.points is None:
             raise ValueError("closed belongs to points")
         return self
@@ -134,8 +136,8 @@ class Shapes:
             known = ", ".join(f"'{each}'" for each in self.curves)
             raise JobError(
                 "shape-unknown",
-                f"{key.says} names the shape '{name}', which the job does not have",
-                advice=f"name one of: {known}" if known else "draw it in a [[shape]] table",
+                Text("{key} names the shape '{name}', which the job does not have", key=key.says, name=name),
+                advice=Text("name one of: {known}", known=known) if known else "draw it in a [[shape]] table",
                 place=place,
             )
         curves = self.curves[name]
@@ -143,8 +145,10 @@ class Shapes:
         if key.closed and ends:
             raise JobError(
                 "shape-open",
-                f"{key.says} needs a closed shape, but '{name}' does not end where it begins",
-                value=f"{len(ends)} of {len(curves)} open, the first from {ends[0]}",
+                Text("{key} needs a closed shape, but '{name}' does not end where it begins", key=key.says, name=name),
+                value=Text(
+                    "{ends} of {curves} open, the first from {end}", ends=len(ends), curves=len(curves), end=ends[0]
+                ),
                 advice="close it",
                 place=place,
             )
@@ -194,7 +198,7 @@ def read_shapes(
         place = f"{file} shape {number}"
         shape = validated(ShapeForm, table, place)
         if shape.name in curves:
-            what = f"two shapes have the name '{shape.name}'"
+            what = Text("two shapes have the name '{shape}'", shape=shape.name)
             raise JobError("shape-twice", what, advice="rename one of them", place=Place(place))
         with placed(Place(place)), _file_of(place):
             curves[shape.name] = files.curves(shape)
@@ -210,7 +214,9 @@ def _file_of(place: str) -> Iterator[None]:
         if not error.code.startswith("input-"):
             raise
         told = {"value": error.value, "limit": error.limit, "advice": error.advice}
-        raise JobError(error.code, f"{error.place}: {error.what}", **told, place=Place(place)) from error
+        raise JobError(
+            error.code, Text("{place}: {error}", place=error.place, error=error.what), **told, place=Place(place)
+        ) from error
 
 
 class Drawn:
@@ -273,21 +279,43 @@ class _Files:
 
 def _too_much(of_what: str, count: int, most: int) -> JobError:
     advice = "make several jobs of this one"
-    return JobError("shapes-large", f"the job has {of_what}", value=f"{count}", limit=f"{most}", advice=advice)
+    return JobError(
+        "shapes-large", Text("the job has {of_what}", of_what=of_what), value=f"{count}", limit=f"{most}", advice=advice
+    )
 
 
 def _notes(name: str, form: DxfForm, drawing: Drawing) -> Iterator[str]:
     """Yield what of a layer is not as drawn: damage, gaps, and what no tool could follow."""
     if drawing.damage:
-        yield f"the drawing {form.file} is damaged, a part of it may be missing: {drawing.damage}"
+        yield Text(
+            "the drawing {form_file} is damaged, a part of it may be missing: {damage}",
+            form_file=form.file,
+            damage=drawing.damage,
+        )
     for gap in drawing.layer(form.layer).gaps:
         x, y = gap.place_mm
-        yield f"shape '{name}': two ends lie {gap.size_mm:.3g} mm apart at X{x:.3f} Y{y:.3f}"
+        yield Text(
+            "shape '{name}': two ends lie {size_mm:.3g} mm apart at X{x:.3f} Y{y:.3f}",
+            name=name,
+            size_mm=gap.size_mm,
+            x=x,
+            y=y,
+        )
     skipped = [each for each in drawing.skipped if each.layer.casefold() == form.layer.casefold()]
     for entity in skipped[:MOST_SKIPPED]:
-        yield f"shape '{name}' goes without the {entity.kind} {entity.handle} of its drawing: {entity.why}"
+        yield Text(
+            "shape '{name}' goes without the {entity_kind} {handle} of its drawing: {why}",
+            name=name,
+            entity_kind=entity.kind,
+            handle=entity.handle,
+            why=entity.why,
+        )
     if len(skipped) > MOST_SKIPPED:
-        yield f"shape '{name}' goes without {len(skipped) - MOST_SKIPPED} more things of its drawing"
+        yield Text(
+            "shape '{name}' goes without {skipped} more things of its drawing",
+            name=name,
+            skipped=len(skipped) - MOST_SKIPPED,
+        )
 
 
 def with_curves(content: dict[str, Any], shapes: Shapes, file: str) -> dict[str, Any]:
@@ -322,8 +350,10 @@ def _listed(value: Any, key: ShapeKey, place: Place) -> Sequence[Any]:
     if isinstance(value, list | tuple):
         _require_once(value, key, place)
         return value
-    what = f"{key.says} must be the name of a shape, or a list of names"
-    raise JobError("shape-name", what, value=shown(value), advice=f'write {key.says} = "name"', place=place)
+    what = Text("{key} must be the name of a shape, or a list of names", key=key.says)
+    raise JobError(
+        "shape-name", what, value=shown(value), advice=Text('write {key} = "name"', key=key.says), place=place
+    )
 
 
 def _require_once(names: Sequence[Any], key: ShapeKey, place: Place) -> None:
@@ -331,7 +361,7 @@ def _require_once(names: Sequence[Any], key: ShapeKey, place: Place) -> None:
     seen: set[str] = set()
     for name in names:
         if isinstance(name, str) and name in seen:
-            what, advice = f"{key.says} names the shape '{name}' twice", "name it once"
+            what, advice = Text("{key} names the shape '{name}' twice", key=key.says, name=name), "name it once"
             raise JobError("shape-twice", what, advice=advice, place=place)
         if isinstance(name, str):
             seen.add(name)

@@ -28,7 +28,7 @@ from CNCStepper.cycles.pockets.circular_pocket import CircularPocket
 from CNCStepper.cycles.pockets.elliptical_pocket import EllipticalPocket
 from CNCStepper.cycles.pockets.pocket import Pocket
 from CNCStepper.cycles.pockets.rectangular_pocket import RectangularPocket
-from CNCStepper.errors import Place
+from CNCStepper.errors import Place, Text
 from CNCStepper.geometry.curve import Curve, circle
 from CNCStepper.geometry.shapes.ellipse import Ellipse
 from CNCStepper.simulation.checks.stock_checks import PASSED_MM, SPOIL_MM
@@ -83,7 +83,7 @@ def _outermost(points: np.ndarray, stock: Stock) -> np.ndarray:
 @singledispatch
 def drawn(cycle: Any) -> list[np.ndarray]:
     """Return what an operation follows, as points float64[n, 2] of each line; nothing where the stock gives it."""
-    raise TypeError(f"what {type(cycle).__name__} follows is not known")
+    raise TypeError(Text("what {kind} follows is not known", kind=type(cycle).__name__))
 
 
 @drawn.register(Pocket)

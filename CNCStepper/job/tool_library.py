@@ -15,7 +15,7 @@ from typing import Any
 
 from pydantic import BaseModel, ConfigDict
 
-from CNCStepper.errors import JobError, Place
+from CNCStepper.errors import JobError, Place, Text
 from CNCStepper.machine.profile import validated
 from CNCStepper.machine.tools.stored_tool import StoredTool, given_keys
 from CNCStepper.machine.tools.tool_files import read_tools
@@ -44,9 +44,21 @@ def take_tool_file(content: dict[str, Any], path: Path) -> None:
     for stored in read_tools(path.parent / form.file, form.unit_mm):
         if stored.number in used:
             own[stored.number] = _keys(stored, own.get(stored.number, {}), form.file)
-            notes += [f"tool {stored.number} of {form.file}: {note}" for note in stored.notes]
+            notes += [
+                Text(
+                    "tool {stored_number} of {form_file}: {note}",
+                    stored_number=stored.number,
+                    form_file=form.file,
+                    note=note,
+                )
+                for note in stored.notes
+            ]
     for number in sorted(used - set(own)):
-        what = f"an operation uses tool {number}, which neither the job nor {form.file} has"
+        what = Text(
+            "an operation uses tool {number}, which neither the job nor {form_file} has",
+            number=number,
+            form_file=form.file,
+        )
         raise JobError("tool-missing", what, advice="describe it in a [[tool]] table", place=Place(str(path)))
     content["tool"] = [own[number] for number in sorted(own)]
     content["notes"] = (*content.get("notes", ()), *notes)

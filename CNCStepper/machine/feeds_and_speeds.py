@@ -16,7 +16,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Literal
 
-from CNCStepper.errors import JobError
+from CNCStepper.errors import JobError, Text
 from CNCStepper.machine.materials import Material, Range
 from CNCStepper.machine.profile import Machine
 from CNCStepper.machine.tools.tool import Tool
@@ -129,7 +129,11 @@ def _rpm(speeds: Range, diameter_mm: float, rpm_of_rate: float, machine: Machine
 def _flute_remarks(tool: Tool) -> Iterator[Remark]:
     """Yield that the flutes are guessed, where the feed or the speed comes of them."""
     if not tool.flutes and not (tool.feed_mm_min and tool.spindle_rpm):
-        text = f"the {tool.words} tool does not say how many flutes it has; its feed is reckoned with {USUAL_FLUTES}"
+        text = Text(
+            "the {tool} tool does not say how many flutes it has; its feed is reckoned with {usual_flutes}",
+            tool=tool.words,
+            usual_flutes=USUAL_FLUTES,
+        )
         yield Remark("info", text, None, None, "", "give the tool its flutes")
 
 
@@ -137,20 +141,20 @@ def _speed_remarks(
     tool: Tool, speed_m_min: float, speeds: Range, rpm: float, machine: Machine | None
 ) -> Iterator[Remark]:
     if speed_m_min > speeds[1] * SLACK:
-        text = f"the rim of the {tool.words} tool is too fast for the material"
+        text = Text("the rim of the {tool} tool is too fast for the material", tool=tool.words)
         yield Remark("warning", text, speed_m_min, speeds[1], "m/min", "turn the spindle slower")
     if speed_m_min * SLACK < speeds[0] and tool.shape != "drill":  # drills may turn slowly, in wood above all
         bounded = not tool.spindle_rpm or (machine is not None and rpm >= machine.spindle.max_rpm)
-        text = f"the rim of the {tool.words} tool is slow for the material"
+        text = Text("the rim of the {tool} tool is slow for the material", tool=tool.words)
         advice = "the machine can do no better with this tool" if bounded else "turn the spindle faster"
         yield Remark("info" if bounded else "warning", text, speed_m_min, speeds[0], "m/min", advice)
 
 
 def _chip_remarks(tool: Tool, chip_mm: float, chips: Range, feed: float, rate: float) -> Iterator[Remark]:
     if chip_mm > chips[1] * SLACK:
-        text = f"a tooth of the {tool.words} tool takes too thick a chip for tool and material"
+        text = Text("a tooth of the {tool} tool takes too thick a chip for tool and material", tool=tool.words)
         yield Remark("warning", text, chip_mm, chips[1], "mm", "lower the feed, or turn the spindle faster")
     if chip_mm * SLACK < chips[0]:
-        text = f"a tooth of the {tool.words} tool takes too thin a chip: it rubs and grows hot"
+        text = Text("a tooth of the {tool} tool takes too thin a chip: it rubs and grows hot", tool=tool.words)
         advice = "turn the spindle slower" if feed >= rate else "raise the feed, or turn the spindle slower"
         yield Remark("warning", text, chip_mm, chips[0], "mm", advice)

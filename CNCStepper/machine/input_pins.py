@@ -15,6 +15,7 @@ from typing import Annotated, Literal
 
 from pydantic import BaseModel, StrictInt, model_validator
 
+from CNCStepper.errors import Text
 from CNCStepper.machine.wiring import INPUT_PINS
 from CNCStepper.quantities import Bounds
 
@@ -46,9 +47,17 @@ class Input(BaseModel, extra="forbid", frozen=True):
     @model_validator(mode="after")
     def _pin_is_one_that_is_there(self) -> Input:
         if isinstance(self.pin, int) and self.pin not in INPUT_PINS:
-            raise ValueError(f"pin {self.pin} is no input of a parallel port; inputs are 10, 11, 12, 13 and 15")
+            raise ValueError(
+                Text("pin {pin} is no input of a parallel port; inputs are 10, 11, 12, 13 and 15", pin=self.pin)
+            )
         if isinstance(self.pin, str) and (len(self.pin) != 1 or self.pin not in CONTROLLER_PINS):
-            raise ValueError(f"pin '{self.pin[:20]}' is no pin of a controller; there are {', '.join(CONTROLLER_PINS)}")
+            raise ValueError(
+                Text(
+                    "pin '{pin}' is no pin of a controller; there are {controller_pins}",
+                    pin=self.pin[:20],
+                    controller_pins=", ".join(CONTROLLER_PINS),
+                )
+            )
         if isinstance(self.pin, int) != bool(self.port):
             raise ValueError("a pin with a number, and only that, has a port: the device file of its parallel port")
         return self
@@ -61,13 +70,15 @@ class Input(BaseModel, extra="forbid", frozen=True):
             raise ValueError("release_line goes with line")
         for line in filter(None, (self.line, self.release_line)):
             if len(line) > LONGEST_LINE or not _SWITCHING.fullmatch(line):
-                raise ValueError(f"'{line[:20]}' is no block that only switches, as M8, M3S9000 or M64P0")
+                raise ValueError(
+                    Text("'{line}' is no block that only switches, as M8, M3S9000 or M64P0", line=line[:20])
+                )
         return self
 
     @property
     def name(self) -> str:
         """How a person finds it: "pin P", "pin 11 of /dev/parport0"."""
-        return f"pin {self.pin} of {self.port}" if self.port else f"pin {self.pin}"
+        return Text("pin {pin} of {port}", pin=self.pin, port=self.port) if self.port else f"pin {self.pin}"
 
 
 def check_apart(inputs: Sequence[Input]) -> None:
@@ -75,4 +86,4 @@ def check_apart(inputs: Sequence[Input]) -> None:
     names = [entry.name for entry in inputs]
     twice = [name for name in names if names.count(name) > 1]
     if twice:
-        raise ValueError(f"input: two inputs are on {twice[0]}")
+        raise ValueError(Text("input: two inputs are on {twice}", twice=twice[0]))

@@ -17,7 +17,7 @@ from typing import Annotated, Literal
 import numpy as np
 from pydantic import BaseModel, ConfigDict, Field, model_validator
 
-from CNCStepper.errors import JobError
+from CNCStepper.errors import JobError, Text
 from CNCStepper.machine.profile import validated
 from CNCStepper.quantities import MOST_ITEMS, Bounds, ChipLoadOr0, Ratio, Width
 
@@ -70,7 +70,11 @@ class Material(_Checked):
 
     def _cutting(self, cutter: CutterOf) -> Cutting:
         if cutter == "hss" and self.hss is None:
-            raise JobError("material-hss", f"{self.title} blunts tools of HSS at once", advice="use one of carbide")
+            raise JobError(
+                "material-hss",
+                Text("{title} blunts tools of HSS at once", title=self.title),
+                advice="use one of carbide",
+            )
         return self.carbide if self.hss is None or cutter == "carbide" else self.hss
 
 
@@ -83,7 +87,9 @@ def material(name: str) -> Material:
     """Return a material of the table; raises JobError that names those there are."""
     if name not in _materials():
         raise JobError(
-            "material-unknown", f"there is no material '{name}'", advice=f"use one of: {', '.join(material_names())}"
+            "material-unknown",
+            Text("there is no material '{name}'", name=name),
+            advice=Text("use one of: {material_names}", material_names=", ".join(material_names())),
         )
     return _materials()[name]
 

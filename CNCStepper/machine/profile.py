@@ -13,7 +13,7 @@ from typing import Annotated, Any, Literal, TypeVar
 
 from pydantic import BaseModel, ConfigDict, Field, StrictBool, ValidationError, model_validator
 
-from CNCStepper.errors import JobError
+from CNCStepper.errors import JobError, Text
 from CNCStepper.input_file import is_there
 from CNCStepper.machine.axis_drive import Drive
 from CNCStepper.machine.files.json_file import read_json
@@ -121,7 +121,13 @@ class Axis(_Checked):
     @model_validator(mode="after")
     def _steps_agree_with_the_drive(self) -> Axis:
         if self.drive is not None and abs(self.drive.pulses_per_mm / self.steps_per_mm - 1.0) > CALIBRATED:
-            raise ValueError(f"steps_per_mm is {self.steps_per_mm:g}, but the drive gives {self.drive.pulses_per_mm:g}")
+            raise ValueError(
+                Text(
+                    "steps_per_mm is {steps_per_mm:g}, but the drive gives {pulses_per_mm:g}",
+                    steps_per_mm=self.steps_per_mm,
+                    pulses_per_mm=self.drive.pulses_per_mm,
+                )
+            )
         return self
 
     @model_validator(mode="after")
@@ -215,14 +221,16 @@ class Machine(_Checked):
     def _has_three_axes(self) -> Machine:
         missing = [name for name in AXIS_NAMES if name not in self.axis]
         if missing:
-            raise ValueError(f"axis.{missing[0]} is missing")
+            raise ValueError(Text("axis.{missing} is missing", missing=missing[0]))
         return self
 
     @model_validator(mode="after")
     def _s_curves_have_jerks(self) -> Machine:
         without = [name for name in AXIS_NAMES if self.axis[name].jerk_mm_s3 is None]  # type: ignore[index]
         if self.planner.ramp == "s_curve" and without:
-            raise ValueError(f'axis.{without[0]}.jerk_mm_s3 is missing: ramp = "s_curve" needs it')
+            raise ValueError(
+                Text('axis.{without}.jerk_mm_s3 is missing: ramp = "s_curve" needs it', without=without[0])
+            )
         return self
 
     @classmethod
@@ -263,8 +271,8 @@ def load_machine(name_or_path: str | Path) -> Machine:
     if not is_there(path):
         raise JobError(
             "machine-missing",
-            f"there is no machine profile '{printable(str(name_or_path), 300)}'",
-            advice=f"give a TOML file or one of: {', '.join(profile_names())}",
+            Text("there is no machine profile '{name_or_path}'", name_or_path=printable(str(name_or_path), 300)),
+            advice=Text("give a TOML file or one of: {profile_names}", profile_names=", ".join(profile_names())),
         )
     content = read_json(path) if path.suffix.lower() == ".json" else read_toml(path)
     return validated(Machine, content, str(path))

@@ -14,6 +14,7 @@ from typing import Annotated
 
 from pydantic import BaseModel, Field, model_validator
 
+from CNCStepper.errors import Text
 from CNCStepper.quantities import QUANTITIES, Bounds
 
 MOST_WAITS = 100_000
@@ -76,7 +77,9 @@ class Waits(BaseModel, extra="forbid", frozen=True, allow_inf_nan=False):
             if self.least_ms > self.first_ms:
                 raise ValueError("least_ms must not be above first_ms")
             if self.first_ms - self.least_ms > MOST_WAITS * self.change_ms:
-                raise ValueError(f"change_ms is so small that there are more than {MOST_WAITS} waits")
+                raise ValueError(
+                    Text("change_ms is so small that there are more than {most_waits} waits", most_waits=MOST_WAITS)
+                )
         return self
 
     @model_validator(mode="after")
@@ -90,7 +93,13 @@ class Waits(BaseModel, extra="forbid", frozen=True, allow_inf_nan=False):
         )
         if longest_ms > MOST_MS or shortest_ms < LEAST_MS:
             raise ValueError(
-                f"the waits lie from {shortest_ms:g} to {longest_ms:g} ms, beyond {LEAST_MS:g} to {MOST_MS:g}"
+                Text(
+                    "the waits lie from {shortest_ms:g} to {longest_ms:g} ms, beyond {least_ms:g} to {most_ms:g}",
+                    shortest_ms=shortest_ms,
+                    longest_ms=longest_ms,
+                    least_ms=LEAST_MS,
+                    most_ms=MOST_MS,
+                )
             )
         return self
 

@@ -12,6 +12,7 @@ from typing import Annotated, Literal
 
 from pydantic import BaseModel, Field, model_validator
 
+from CNCStepper.errors import Text
 from CNCStepper.quantities import Bounds
 
 DATA_PINS = (2, 3, 4, 5, 6, 7, 8, 9)
@@ -58,11 +59,19 @@ class Signals(BaseModel, extra="forbid", frozen=True):
         known = self.lines
         for name, pin in self.pins.items():
             if name not in known:
-                raise ValueError(f"pins.{name} is no signal; there are {', '.join(known)}")
+                raise ValueError(Text("pins.{name} is no signal; there are {known}", name=name, known=", ".join(known)))
             if abs(pin) in INPUT_PINS:
-                raise ValueError(f"pins.{name}: pin {abs(pin)} is an input of the parallel port")
+                raise ValueError(
+                    Text("pins.{name}: pin {pin} is an input of the parallel port", name=name, pin=abs(pin))
+                )
             if abs(pin) not in OUTPUT_PINS:
-                raise ValueError(f"pins.{name}: pin {abs(pin)} is no output; outputs are 1 to 9, 14, 16 and 17")
+                raise ValueError(
+                    Text(
+                        "pins.{name}: pin {pin} is no output; outputs are 1 to 9, 14, 16 and 17",
+                        name=name,
+                        pin=abs(pin),
+                    )
+                )
         used = [abs(pin) for pin in self.pins.values()]
         if len(set(used)) < len(used):
             raise ValueError("pins: two signals are on one pin")

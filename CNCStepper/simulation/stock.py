@@ -20,7 +20,7 @@ import numpy as np
 import shapely
 from shapely.geometry import Polygon
 
-from CNCStepper.errors import JobError
+from CNCStepper.errors import JobError, Text
 
 CORNER_OF_ORIGIN = {"top-centre": (-0.5, -0.5), "top-left-front": (0.0, 0.0)}
 
@@ -47,8 +47,8 @@ class Stock:
         if self.origin not in CORNER_OF_ORIGIN:
             raise JobError(
                 "stock-origin",
-                f"'{self.origin}' is no origin of a stock",
-                advice=f"write one of: {', '.join(CORNER_OF_ORIGIN)}",
+                Text("'{origin}' is no origin of a stock", origin=self.origin),
+                advice=Text("write one of: {corner_of_origin}", corner_of_origin=", ".join(CORNER_OF_ORIGIN)),
             )
         object.__setattr__(self, "size_mm", size_mm)
 
@@ -148,8 +148,8 @@ class HeightField(Stock):
             raise JobError(
                 "stock-heights",
                 "the heights do not fit their box",
-                value=f"{field.min():g} to {field.max():g} mm",
-                limit=f"0 to {self.size_mm[2]:g} mm",
+                value=Text("{field:g} to {field2:g} mm", field=field.min(), field2=field.max()),
+                limit=Text("0 to {size_mm:g} mm", size_mm=self.size_mm[2]),
                 advice="give heights over the bottom, and the largest as the stock's Z",
             )
         object.__setattr__(self, "heights_mm", field)

@@ -25,7 +25,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from CNCStepper.atomic_file import write_whole
-from CNCStepper.errors import CNCStepperError, JobError, OutputError, Place
+from CNCStepper.errors import CNCStepperError, JobError, OutputError, Place, Text
 from CNCStepper.workbench import packages
 from CNCStepper.workbench.document import program_file
 from CNCStepper.workbench.features.base import Feature, edit, require_parts
@@ -87,7 +87,10 @@ def import_tools(job: Any, path: str | Path, unit_mm: float = 1.0) -> tuple[list
     from CNCStepper.machine.tools.tool_files import read_tools
 
     stored = read_tools(Path(path), unit_mm)
-    tools, notes = [], [f"{each.name or each.number}: {text}" for each in stored for text in each.notes]
+    tools: list[Any] = []
+    notes: list[str] = [
+        Text("{tool}: {note}", tool=each.name or each.number, note=note) for each in stored for note in each.notes
+    ]
     for each in stored:
         if each.tool is not None:
             taken = {tool.Number for tool in job.Tools}
@@ -160,7 +163,9 @@ def require_valid(job: Any) -> None:
     require_parts([*job.OutListRecursive, job])
     stale = [obj.Label for obj in [job, *job.OutListRecursive] if "Touched" in obj.State]
     if stale:
-        raise JobError("program-stale", f"{stale[0]} has changed since the program was made", advice="recompute")
+        raise JobError(
+            "program-stale", Text("{stale} has changed since the program was made", stale=stale[0]), advice="recompute"
+        )
 
 
 def program_text(job: Any) -> str:
@@ -172,7 +177,9 @@ def program_text(job: Any) -> str:
     text = program_file.load(job)
     if not text:
         why = getattr(job, "Message", "") or "it is empty"
-        raise JobError("program-missing", f"{job.Label} has no program: {why}", advice="recompute")
+        raise JobError(
+            "program-missing", Text("{job} has no program: {why}", job=job.Label, why=why), advice="recompute"
+        )
     return text
 
 
@@ -202,7 +209,7 @@ def _write(path: Path, text: str) -> Path:
     try:
         write_whole(path, text.encode("ascii"))
     except OSError as error:
-        what = f"the program cannot be written: {error.strerror or error}"
+        what = Text("the program cannot be written: {error}", error=error.strerror or error)
         advice = "choose a folder that exists and that you may write to"
         raise JobError("program-unwritable", what, advice=advice, place=Place(str(path))) from error
     return path

@@ -12,7 +12,7 @@ import sys
 from pathlib import Path
 
 from CNCStepper import dependencies
-from CNCStepper.errors import MissingPackage
+from CNCStepper.errors import MissingPackage, Text
 
 ROOT = Path(__file__).resolve().parents[2]
 NEEDED = dependencies.modules(dependencies.PROGRAM)
@@ -70,8 +70,13 @@ def require(*names: str) -> None:
     if lacking:
         raise MissingPackage(
             "package-missing",
-            f"FreeCAD's Python lacks {', '.join(lacking)}",
-            advice="run 'make setup' beside the workbench, or let Tools > Addon Manager install them, or "
-            f"install them for Python {sys.version_info[0]}.{sys.version_info[1]} into a folder of their own "
-            "(pip install --target FOLDER) and name it in the environment variable CNCSTEPPER_PACKAGES",
+            Text("FreeCAD's Python lacks {lacking}", lacking=", ".join(lacking)),
+            advice=Text(
+                "run 'make setup' beside the workbench, or let Tools > Addon Manager install them, "
+                "or install them for Python {version_info}.{version_info2} into a folder of their "
+                "own (pip install --target FOLDER) and name it in the environment variable "
+                "CNCSTEPPER_PACKAGES",
+                version_info=sys.version_info[0],
+                version_info2=sys.version_info[1],
+            ),
         )

@@ -23,7 +23,7 @@ from CNCStepper.control.session.files import OUTCOME, WIRE, DeskFile, write_priv
 from CNCStepper.control.session.server import SessionServer
 from CNCStepper.control.session.status import error_to_json
 from CNCStepper.control.transport.port_identity import identify
-from CNCStepper.errors import CNCStepperError, LinkError
+from CNCStepper.errors import CNCStepperError, LinkError, Text
 from CNCStepper.workers.sender import SWITCH_S
 
 
@@ -65,7 +65,9 @@ def _run(desk: Desk, desk_file: DeskFile) -> CNCStepperError | None:
     try:
         if desk_file.elder(desk.port):
             raise LinkError(
-                "port-busy", f"{desk.port} is in use by another window's connection", advice="attach to that one"
+                "port-busy",
+                Text("{port} is in use by another window's connection", port=desk.port),
+                advice="attach to that one",
             )
         desk.run()
     except CNCStepperError as error:

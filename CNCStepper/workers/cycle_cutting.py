@@ -29,7 +29,7 @@ from queue import Empty
 from typing import Any
 
 from CNCStepper.cancellation import interruptible
-from CNCStepper.errors import CNCStepperError
+from CNCStepper.errors import CNCStepperError, Text
 from CNCStepper.workers.json_lines import Questions, serve, tell
 
 LOOK_EVERY_S = 0.02  # whether a newer question has come
@@ -108,7 +108,7 @@ class Answers:
             raise
         except Exception as fault:  # a fault of ours still has to reach the person who waits
             traceback.print_exc()
-            what = f"the cut failed by a fault of its own: {type(fault).__name__}: {fault}"
+            what = Text("the cut failed by a fault of its own: {kind}: {fault}", kind=type(fault).__name__, fault=fault)
             error = CNCStepperError("cut-fault", what, advice="please report it, with the program")
         return {"error": error_to_json(error)}
 

@@ -11,7 +11,8 @@ from collections.abc import Callable
 from queue import SimpleQueue
 from typing import Any
 
-from CNCStepper.errors import CNCStepperError
+from CNCStepper import text_json
+from CNCStepper.errors import CNCStepperError, Text
 
 Questions = SimpleQueue[dict[str, Any]]
 
@@ -30,14 +31,16 @@ def serve(answer: Callable[[Questions], None], code: str, doing: str) -> int:
         _refuse(error, failed)
     except Exception as error:  # a fault of ours still has to reach the person who waits
         traceback.print_exc()
-        what = f"{doing} failed by a fault of its own: {type(error).__name__}: {error}"
+        what = Text(
+            "{doing} failed by a fault of its own: {kind}: {error}", doing=doing, kind=type(error).__name__, error=error
+        )
         _refuse(CNCStepperError(code, what, advice="please report it, with the program"), failed)
     return 1
 
 
 def tell(answer: dict[str, Any]) -> None:
     """Write an answer to standard output."""
-    print(json.dumps(answer), flush=True)
+    print(text_json.dumps(answer), flush=True)
 
 
 def _listen(put: Callable[[dict[str, Any]], None], failed: threading.Event) -> None:

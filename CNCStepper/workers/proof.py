@@ -18,7 +18,7 @@ import traceback
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from CNCStepper.errors import CNCStepperError, MissingPackage
+from CNCStepper.errors import CNCStepperError, MissingPackage, Text
 
 if TYPE_CHECKING:
     from CNCStepper.simulation.removal.heightmap import HeightMap
@@ -39,7 +39,7 @@ def main(arguments: list[str]) -> int:
         return 1
     except Exception as error:  # a fault of ours still has to reach the person who waits
         traceback.print_exc()
-        what = f"the proof failed by a fault of its own: {type(error).__name__}: {error}"
+        what = Text("the proof failed by a fault of its own: {kind}: {error}", kind=type(error).__name__, error=error)
         _refuse(folder, CNCStepperError("proof-fault", what, advice="please report it, with the program"))
         return 1
     return 0

@@ -25,7 +25,7 @@ from CNCStepper.control.session.server import SessionServer
 from CNCStepper.control.session.status import FAILED, Outcome
 from CNCStepper.control.stream.job_run import LOST
 from CNCStepper.control.transport.port_identity import identify
-from CNCStepper.errors import CNCStepperError
+from CNCStepper.errors import CNCStepperError, Text
 
 SWITCH_S = 0.0005  # a command must not wait for the sender's turn of 5 ms
 
@@ -63,7 +63,7 @@ def main(arguments: list[str]) -> int:
 def _fault(sender: Sender) -> Outcome:
     """Return the outcome that stands unless the sender gives its own: a fault of this program."""
     error = CNCStepperError("sender-fault", "the sender failed by a fault of its own", advice="see its log, report it")
-    return Outcome(FAILED, f"{error}. Now {LOST}", False, sender.status(), error)
+    return Outcome(FAILED, Text("{error}. Now {state}", error=error, state=LOST), False, sender.status(), error)
 
 
 if __name__ == "__main__":

@@ -25,7 +25,7 @@ from typing import TYPE_CHECKING, Any
 
 from CNCStepper.control.journal.store import latest_unfinished, unfinished_at
 from CNCStepper.control.journal.summary import begun_as, check_ended, told_of, why_no_line
-from CNCStepper.errors import CNCStepperError
+from CNCStepper.errors import CNCStepperError, Text
 from CNCStepper.workers.json_lines import Questions, serve, tell
 
 if TYPE_CHECKING:
@@ -63,7 +63,13 @@ def told(story: Story, reached: Reached | None = None) -> Iterator[tuple[str, st
     yield from begun_as(story)
     yield from told_of(story, reached)
     if story.first_program and not why_no_line(story):
-        yield "restart", f"it was a restart itself: the first line not certainly cut is the program's {line_of(story)}"
+        yield (
+            "restart",
+            Text(
+                "it was a restart itself: the first line not certainly cut is the program's {story}",
+                story=line_of(story),
+            ),
+        )
     if why_not := why_no_line(story):
         yield "restart", why_not
 

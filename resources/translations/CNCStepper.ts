@@ -5554,11 +5554,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>#&lt;{0}&gt; has no value here</source>
+            <source>#&lt;{name}&gt; has no value here</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>${0} is {1}, wanted {2}</source>
+            <source>${number} is {value:g}, wanted {wanted:g}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5570,79 +5570,83 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>'{0}' and '{1}' cross, so that it is not clear what lies inside</source>
+            <source>'{axes}' names no axes</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>'{0}' cannot be {1}</source>
+            <source>'{drawing}' holds no lines that can be followed</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>'{0}' holds no lines that can be followed</source>
+            <source>'{drawing}' is a solid</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>'{0}' is a solid</source>
+            <source>'{drawing}' is one more drawing beside '{used}', and only one gives the shape</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>'{0}' is drawn where '{1}' is, and counts once</source>
+            <source>'{each}' is no operation of '{job}'</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>'{0}' is no block that only switches, as M8, M3S9000 or M64P0</source>
+            <source>'{file}' is no kind of sheet that can be written</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>'{0}' is no kind of sheet that can be written</source>
+            <source>'{inner}' and '{outer}' cross, so that it is not clear what lies inside</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>'{0}' is no length or angle that is known</source>
+            <source>'{key}' cannot be {value!r}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>'{0}' is no operation of '{1}'</source>
+            <source>'{label}' is drawn where '{other}' is, and counts once</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>'{0}' is no origin of a stock</source>
+            <source>'{line}' is no block that only switches, as M8, M3S9000 or M64P0</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>'{0}' is no solid and cannot be a clamp</source>
+            <source>'{name}' names no port number</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>'{0}' is no tool file that is known</source>
+            <source>'{obj}' stands on this job and cannot be its clamp</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>'{0}' is not a tool</source>
+            <source>'{origin}' is no origin of a stock</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>'{0}' is one more drawing beside '{1}', and only one gives the shape</source>
+            <source>'{out}' is drawn where '{kept}' is, and counts once</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>'{0}' moves as only the controller knows</source>
+            <source>'{path}' is no tool file that is known</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>'{0}' names no axes</source>
+            <source>'{solid}' is no solid and cannot be a clamp</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>'{0}' names no port number</source>
+            <source>'{text}' is not a tool</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>'{0}' stands on this job and cannot be its clamp</source>
+            <source>'{text}' moves as only the controller knows</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>(program {0} of {1}, tool {2})</source>
+            <source>'{words}' is no length or angle that is known</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>(program {number} of {count}, tool {tool})</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5650,11 +5654,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>0 to {0} mm</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>; and {0} smaller ones</source>
+            <source>0 to {size_mm:g} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5690,7 +5690,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>D of {0} is the number of a tool</source>
+            <source>D of {code} is the number of a tool</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5698,15 +5698,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>FreeCAD has no tool bit for a {0}</source>
+            <source>FreeCAD has no tool bit for a {tool_shape}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>FreeCAD's Python lacks {0}</source>
+            <source>FreeCAD's Python lacks {lacking}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>G10 L{0} changes nothing</source>
+            <source>G10 L{kind} changes nothing</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5798,7 +5798,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>I of {0} must be above 0</source>
+            <source>I of {name} must be above 0</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5906,7 +5906,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>R lies below {0}</source>
+            <source>R lies below {normal}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5926,7 +5926,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>[ is missing after {0}</source>
+            <source>[ is missing after {keyword}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5938,7 +5938,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>`kill {0}` (SIGTERM) lets its process stop the machine safely</source>
+            <source>`kill {process}` (SIGTERM) lets its process stop the machine safely</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5950,7 +5950,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>a NURBS of order {0} needs as many control points</source>
+            <source>a NURBS of order {order} needs as many control points</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6038,7 +6038,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>a difference of {0} mm</source>
+            <source>a difference of {slack:.4f} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6070,7 +6070,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>a file that calls this machine's position unknown belongs to {0} and cannot be opened</source>
+            <source>a file that calls this machine's position unknown belongs to {user} and cannot be opened</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6146,11 +6146,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>a line holds {0} M codes</source>
+            <source>a line holds {count} M codes</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>a line in '{0}' is open and encloses nothing</source>
+            <source>a line in '{label}' is open and encloses nothing</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6206,7 +6206,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>a mill that does not cut over its centre ({0}) goes down into stock too steeply</source>
+            <source>a mill that does not cut over its centre ({tool}) goes down into stock too steeply</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6218,7 +6218,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>a number beyond {0}: {1}</source>
+            <source>a number beyond {most:g}: {text}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a number beyond {most_count}: {text}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6290,11 +6294,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>a process of ours has a machine's port, but its file {0} cannot be read: {1}</source>
+            <source>a process of ours has a machine's port, but its file {path} cannot be read: {error}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>a program for {0} cannot be restarted in its middle</source>
+            <source>a program for {language} cannot be restarted in its middle</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6326,7 +6330,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>a report of the controller is damaged and was not believed: {0}</source>
+            <source>a report of the controller is damaged and was not believed: {report}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6342,7 +6346,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>a session's file belongs to {0} and cannot be opened, so that nobody can tell its port</source>
+            <source>a session's file belongs to {user} and cannot be opened, so that nobody can tell its port</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6390,7 +6394,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>a subroutine takes {0} arguments at most</source>
+            <source>a subroutine takes {arguments} arguments at most</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6414,7 +6418,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>a tool length of {0} mm is in force, wanted none (G49)</source>
+            <source>a tool length of {length:.3f} mm is in force, wanted none (G49)</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6422,15 +6426,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>a tooth of the {0} tool takes too thick a chip</source>
+            <source>a tooth of the {tool} tool takes too thick a chip</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>a tooth of the {0} tool takes too thick a chip for tool and material</source>
+            <source>a tooth of the {tool} tool takes too thick a chip for tool and material</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>a tooth of the {0} tool takes too thin a chip: it rubs and grows hot</source>
+            <source>a tooth of the {tool} tool takes too thin a chip: it rubs and grows hot</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6490,23 +6494,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>a {0} cuts through at any height: no tabs, no ramp</source>
+            <source>a {shape} tool has no {key}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>a {0} tool does not drill</source>
+            <source>a {tool_shape} cuts through at any height: no tabs, no ramp</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>a {0} tool has no {1}</source>
+            <source>a {tool_shape} tool does not drill</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>a {0} tool leaves no flat floor</source>
+            <source>a {tool_shape} tool leaves no flat floor</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>a {0} tool mills no thread</source>
+            <source>a {tool_shape} tool mills no thread</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6522,15 +6526,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>above 0, at most {0} deg, no tabs</source>
+            <source>above 0, at most {ramp_max_deg:g} deg, no tabs</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>above 0, below {0} mm</source>
+            <source>above 0, below {diameter_mm:g} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>above {0} mm</source>
+            <source>above {highest_cut:g} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6578,7 +6582,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>add {0} to the line</source>
+            <source>add {letter} to the line</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6586,11 +6590,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>all before line {0} is cut</source>
+            <source>all before line {first_line} is cut</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>all {0} lines are cut, the machine is idle</source>
+            <source>all {total} lines are cut, the machine is idle</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6610,7 +6614,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>an arc in the plane {0} would be no arc any more</source>
+            <source>an arc in the plane {plane} would be no arc any more</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6626,7 +6630,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>an axis is missing: {0}</source>
+            <source>an axis is missing: {text}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6654,11 +6658,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>an offset came damaged: {0}</source>
+            <source>an offset came damaged: {error}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>an operation uses tool {0}, which neither the job nor {1} has</source>
+            <source>an operation uses tool {number}, which neither the job nor {form_file} has</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6671,6 +6675,10 @@
         </message>
         <message>
             <source>an outline or island is open</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>and {corners} smaller ones</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6718,11 +6726,35 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>at least {0}</source>
+            <source>at least {chord:.4f} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>at least {0} mm</source>
+            <source>at least {depth_mm:.3g} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>at least {least_mm:.3g} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>at least {length_mm:.3g} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>at least {need_mm:.3f} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>at least {rough_mm:.3g} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>at least {z:g}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>at least {z_mm:g} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6730,15 +6762,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>at most {0}</source>
+            <source>at most {largest_tool}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>at most {0} mm</source>
+            <source>at most {longest:g} times</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>at most {0} times</source>
+            <source>at most {narrowest_mm:.3f} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6762,11 +6794,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>axis.{0} is missing</source>
+            <source>axis.{missing} is missing</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>axis.{0}.jerk_mm_s3 is missing: ramp = "s_curve" needs it</source>
+            <source>axis.{without}.jerk_mm_s3 is missing: ramp = "s_curve" needs it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6802,7 +6834,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>begin operation: {0}</source>
+            <source>begin operation: {name}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6818,7 +6850,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>below {0} mm</source>
+            <source>below {depth_mm:g} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>below {length_mm:.3f} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>below {minor_mm:.3f} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>below {narrowest_mm:g} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>below {total_mm:g} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6870,7 +6918,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>change_ms is so small that there are more than {0} waits</source>
+            <source>change_ms is so small that there are more than {most_waits} waits</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6970,7 +7018,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>choose S from {0} to {1}</source>
+            <source>choose S from {min_rpm:g} to {max_rpm:g}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7014,7 +7062,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>choose a tool of at most {0} mm diameter</source>
+            <source>choose a tool of at most {widest:.3f} mm diameter</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7054,7 +7102,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>choose one of: {0}</source>
+            <source>choose one of: {choices}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7062,7 +7110,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>choose the pass yourself: the program sends lines again, so line {0} alone is no place</source>
+            <source>choose the pass yourself: the program sends lines again, so line {line} alone is no place</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7070,7 +7118,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>circles and points of several drawings that stand about the same centre, one hole each: {0}</source>
+            <source>circles and points of several drawings that stand about the same centre, one hole each: {twice}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7170,7 +7218,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>coordinates alone may not follow {0}</source>
+            <source>coordinates alone may not follow {motion_name}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7186,7 +7234,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>correct R or {0}</source>
+            <source>correct R or {normal}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7198,7 +7246,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>correct its spelling or take it out; known {0}are: {1}</source>
+            <source>correct its spelling or take it out; known {table}are: {known}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7326,19 +7374,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>curve {0} has no length</source>
+            <source>curve {number} has no length</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>curve {0} is closed, it has no {1}</source>
+            <source>curve {number} is closed, it has no {side}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>curve {0} is open, it has no {1}</source>
+            <source>curve {number} is open, it has no {side}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>curves do not meet</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>cut always</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7366,7 +7418,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>cuts {0} mm before the place again</source>
+            <source>cuts {overlap_mm:.3g} mm before the place again</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7474,7 +7526,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>end that session as {0}, or remove the file as {1} where none runs any more</source>
+            <source>end that session as {user}, or remove the file as {user} where none runs any more</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7490,7 +7542,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>entered here, the program does not stand alone: {0}</source>
+            <source>entered here, the program does not stand alone: {error}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7498,11 +7550,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>enters line {0} at {1}</source>
+            <source>enters line {line} at {place}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>enters there because {0}</source>
+            <source>enters there because {note}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7511,6 +7563,10 @@
         </message>
         <message>
             <source>entry "plunge"</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>error:{error} {meaning}; {advice}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7562,7 +7618,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>finish operation: {0}</source>
+            <source>finish operation: {name}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7574,7 +7630,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>finish_{0} leaves nothing to rough</source>
+            <source>finish_{name} leaves nothing to rough</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7598,7 +7654,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>from 1 to {0}</source>
+            <source>from 1 to {found}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>from 1 to {runs}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7606,7 +7666,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>from {0} at line {1}, to {2} at line {3}</source>
+            <source>from {begin} at line {first_line}, to {end} at line {last_line}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7614,7 +7674,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>gap {0} mm</source>
+            <source>gap {gap_mm:.3g} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>gap {gap_mm:g} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7642,7 +7706,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>give a TOML file or one of: {0}</source>
+            <source>give a TOML file or one of: {profile_names}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7650,7 +7714,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>give a file that ends in {0}</source>
+            <source>give a file that ends in {endings}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7730,7 +7794,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>give its {0}</source>
+            <source>give its {own_key}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7738,7 +7802,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>give parameters {0} to {1} with the start state, or use G53</source>
+            <source>give parameters {first} to {first2} with the start state, or use G53</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7774,7 +7838,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>give the tool a {0}</source>
+            <source>give the tool a {name}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7810,7 +7874,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>give {0}, or a pattern of circles</source>
+            <source>give {key}, or a pattern of circles</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7834,7 +7898,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>go on with it or stop it where it was started, or with: cncstepper back --session {0}</source>
+            <source>go on with it or stop it where it was started, or with: cncstepper back --session {file}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7842,7 +7906,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>goes down at {0} mm/min</source>
+            <source>goes down at {plunge_mm_min:g} mm/min</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7850,7 +7914,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>goes to Z {0} first, straight up (it is not sent while the tool stands higher), then over the place</source>
+            <source>goes to Z {height_mm:.3f} first, straight up (it is not sent while the tool stands higher), then over the place</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7878,7 +7942,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>heights differ by {0} mm</source>
+            <source>heights differ by {rise:.4g} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7962,7 +8026,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>if it was cutting, the position is unknown: look at the machine, then see {0}</source>
+            <source>if it was cutting, the position is unknown: look at the machine, then see {session_file}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7970,15 +8034,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>in inverse time every {0} needs its own F above 0</source>
+            <source>in inverse time every {name} needs its own F above 0</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>in the language of {0} no play can be taken up</source>
+            <source>in the language of {dialect} no play can be taken up</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>in the operation {0}</source>
+            <source>in the operation {span}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7986,7 +8050,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>input: two inputs are on {0}</source>
+            <source>input: two inputs are on {twice}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8002,7 +8066,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>install them in one (python -m pip install {0}), or set {1} to a Python that has them</source>
+            <source>install them in one (python -m pip install {packages}), or set {variable} to a Python that has them</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8014,7 +8078,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>it cuts upwards on a helix, as thread mills do, and is entered at its begin, line {0}</source>
+            <source>it cuts upwards on a helix, as thread mills do, and is entered at its begin, line {begin}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8022,7 +8086,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>it ends at X {0} Y {1}</source>
+            <source>it ends at X {end_mm:.4g} Y {end_mm2:.4g}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8038,15 +8102,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>it has them on {0}</source>
+            <source>it has them on {names}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>it has {0}</source>
+            <source>it has {ways}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>it has: {0}</source>
+            <source>it has: {entries}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8074,7 +8138,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>it is within a way into the cut, which begins at line {0}</source>
+            <source>it is within a way into the cut, which begins at line {file_line}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8090,11 +8154,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>it should be *{0}</source>
+            <source>it should be *{summed}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>it was a restart itself: the first line not certainly cut is the program's {0}</source>
+            <source>it was a restart itself: the first line not certainly cut is the program's {story}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8102,7 +8166,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>its file '{0}' is neither here nor in ../Bit</source>
+            <source>its file '{name}' is neither here nor in ../Bit</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8122,15 +8186,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>its number is above {0}</source>
+            <source>its number is above {largest_number}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>its numbers make no curve: {0}</source>
+            <source>its numbers make no curve: {why}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>its operations are: {0}</source>
+            <source>its operations are: {known}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8138,7 +8202,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>its shape '{0}' is none of {1}</source>
+            <source>its shape '{kind}' is none of {shapes}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8150,11 +8214,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>its {0} are no numbers in bounds</source>
+            <source>its {name} are no numbers in bounds</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>its {0} is no number in bounds</source>
+            <source>its {name} is no number in bounds</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8162,7 +8226,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>jog it down to that height where you see what is below it, or restart with the height {0} (--height), from which it goes over the place at once</source>
+            <source>jog it down to that height where you see what is below it, or restart with the height {here_mm:.1f} (--height), from which it goes over the place at once</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8178,7 +8242,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>kept only if the controller has had power ever since and was not reset in motion; a greeting, an alarm or a place that is not right says that it was: then {0}; {1}</source>
+            <source>kept only if the controller has had power ever since and was not reset in motion; a greeting, an alarm or a place that is not right says that it was: then {home}; {until_homed}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8190,7 +8254,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>larger than {0} MB</source>
+            <source>larger than {largest_bytes} MB</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8214,7 +8278,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>leads had to be made smaller to stay in the scrap, down to {0} of their size</source>
+            <source>leads had to be made smaller to stay in the scrap, down to {smallest:.0%} of their size</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8222,7 +8286,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>leave '{0}' out, if the machine's operator does it by hand</source>
+            <source>leave '{name}' out, if the machine's operator does it by hand</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8266,6 +8330,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>left out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>left out: G61.1, the machine may round the corners</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8278,11 +8346,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>left out: {0}</source>
+            <source>left out: {lacks}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>left out: {0}, which never moves; that axis stands at 0</source>
+            <source>left out: {letter}, which never moves; that axis stands at 0</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8302,7 +8370,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>let them coincide, or keep them {0} mm apart</source>
+            <source>let them coincide, or keep them {small_mm:g} mm apart</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8318,43 +8386,47 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>limit {limit}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>line numbers begin at 0 or above and grow</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>line {0} here is its line {1}</source>
+            <source>line {file_line} is run from its begin</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>line {0} is run from its begin</source>
+            <source>line {file_line} makes several moves and is run from its begin</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>line {0} makes several moves and is run from its begin</source>
+            <source>line {first_line} may not have been begun, line {last} may have been sent</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>line {0} may not have been begun, line {1} may have been sent</source>
+            <source>line {first} to {file_line}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>line {0} of the journal is damaged</source>
+            <source>line {own} here is its line {file_line}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>line {0} of the journal is not the one that was written there</source>
+            <source>line {place} of the journal is damaged</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>line {0} to {1}</source>
+            <source>line {place} of the journal is not the one that was written there</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>lines of '{0}' that are no whole circles and want no holes: {1}</source>
+            <source>lines of '{drawing}' that are no whole circles and want no holes: {lines}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>lines with / are {0}: no switch deletes them any more</source>
+            <source>lines with / are {word}: no switch deletes them any more</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8506,7 +8578,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>make finish_{0} smaller</source>
+            <source>make finish_{name} smaller</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8530,11 +8602,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>make room on the disk of {0}, and see that you may write there</source>
+            <source>make room on the disk of {folder}, and see that you may write there; then send again</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>make room on the disk of {0}, and see that you may write there; then send again</source>
+            <source>make room on the disk of {parent}, and see that you may write there</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8586,15 +8658,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>make {0} larger</source>
+            <source>make {name} larger</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>material is left where it should be removed{0}</source>
+            <source>material is left where it should be removed{islands}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>material stays in {0} gap(s) between walls that are narrower than the tool, the deepest one before X{1} Y{2}; a smaller tool takes it away</source>
+            <source>material stays in {gaps} gap(s) between walls that are narrower than the tool, the deepest one before X{x:.3f} Y{y:.3f}; a smaller tool takes it away</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8622,7 +8694,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>more of the {0} tool's rim is in the material than it may</source>
+            <source>more of the {tool} tool's rim is in the material than it may</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8638,15 +8710,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>more than {0} lines</source>
+            <source>more than {most} lines</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>more than {0} mm</source>
+            <source>more than {radius:g} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>more than {0} steps</source>
+            <source>more than {way} steps</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8686,7 +8758,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>move the work zero {0} the {1} axis or make the program smaller</source>
+            <source>move the work zero {word} the {name} axis or make the program smaller</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8702,11 +8774,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>move {0} on a line of its own</source>
+            <source>move {letter} on a line of its own</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>must be {0} from {1}</source>
+            <source>must be {number} from {words}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8738,7 +8810,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>name one of: {0}</source>
+            <source>name one of: {known}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8758,11 +8830,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>next is line {0}: {1}</source>
+            <source>next is line {line}: {text}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>no JSON at byte {0}</source>
+            <source>no JSON at byte {offset}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8790,11 +8862,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>no code on this line uses the word {0}</source>
+            <source>no code on this line uses the word {letter}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>no conversion makes this a program for {0}: {1}</source>
+            <source>no conversion makes this a program for {dialect_named}: {error}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8810,7 +8882,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>no encoder for '{0}' is installed</source>
+            <source>no encoder for '{file}' is installed</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8826,7 +8898,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>no identity of a port: {0}</source>
+            <source>no identity of a port: {content}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8854,11 +8926,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>no move of line {0} lies on the way back</source>
+            <source>no move of line {line} lies on the way back</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>no operation, or more than one, is called '{0}'</source>
+            <source>no operation, or more than one, is called '{name}'</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8878,7 +8950,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>no process has it any more: remove the file as {0}</source>
+            <source>no process has it any more: remove the file as {user}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8954,19 +9026,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>not a DXF file: {0}</source>
+            <source>not a DXF file: {why}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>not a JSON file: {0}</source>
+            <source>not a JSON file: {error}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>not a TOML file: {0}</source>
+            <source>not a TOML file: {error}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>not a curve with xy and bulge: {0}</source>
+            <source>not a curve with xy and bulge: {error}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8974,15 +9046,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>not a job to send: {0}</source>
+            <source>not a job to send: {error}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>not a number: {0}</source>
+            <source>not a number: {text}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>not a point: '{0}'</source>
+            <source>not a point: '{line}'</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8990,11 +9062,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>not a status: its {0} is no {1}</source>
+            <source>not a status: its {name} is no {kind_name}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>not a status: {0}</source>
+            <source>not a status: {error}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9006,7 +9078,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>not a tool bit: its {0} is no object</source>
+            <source>not a tool bit: its {key} is no object</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9014,7 +9086,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>not a tool of a table: '{0}'</source>
+            <source>not a tool of a table: '{line}'</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9030,7 +9102,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>not an error: {0}</source>
+            <source>not an error: {error}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9042,7 +9114,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>not an outcome: {0}</source>
+            <source>not an outcome: {fault}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9050,7 +9122,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>not known on {0}</source>
+            <source>not known on {platform}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9058,7 +9130,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>not the numbers of a curve: {0}</source>
+            <source>not the numbers of a curve: {error}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9070,7 +9142,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>nothing answers at {0}: {1}</source>
+            <source>nothing answers at {name}: {text}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9106,7 +9178,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>nothing may follow {0}</source>
+            <source>nothing may follow {keyword}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9114,11 +9186,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>nothing moves at line {0} or after it</source>
+            <source>nothing moves at line {number} or after it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>nothing moves in the plane {0}</source>
+            <source>nothing moves in the plane {plane}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9134,7 +9206,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>numbers 1 to {0}</source>
+            <source>numbers 1 to {largest}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9162,7 +9234,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>one more client beside {0}</source>
+            <source>one more client beside {known_limit}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9170,11 +9242,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>one pass is {0} mm deep, deeper than the tool's diameter of {1} mm; give stepdown_mm</source>
+            <source>one pass is {deepest_mm:g} mm deep, deeper than the tool's diameter of {diameter_mm:g} mm; give stepdown_mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>only X, Y and Z are edited, not {0}</source>
+            <source>only X, Y and Z are edited, not {letter}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9186,19 +9258,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>only {0} kB are free</source>
+            <source>only {free} kB are free</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>only {0} of {1} bytes were taken</source>
+            <source>only {written} of {data} bytes were taken</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>operation '{0}' uses tool {1}, which the job does not have</source>
+            <source>operation '{cycle}' uses tool {tool}, which the job does not have</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>operation {0} ({1}) will take long: about {2} m of cut in {3} levels</source>
+            <source>operation {number} ({cycle}) will take long: about {length_mm:.0f} m of cut in {levels} levels</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9210,7 +9282,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>o{0} has no end: the text is over, and it is still being skipped</source>
+            <source>o{name} has no end: the text is over, and it is still being skipped</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9230,7 +9302,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>peck_mm {0} mm</source>
+            <source>peck_mm {peck_mm:g} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9238,27 +9310,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>pin '{0}' is no pin of a controller; there are {1}</source>
+            <source>pin '{pin}' is no pin of a controller; there are {controller_pins}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>pin {0} is no input of a parallel port; inputs are 10, 11, 12, 13 and 15</source>
+            <source>pin {pin} is no input of a parallel port; inputs are 10, 11, 12, 13 and 15</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>pin {0} of {1}</source>
+            <source>pin {pin} of {port}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>pins.{0} is no signal; there are {1}</source>
+            <source>pins.{name} is no signal; there are {known}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>pins.{0}: pin {1} is an input of the parallel port</source>
+            <source>pins.{name}: pin {pin} is an input of the parallel port</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>pins.{0}: pin {1} is no output; outputs are 1 to 9, 14, 16 and 17</source>
+            <source>pins.{name}: pin {pin} is no output; outputs are 1 to 9, 14, 16 and 17</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9266,7 +9338,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>pitch_mm is lowered to {0} mm, for the helix must not fall by more than {1}°</source>
+            <source>pitch_mm is lowered to {pitch_mm:.3f} mm, for the helix must not fall by more than {most_deg:g}°</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9294,7 +9366,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>plug the controller in, or give one of the ports that are there: {0}</source>
+            <source>plug the controller in, or give one of the ports that are there: {names}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9302,11 +9374,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>points with its blocks taken apart ({0})</source>
+            <source>points with its blocks taken apart ({splines})</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>positions are not compared with the path any more: {0}</source>
+            <source>positions are not compared with the path any more: {why}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9318,7 +9390,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>programs are not written in the dialect {0}</source>
+            <source>programs are not written in the dialect {dialect}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9330,7 +9402,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>programs of {0} are in one unit only</source>
+            <source>programs of {language} are in one unit only</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9398,7 +9470,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>ramp {0} deg</source>
+            <source>ramp {ramp_deg:g} deg</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9450,7 +9522,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>remove it as {0}; until then the position is unknown again at each connection</source>
+            <source>remove it as {user}; until then the position is unknown again at each connection</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9490,7 +9562,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>restart of {0} at line {1}</source>
+            <source>restart of {name} at line {file_line}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9538,7 +9610,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>run 'make setup' beside the workbench, or let Tools &gt; Addon Manager install them, or install them for Python {0}.{1} into a folder of their own (pip install --target FOLDER) and name it in the environment variable CNCSTEPPER_PACKAGES</source>
+            <source>run 'make setup' beside the workbench, or let Tools &gt; Addon Manager install them, or install them for Python {version_info}.{version_info2} into a folder of their own (pip install --target FOLDER) and name it in the environment variable CNCSTEPPER_PACKAGES</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9642,7 +9714,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>set again at the pause at line {0}: {1} (machine, mm); what comes after counts from there, what was before from the old one</source>
+            <source>set again at the pause at line {line}: {places} (machine, mm); what comes after counts from there, what was before from the old one</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9694,7 +9766,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>sets G92 as it was: {0}</source>
+            <source>sets G92 as it was: {array}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9702,15 +9774,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>shape '{0}' goes without the {1} {2} of its drawing: {3}</source>
+            <source>shape '{name}' goes without the {entity_kind} {handle} of its drawing: {why}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>shape '{0}' goes without {1} more things of its drawing</source>
+            <source>shape '{name}' goes without {skipped} more things of its drawing</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>shape '{0}': two ends lie {1} mm apart at X{2} Y{3}</source>
+            <source>shape '{name}': two ends lie {size_mm:.3g} mm apart at X{x:.3f} Y{y:.3f}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9738,7 +9810,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>spacing_mm asks for more than {0} tabs on one contour</source>
+            <source>spacing_mm asks for more than {most_tabs} tabs on one contour</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9786,7 +9858,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>starts the spindle at {0} rpm, {1}</source>
+            <source>starts the spindle at {spindle_rpm:g} rpm, {sense}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9794,11 +9866,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>stepover_mm asks for more than {0} passes</source>
+            <source>stepover_mm asks for more than {most_passes} passes</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>stepover_mm asks for more than {0} turns</source>
+            <source>stepover_mm asks for more than {most_passes} turns</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9806,7 +9878,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>steps_per_mm is {0}, but the drive gives {1}</source>
+            <source>steps_per_mm is {steps_per_mm:g}, but the drive gives {pulses_per_mm:g}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9826,7 +9898,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>stopped as asked after {0} lines</source>
+            <source>stopped as asked after {acknowledged} lines</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9862,7 +9934,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>switches the beam on at S{0} once it is down</source>
+            <source>switches the beam on at S{spindle_rpm:g} once it is down</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9914,11 +9986,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>take out {0}</source>
+            <source>take out {word}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>taken as a flat mill: '{0}' names no shape that a table's words can tell</source>
+            <source>taken as a flat mill: '{name}' names no shape that a table's words can tell</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9962,7 +10034,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the arc has neither {0} nor {1} nor R</source>
+            <source>the arc has neither {centre} nor {centre2} nor R</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9982,7 +10054,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the arc needs {0} or {1} in plane {2}</source>
+            <source>the arc needs {axis} or {axis2} in plane {name}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10018,11 +10090,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the buttons are not heard any more, so the machine is held: {0}</source>
+            <source>the buttons are not heard any more, so the machine is held: {error}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the canned cycle is begun anew, at line {0}: G91 is in force</source>
+            <source>the canned cycle is begun anew, at line {file_line}: G91 is in force</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10058,7 +10130,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the character {0} would act as a command of its own or is not ASCII</source>
+            <source>the character {found} would act as a command of its own or is not ASCII</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10086,7 +10158,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the computer came too late with a pulse and stopped after {0} writes in time, {1} s from the begin; spindle, beam and drives are off, and steps may be lost</source>
+            <source>the computer came too late with a pulse and stopped after {written} writes in time, {at_ns:.3f} s from the begin; spindle, beam and drives are off, and steps may be lost</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10094,11 +10166,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the connection {0} is open, but its process does not answer</source>
+            <source>the connection {session_file} is open, but its process does not answer</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the console does not pass on {0}</source>
+            <source>the console does not pass on {text}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10130,15 +10202,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the controller does not report ${0}: it was not compared</source>
+            <source>the controller does not report ${number}: it was not compared</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the controller does not report its {0}</source>
+            <source>the controller does not report its {system}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the controller does not say its work system: {0}</source>
+            <source>the controller does not say its work system: {modes}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10162,7 +10234,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the controller is idle but has not answered '{0}'</source>
+            <source>the controller is idle but has not answered '{text}'</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10186,11 +10258,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the controller refused '{0}' (error:{1})</source>
+            <source>the controller refused '{sent}' (error:{error})</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the controller refused '{0}': {1} (error:{2})</source>
+            <source>the controller refused '{sent}': {meaning} (error:{error})</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10198,7 +10270,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the controller refused {0}: {1} (error:{2})</source>
+            <source>the controller refused {line}: {meaning} (error:{error})</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10206,7 +10278,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the controller restarted when its port was opened, so the machine's position is unknown: {0}</source>
+            <source>the controller restarted when its port was opened, so the machine's position is unknown: {why}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10214,7 +10286,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the controller said: {0}</source>
+            <source>the controller said: {report}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10310,23 +10382,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the cut failed by a fault of its own: {0}: {1}</source>
+            <source>the cut failed by a fault of its own: {kind}: {fault}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the cut goes into the part of another contour at X{0} Y{1}</source>
+            <source>the cut goes into the part of another contour at X{x:.3f} Y{y:.3f}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the cut goes into {0} outline(s) that other contours leave standing, most at X{1} Y{2}, by {3} mm</source>
+            <source>the cut goes into {hurt} outline(s) that other contours leave standing, most at X{x:.3f} Y{y:.3f}, by {radius_mm:.3f} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the cut is taken to be {0} mm wide, the simulation cuts with the tool's {1} mm</source>
+            <source>the cut is taken to be {kerf_mm:g} mm wide, the simulation cuts with the tool's {diameter_mm:g} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the cut leads through the edge of a part that a contour leaves standing, {0}</source>
+            <source>the cut leads through the edge of a part that a contour leaves standing, {where}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10346,7 +10418,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the desk cannot be started: {0}</source>
+            <source>the desk cannot be started: {error}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10358,7 +10430,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the desk of {0} is not there, or was killed</source>
+            <source>the desk of {port} is not there, or was killed</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10370,47 +10442,47 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the digits of {0} cannot hold this feed: F would be {1} mm/min</source>
+            <source>the digits of {dialect} cannot hold this feed: F would be {written_mm_min:.4g} mm/min</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the drawing '{0}' does not lie flat</source>
+            <source>the drawing '{deleted_drawing}' that it followed was deleted</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the drawing '{0}' holds a line that is no ellipse</source>
+            <source>the drawing '{drawing}' holds an ellipse and no circle</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the drawing '{0}' holds an ellipse and no circle</source>
+            <source>the drawing '{drawing}' holds more than one ellipse</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the drawing '{0}' holds more than one ellipse</source>
+            <source>the drawing '{drawing}' holds no circles and no points</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the drawing '{0}' holds no circles and no points</source>
+            <source>the drawing '{drawing}' holds no lines</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the drawing '{0}' holds no lines</source>
+            <source>the drawing '{drawing}' holds no single rectangle</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the drawing '{0}' holds no single rectangle</source>
+            <source>the drawing '{label}' does not lie flat</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the drawing '{0}' that it followed was deleted</source>
+            <source>the drawing '{label}' holds a line that is no ellipse</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the drawing has no curves on a layer '{0}'</source>
+            <source>the drawing has no curves on a layer '{name}'</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the drawing has too many {0}</source>
+            <source>the drawing has too many {of_what}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10418,7 +10490,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the drawing {0} is damaged, a part of it may be missing: {1}</source>
+            <source>the drawing {form_file} is damaged, a part of it may be missing: {damage}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10426,7 +10498,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the drawings lie at heights from Z{0} to Z{1} mm; all depths count from the top of the stock</source>
+            <source>the drawings lie at heights from Z{least_heights:.4g} to Z{most_heights:.4g} mm; all depths count from the top of the stock</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10434,7 +10506,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the ellipse in '{0}' is open</source>
+            <source>the ellipse in '{drawing}' is open</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10490,7 +10562,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the feed asks more of {0} than its highest rate</source>
+            <source>the feed asks more of {name} than its highest rate</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10522,7 +10594,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the file cannot be read: {0}</source>
+            <source>the file cannot be read: {why}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10606,7 +10678,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the folder of sessions cannot be used: {0}</source>
+            <source>the folder of sessions cannot be used: {error}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10614,7 +10686,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the heights cannot be read: {0}</source>
+            <source>the heights cannot be read: {reason}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10630,15 +10702,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the holder of the {0} tool goes into stock</source>
+            <source>the holder of the {tool} tool goes into stock</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the job cannot be read: {0}</source>
+            <source>the job cannot be read: {why}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the job has ended: {0}</source>
+            <source>the job has ended: {outcome}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10650,7 +10722,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the job has {0}</source>
+            <source>the job has {of_what}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10658,7 +10730,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the job still runs, on {0}</source>
+            <source>the job still runs, on {port}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10670,7 +10742,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the job's machine profile cannot be read: {0}</source>
+            <source>the job's machine profile cannot be read: {error}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10694,7 +10766,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the jog was stopped: its button was not heard of for {0} s</source>
+            <source>the jog was stopped: its button was not heard of for {lapse_s:g} s</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10702,15 +10774,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the journal cannot be read: {0}</source>
+            <source>the journal cannot be read: {error}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the journal cannot be written ({0}): the job goes on to {1} and is held there; make room on the disk of {2}</source>
+            <source>the journal cannot be written ({trouble}): the job goes on to {place} and is held there; make room on the disk of {folder}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the journal could not be ended ({0}): it will tell of a killed job</source>
+            <source>the journal could not be ended ({error}): it will tell of a killed job</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10726,23 +10798,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the journal of the job cannot be written: {0}</source>
+            <source>the journal of the job cannot be written: {why}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the kernels are not compiled ahead: {0}</source>
+            <source>the kernels are not compiled ahead: {said}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the key {0} is missing</source>
+            <source>the key {name} is missing</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the largest disc of the {0} tool stands more than a pitch above its tip: it cuts no thread</source>
+            <source>the largest disc of the {tool} tool stands more than a pitch above its tip: it cuts no thread</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the leads fit nowhere in the scrap; the closest obstacle is {0} at X{1} Y{2}</source>
+            <source>the leads fit nowhere in the scrap; the closest obstacle is {name} at X{x:.3f} Y{y:.3f}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10750,11 +10822,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the length offset of tool {0} is not known</source>
+            <source>the length offset of tool {tool_number} is not known, it is taken as 0</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the length offset of tool {0} is not known, it is taken as 0</source>
+            <source>the length offset of tool {tool} is not known</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10774,7 +10846,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the line does not fit the buffer of {0}</source>
+            <source>the line does not fit the buffer of {language}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10794,7 +10866,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the line is longer than {0} can read</source>
+            <source>the line is longer than {firmware} can read</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10846,7 +10918,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the link to {0} broke: {1}</source>
+            <source>the link to {name} broke: {error}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10862,7 +10934,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the machine does not home: {0} (error:{1})</source>
+            <source>the machine does not home: {meaning} (error:{error})</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10882,7 +10954,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the machine has no {0} coolant</source>
+            <source>the machine has no {name} coolant</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10950,7 +11022,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the machine's buttons lead nothing back any more: {0}</source>
+            <source>the machine's buttons lead nothing back any more: {error}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10974,7 +11046,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the motor of {0} may lose steps: at {1} mm/s ({2} rpm) and {3} mm/s² it has too little torque</source>
+            <source>the motor of {name} may lose steps: at {speed:.4g} mm/s ({rpm_at:.0f} rpm) and {acceleration:.4g} mm/s² it has too little torque</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10982,7 +11054,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the move leaves the travel of {0} by {1} mm</source>
+            <source>the move leaves the travel of {name} by {over:.4g} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10999,6 +11071,10 @@
         </message>
         <message>
             <source>the name of a parameter holds a comment</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the number of a subprogram</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11030,7 +11106,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the overlap is only {0} mm: the cut begins there</source>
+            <source>the overlap is only {here_mm:.3g} mm: the cut begins there</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11058,7 +11134,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the pattern cannot be read: {0}</source>
+            <source>the pattern cannot be read: {error}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11090,7 +11166,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the pocket is too narrow for a {0}</source>
+            <source>the pocket is too narrow for a {entry}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11102,11 +11178,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the position along {0} is not known here</source>
+            <source>the position along {axis} is not known here</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the position stored for {0} is not known</source>
+            <source>the position along {name} is not known here</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the position stored for {code} is not known</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11166,11 +11246,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the program before it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the program begins with the tool at the work zero: bring it there before this one is sent</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the program cannot be written: {0}</source>
+            <source>the program cannot be written: {error}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11210,11 +11294,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the program has {0}, which goes by the machine's own zero</source>
+            <source>the program has {place}, which goes by the machine's own zero</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the program is larger than the travel of {0}</source>
+            <source>the program is larger than the travel of {name}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11266,19 +11350,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the program was read as {0}, which no controller understands that lines are sent to</source>
+            <source>the program was read as {dialect}, which no controller understands that lines are sent to</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the program was read as {0}: to {1} its lines may mean other moves, or nothing</source>
+            <source>the program was read as {dialect}: to {firmware} its lines may mean other moves, or nothing</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the proof failed by a fault of its own: {0}: {1}</source>
+            <source>the proof failed by a fault of its own: {kind}: {error}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the proof found {0} error(s) in the program, the first: {1}</source>
+            <source>the proof found {errors} error(s) in the program, the first: {text}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11286,7 +11370,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the pulses were stopped on the way: {0}</source>
+            <source>the pulses were stopped on the way: {error}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11294,7 +11378,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the radius at the end of the arc is {0} mm and at its start {1} mm</source>
+            <source>the radius at the end of the arc is {at_end:.4f} mm and at its start {radius:.4f} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11318,7 +11402,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the replacement cannot be made: {0}</source>
+            <source>the replacement cannot be made: {error}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11326,7 +11410,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the restart goes straight down first, from Z {0}, where the machine has homed, to Z {1}</source>
+            <source>the restart goes straight down first, from Z {high}, where the machine has homed, to Z {low}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11338,11 +11422,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the rim of the {0} tool is slow for the material</source>
+            <source>the rim of the {tool} tool is slow for the material</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the rim of the {0} tool is too fast for the material</source>
+            <source>the rim of the {tool} tool is too fast for the material</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11354,7 +11438,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the row leads to an unknown place along {0}</source>
+            <source>the row leads to an unknown place along {axis}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11366,7 +11450,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the safety door is open or the machine is parking ({0}): resume later</source>
+            <source>the safety door is open or the machine is parking ({status}): resume later</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11406,7 +11490,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the session refused {0}</source>
+            <source>the session refused {text}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11414,19 +11498,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the session {0} answers what this program does not understand</source>
+            <source>the session {session_file} answers what this program does not understand</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the session {0} has ended, and its outcome cannot be read: {1}</source>
+            <source>the session {session_file} has ended, and its outcome cannot be read: {why}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the session {0} is not there, or was killed</source>
+            <source>the session {session_file} is not there, or was killed</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the session {0} runs, but its process does not answer</source>
+            <source>the session {session_file} runs, but its process does not answer</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11450,11 +11534,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the shank of the {0} tool rubs along the wall over its flutes</source>
+            <source>the shank of the {tool} tool rubs along the wall over its flutes</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the shape '{0}' needs one of {1}; {2}</source>
+            <source>the shape '{name}' needs one of {ways}; {told}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11534,7 +11618,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the subroutine o&lt;{0}&gt; has no end</source>
+            <source>the subroutine o&lt;{call}&gt; has no end</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11551,6 +11635,10 @@
         </message>
         <message>
             <source>the target lies outside of the machine's travel</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the text</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11594,11 +11682,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the tool does not reach into {0} corners or narrow places; what stays there: {1}</source>
+            <source>the tool does not reach into {corners} corners or narrow places; what stays there: {told}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the tool fits nowhere along curve {0}, which begins at X{1} Y{2}</source>
+            <source>the tool fits nowhere along curve {number}, which begins at X{x:.3f} Y{y:.3f}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11650,7 +11738,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the tool stands at Z {0}, and the restart goes straight down to Z {1} first, as a rapid</source>
+            <source>the tool stands at Z {high}, and the restart goes straight down to Z {low} first, as a rapid</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11662,7 +11750,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the tool's radius is compensated: it begins at line {0}, with G41 or G42</source>
+            <source>the tool's radius is compensated: it begins at line {file_line}, with G41 or G42</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11686,11 +11774,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the waits lie from {0} to {1} ms, beyond {2} to {3}</source>
+            <source>the waits lie from {shortest_ms:g} to {longest_ms:g} ms, beyond {least_ms:g} to {most_ms:g}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the wall may be up to {0} mm off: an ellipse is no offset of an ellipse, and the resolution adds to it; method "tolerance" keeps to tolerance_mm</source>
+            <source>the wall may be up to {promise_mm:.3f} mm off: an ellipse is no offset of an ellipse, and the resolution adds to it; method "tolerance" keeps to tolerance_mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11702,7 +11790,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the way back cannot be read: {0}</source>
+            <source>the way back cannot be read: {error}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11714,11 +11802,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the word {0} has no number that can be read</source>
+            <source>the word {letter} has no number that can be read</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the words of {0} are not edited</source>
+            <source>the words of {codes} are not edited</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11746,79 +11834,83 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the zero of {0} in {1} was not taken over</source>
+            <source>the zero of {axis} in {system} was not taken over</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the {0} tool cuts deeper than its flutes are long</source>
+            <source>the {tool_shape} tool's form is not given, so it is judged as a flat one of its diameter</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the {0} tool does not cut over its centre: it must not go straight down into full material</source>
+            <source>the {tool} tool cuts deeper than its flutes are long</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the {0} tool does not say how many flutes it has; its feed is reckoned with {1}</source>
+            <source>the {tool} tool does not cut over its centre: it must not go straight down into full material</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the {0} tool is too small against its path for its engagement to be measured</source>
+            <source>the {tool} tool does not say how many flutes it has; its feed is reckoned with {usual_flutes}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the {0} tool rubs: a tooth takes too thin a chip</source>
+            <source>the {tool} tool is too small against its path for its engagement to be measured</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the {0} tool's form is not given, so it is judged as a flat one of its diameter</source>
+            <source>the {tool} tool rubs: a tooth takes too thin a chip</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>then runs {0} lines of the program as they are; all before them is taken as cut</source>
+            <source>then runs {own} lines of the program as they are; all before them is taken as cut</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>there are {0} lines, none at {1}</source>
+            <source>there are {count} lines, none at {index}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>there is no act '{0}'</source>
+            <source>there is no act '{act}'</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>there is no command '{0}'</source>
+            <source>there is no command '{name}'</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>there is no contour {0}</source>
+            <source>there is no contour {number}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>there is no cycle '{0}'</source>
+            <source>there is no cycle '{cycle}'</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>there is no dialect '{0}'</source>
+            <source>there is no cycle '{told}'</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>there is no function {0}</source>
+            <source>there is no dialect '{base}'</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>there is no key {0}</source>
+            <source>there is no function {name}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>there is no machine profile '{0}'</source>
+            <source>there is no key {key}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>there is no material '{0}'</source>
+            <source>there is no machine profile '{name_or_path}'</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>there is no material '{0}'; use one of: {1}</source>
+            <source>there is no material '{material}'; use one of: {material_names}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>there is no material '{name}'</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11830,11 +11922,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>there is no override {0} {1}</source>
+            <source>there is no override {kind} {step}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>there is no parameter #{0}</source>
+            <source>there is no parameter #{number}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11842,7 +11934,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>there is no port {0}</source>
+            <source>there is no port {name}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11850,11 +11942,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>there is no room for a {0} at {1} of {2} places</source>
+            <source>there is no room for a {entry} at {others} of {kinds} places</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>there is no subroutine o&lt;{0}&gt;</source>
+            <source>there is no subroutine o&lt;{seeking}&gt;</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11910,7 +12002,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>this computer may fall asleep while the machine cuts ({0}): switch its sleep off</source>
+            <source>this computer may fall asleep while the machine cuts ({why}): switch its sleep off</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11918,7 +12010,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>this is no input of a machine: {0}</source>
+            <source>this is no input of a machine: {error}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11930,7 +12022,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>this is {0}, not a file</source>
+            <source>this is {kind}, not a file</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11978,7 +12070,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>those of splines count {0} times</source>
+            <source>those of splines count {spline_weight} times</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12002,7 +12094,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>too many ends of lines lie within {0} mm of each other</source>
+            <source>too many ends of lines lie within {within_mm:g} mm of each other</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12022,35 +12114,35 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>tool {0} '{1}' cannot be used: {2}</source>
+            <source>tool {each_number} '{each}' is left out: {notes}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>tool {0} '{1}' is left out: {2}</source>
+            <source>tool {number} '{name}' cannot be used: {notes}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>tool {0} '{1}': a table has no {2}</source>
+            <source>tool {number} '{name}': a table has no {lost}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>tool {0} cuts on without a stop to change tool {1}</source>
+            <source>tool {number} cuts on without a stop to change tool {number2}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>tool {0} does not stand in the tool table</source>
+            <source>tool {number} is not known, so what it cuts is not checked</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>tool {0} has no {1}</source>
+            <source>tool {stored_number} of {form_file}: {note}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>tool {0} is not known, so what it cuts is not checked</source>
+            <source>tool {tool_number} has no {name}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>tool {0} of {1}: {2}</source>
+            <source>tool {tool} does not stand in the tool table</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12114,7 +12206,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>two shapes have the name '{0}'</source>
+            <source>two shapes have the name '{shape}'</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12134,11 +12226,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>unknown keys {0}</source>
+            <source>unknown keys {unknown}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>unknown: {0} before the restart; {1}</source>
+            <source>unknown: {home} before the restart; {until_homed}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12266,7 +12358,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>use an engagement_max_deg of {0} or more with a stepover_mm of {1} or more, a smaller tool, or another pattern</source>
+            <source>use an engagement_max_deg of {deg} or more with a stepover_mm of {stepover_mm:g} or more, a smaller tool, or another pattern</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12298,7 +12390,31 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>use one of: {0}</source>
+            <source>use one of: {cycles}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>use one of: {dialect_names}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>use one of: {keywords}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>use one of: {known}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>use one of: {material_names}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>use one of: {operations}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>use one of: {there}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12322,7 +12438,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>use {0} or ATAN</source>
+            <source>use {functions} or ATAN</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>value {value}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12382,7 +12502,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>waits for {0} s</source>
+            <source>waits for {dwell_s:g} s</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12394,7 +12514,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>what #{0} will hold is known only when the program runs</source>
+            <source>what #{number} will hold is known only when the program runs</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12406,7 +12526,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>what is known of the machine's position cannot be kept: {0}</source>
+            <source>what is known of the machine's position cannot be kept: {error}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12422,11 +12542,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>what was picked of '{0}' is not there any more</source>
+            <source>what was picked of '{drawing}' is not there any more</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>what {0} follows is not known</source>
+            <source>what {kind} follows is not known</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12438,7 +12558,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>where the tool stands along {0} is not known here, and turning needs both coordinates</source>
+            <source>where the tool stands along {letter} is not known here, and turning needs both coordinates</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12458,27 +12578,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>which of several passes was cut cannot be told for certain, so the earliest that fits is taken: line {0}, not {1}</source>
+            <source>which of several passes was cut cannot be told for certain, so the earliest that fits is taken: line {file_line}, not {file_line2}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>which run of line {0} is meant is not clear</source>
+            <source>which run of line {number} is meant is not clear</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>while G80 is in force {0} takes no axis words, nor those of {1}</source>
+            <source>while G80 is in force {dialect} takes no axis words, nor those of {user}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>with tool {0} in the spindle</source>
+            <source>with tool {tool} in the spindle</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>with {0} of its move done</source>
+            <source>with {share:.0%} of its move done</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>without a file, {0} lines to send</source>
+            <source>without a file, {total} lines to send</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12498,7 +12618,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>work_offset must be one of {0}</source>
+            <source>work_offset must be one of {work_systems}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12554,7 +12674,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>write G4 P{0} after the spindle starts</source>
+            <source>write G4 P{needed_s:g} after the spindle starts</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12646,7 +12766,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>write a number within these bounds: {0}</source>
+            <source>write a number within these bounds: {why}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12694,7 +12814,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>write it in the controller's own: cncstepper convert PROGRAM --dialect {0} --to {1} -o NEW</source>
+            <source>write it in the controller's own: cncstepper convert PROGRAM --dialect {dialect} --to {own} -o NEW</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12730,7 +12850,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>write one of: {0}</source>
+            <source>write one of: {corner_of_origin}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12822,27 +12942,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>write {0} = "file"</source>
+            <source>write {keyword} [condition]</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>write {0} = "name"</source>
+            <source>write {key} = "file"</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>write {0} [condition]</source>
+            <source>write {key} = "name"</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>write {0} alone</source>
+            <source>write {number} within these bounds: {why}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>write {0} before</source>
+            <source>write {other} alone</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>write {0} within these bounds: {1}</source>
+            <source>write {word} before</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12850,623 +12970,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>zero of {0} set in {1}</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} (work, mm)</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} and {1} may not share a line: they set the same mode</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} and {1} may not share a line: they use the same word</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} and {1} would both use the axis words</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} answered '{1}' to no line</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} asks for more than {1} passes</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} at one place</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} at work {1}, machine {2} mm, {3}</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} at {1}, grbl {2}, begun {3}</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} became lines, at most {1} mm away</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} became plain moves</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} blunts tools of HSS at once</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} by the button on {1}</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} by way of a place cannot be turned</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} by {1} mm</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} cannot be '{1}'</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} cannot be started: {1}</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} cannot be used as a serial port: {1}</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} cannot be written: {1}</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} cannot be {1}: {2}</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} cannot change tools by '{1}'</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} characters, {1} with spaces</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} cuts into a piece that {1} has set free: nothing holds it</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} does not accept {1}</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} does not answer {1}</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} does not drill in pecks</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} does not say its modes: question or answer was damaged</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} does not wait at the bottom</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} drills in pecks and needs peck_mm</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} failed by a fault of its own: {1}: {2}</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} follows one drawing</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} goes beyond what the machine can travel</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} goes far beyond the machine's fastest axis</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} goes far beyond the stock</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} goes far beyond the stock and the machine</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} goes into clamp {1}</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} goes on from the point before: neither with {1} nor under G91</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} has changed since the program was made</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} has no '{1}'</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} has no axis {1}</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} has no drawing</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} has no feed</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} has no feed: a feed per turn needs F and a spindle that turns</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} has no pins to read: {1}</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} has no program: {1}</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} has no programs in {1}</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} has no setting '{1}'</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} has no tool</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} has no value for {1}</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} has no word {1}</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} has no work offset {1}</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} has no {1}</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} has no {1} with the label {2} before it</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} has too few values</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} is absent: the axis stays here, but the published control would drive it to 0</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} is held by a job of yours, {1}, which is {2}</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} is held by a process of yours that does not answer</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} is held by a window or a console of yours</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} is in force, wanted {1}</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} is in use</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} is in use by another window's connection</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} is larger than the tool</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} is missing, and only the circles of a drawing have one of their own</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} is missing: absolute arc centres need both words</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} is no centre word in plane {1}</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} is no number</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} is no parallel port</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} is no parallel port that can be had: {1}</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} is no port: {1}</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} is no recording of pulses, and is not written over</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} is not read in {1}, a plane of the axes U, V and W</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} is not reported</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} is not the work system in force</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} is out of its bounds</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} is out of range</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} is read in the plane XY only: LinuxCNC moves along the wrong axes in {1}</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} is too long</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} is {1}, wanted {2} mm</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} lines more than the text has</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} lists no such alarm</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} lists no such error</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} may not be assigned</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} may not be negative</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} may not be opened by this user</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} may not be used</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} messages were left out: more came than could be read</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} mm ({1} mm²) at X{2} Y{3}</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} mm away</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} mm deep</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} mm from the tool's centre</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} mm high</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} mm of material stays at each end of the long axis, where the ellipse is tighter than the tool; a tool of at most {1} mm diameter reaches it</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} mm radius</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} mm to ramp on</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} mm wide</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} mm with the stock to leave</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} mm, {1} mm/min</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} mm/min</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} moves in one block</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} moves with the spindle, whose speed is not set</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} must be a list of tables</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} must be a number</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} must be a whole number</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} must be the name of a shape, or a list of names</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} must be {1} within its bounds</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} must name a file</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} names the shape '{1}' twice</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} names the shape '{1}', which the job does not have</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} needs X, Y or X, Y, Z</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} needs X, Y or Z</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} needs a closed shape, but '{1}' does not end where it begins</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} needs a {1} word</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} needs a {1} word: none is in force</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} needs both I and J</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} needs the spindle to turn</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} needs the spindle to turn clockwise (M3)</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} needs the spindle to turn counter-clockwise (M4)</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} needs the whole program: the profile is a subroutine</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} of the {1} holes stand where others do and are made once</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} of {1} must be {2} 0</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} of {1} open, the first from {2}</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} of {1} runs cannot be entered from the side; a {2} is used</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} of {1} tabs fit on the contour that begins at X{2} Y{3}; make them narrower to have more</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} other things</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} piece(s) stay joined to others, for the tool does not fit between them; the tightest place is at X{1} Y{2}</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} points, {1} bulges</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} programs are written without '{1}'</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} restarted while it was asked</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} runs grbl {1}</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} says more than anybody asked for</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} says nothing with G10 L{1}</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} sends no line ends</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} sets the zero from where the tool stands after moves of the path</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} stands between G5.2 and G5.3</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} stands in line {1} of {2} already</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} stands outside any subroutine</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} stands twice on the line</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} stands where a whole number must</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} takes no F: the spindle drives it</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} to {1} mm</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} waits at the bottom and needs dwell_s</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} was refused</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} was set before</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} while the tool is compensated</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} works in the plane ZX</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} writes/s, the worst {1} µs late</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} writes/s, {1} µs</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} {1} mm of material stays in {2} inside corner(s) that are sharper than the tool; {3}</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} {1} {2} is no finite number</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} µs late</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0}, OFF the path of these lines</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0}, and end other programs before the next try</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0}, grbl {1}, begun {2}</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0}, on the path at line {1}</source>
+            <source>zero of {axes} set in {system}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13474,19 +12978,679 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>{0}, which is to be run before it, is refused</source>
+            <source>{absent} is absent: the axis stays here, but the published control would drive it to 0</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>{0}, {1} lines to send</source>
+            <source>{asked}; a {other} is used</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>{0}: restart that one again, what its restart has cut counts as cut</source>
+            <source>{body} goes into clamp {number}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>{0}; a {1} is used</source>
+            <source>{centre_word} is no centre word in plane {name}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{clear_mm:g} mm with the stock to leave</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{code} and {code2} may not share a line: they set the same mode</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{code} needs X, Y or Z</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{code} needs a {letter} word</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{counts} at one place</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{deep_mm:.3f} mm deep</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{dialect} answers {answer}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{dialect} does not accept {name}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{dialect} has no axis {letter}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{dialect} has no programs in {units}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{dialect} has no word {letter}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{dialect} has no work offset {name}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{dialect} has no {what}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{dialect} programs are written without '{event_kind}'</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{doing} failed by a fault of its own: {kind}: {error}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{ends} of {curves} open, the first from {end}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{error}. Now {state}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{far_mm:.3f} mm away</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{far_mm:.3f} mm from the tool's centre</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{feed_mm_min:g} mm/min</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{field:g} to {field2:g} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{file}, {total} lines to send</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{first_file}: restart that one again, what its restart has cut counts as cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{first_mm:g} to {last_mm:g} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{hanging} piece(s) stay joined to others, for the tool does not fit between them; the tightest place is at X{x:.3f} Y{y:.3f}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{high:g} by {high2:g} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{home}, and end other programs before the next try</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{inside} of {runs} runs cannot be entered from the side; a {kind} is used</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{interval} (work, mm)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{job} has no program: {why}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{keeper} was refused</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{kerf_share:.4g} to {kerf_share2:.4g} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{key} cannot be '{value}'</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{key} cannot be {value}: {error}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{key} goes beyond what the machine can travel</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{key} goes far beyond the machine's fastest axis</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{key} goes far beyond the stock</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{key} goes far beyond the stock and the machine</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{key} has too few values</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{key} is missing, and only the circles of a drawing have one of their own</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{key} is too long</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{key} must be a list of tables</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{key} must be a number</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{key} must be the name of a shape, or a list of names</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{key} must be {number} within its bounds</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{key} must name a file</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{key} names the shape '{name}' twice</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{key} names the shape '{name}', which the job does not have</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{key} needs X, Y or X, Y, Z</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{key} needs a closed shape, but '{name}' does not end where it begins</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{lacks} became lines, at most {chord_mm:g} mm away</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{late_ns:.0f} µs late</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{left:g} {operator} {right:g} is no finite number</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{left_out} messages were left out: more came than could be read</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{length_mm:.3f} mm to ramp on</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{length_mm:g} mm, {feed_mm_min:g} mm/min</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{length} characters, {text} with spaces</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{letter} goes on from the point before: neither with {other} nor under G91</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{letter} is out of range</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{letter} may not be negative</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{letter} must be a whole number</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{letter} of {name} must be {word} 0</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{letter} says nothing with G10 L{kind}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{letter} stands twice on the line</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{limit_mm:g} mm high</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{line_characters} characters, {window_bytes} with spaces</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{lines} lines more than the text has</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{line} has no {keywords} with the label {line2} before it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{line} stands in line {index} of {known_file} already</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{line} stands outside any subroutine</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{link} answered '{answer}' to no line</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{link} does not answer {line}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{link} does not say its modes: question or answer was damaged</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{link} restarted while it was asked</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{link} runs grbl {version}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{link} sends no line ends</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{machine} at {port}, grbl {firmware}, begun {begin}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{match} is no number</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{meaning} (error:{error})</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{missing} is missing: absolute arc centres need both words</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{moment}, OFF the path of these lines</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{moment}, on the path at line {seen_line}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{more} {rest_mm:.3f} mm of material stays in {corners} inside corner(s) that are sharper than the tool; {told}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{most_strokes} moves in one block</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{named} cannot change tools by '{tool_change}'</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{name} and {other} may not share a line: they use the same word</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{name} asks for more than {most_passes} passes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{name} became plain moves</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{name} cannot be used as a serial port: {text}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{name} has no feed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{name} has no feed: a feed per turn needs F and a spindle that turns</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{name} has no value for {argument:g}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{name} is in use</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{name} is no port: {text}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{name} is not read in {plane}, a plane of the axes U, V and W</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{name} is not reported</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{name} is read in the plane XY only: LinuxCNC moves along the wrong axes in {plane_code}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{name} is {offset}, wanted {wanted} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{name} lists no such alarm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{name} lists no such error</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{name} may not be assigned</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{name} may not be opened by this user</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{name} may not be used</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{name} moves with the spindle, whose speed is not set</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{name} needs a {letter} word</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{name} needs a {letter} word: none is in force</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{name} needs both I and J</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{name} needs the spindle to turn</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{name} needs the spindle to turn clockwise (M3)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{name} needs the spindle to turn counter-clockwise (M4)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{name} needs the whole program: the profile is a subroutine</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{name} says more than anybody asked for</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{name} stands between G5.2 and G5.3</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{name} takes no F: the spindle drives it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{name} was set before</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{name} works in the plane ZX</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{number:.0f} writes/s, the worst {worst_us:.0f} µs late</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{obj} follows one drawing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{obj} has no '{unknown}'</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{obj} has no drawing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{obj} has no tool</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{one} cuts into a piece that {other} has set free: nothing holds it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{owner} by way of a place cannot be turned</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{owner} sets the zero from where the tool stands after moves of the path</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{path} cannot be written: {error}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{path} has no pins to read: {error}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{path} is no parallel port</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{path} is no parallel port that can be had: {error}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{path} is no recording of pulses, and is not written over</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{places} of {wanted} tabs fit on the contour that begins at X{x:.3f} Y{y:.3f}; make them narrower to have more</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{plain} has no setting '{setting}'</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{port} is held by a job of yours, {status_file}, which is {phase}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{port} is held by a process of yours that does not answer</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{port} is held by a window or a console of yours</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{port} is in use by another window's connection</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{port}, grbl {firmware}, begun {begin}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{problem} in {table}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{program}, which is to be run before it, is refused</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{python} cannot be started: {error}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{says} is larger than the tool</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{says} is no number</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{says} is out of its bounds</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{skipped} other things</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{stale} has changed since the program was made</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{state} at work {work}, machine {machine} mm, {moment}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{style} does not drill in pecks</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{style} does not wait at the bottom</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{style} drills in pecks and needs peck_mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{style} waits at the bottom and needs dwell_s</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{system} is not the work system in force</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{thick_mm:.3f} mm ({area_mm2:.3f} mm²) at X{x:.2f} Y{y:.2f}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{title} blunts tools of HSS at once</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{twice} of the {drawn} holes stand where others do and are made once</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{unreachable_mm:.3f} mm of material stays at each end of the long axis, where the ellipse is tighter than the tool; a tool of at most {short_mm:.3g} mm diameter reaches it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{user} and {user2} would both use the axis words</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{value:g} stands where a whole number must</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{wall_mm:g} mm radius</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{what} while the tool is compensated</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{what}, not {value}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{why}. Now {state}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{width_mm:g} mm wide</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{word} by the button on {button}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{word} is in force, wanted {wanted}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{writes_per_s:.0f} writes/s, {stall_ns:.0f} µs</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{xy} points, {bulge} bulges</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

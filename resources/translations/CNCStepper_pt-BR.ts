@@ -5554,12 +5554,12 @@
             <translation>! é um comando para o controlador (parar o avanço), não faz parte de um programa</translation>
         </message>
         <message>
-            <source>#&lt;{0}&gt; has no value here</source>
-            <translation>#&lt;{0}&gt; não tem valor aqui</translation>
+            <source>#&lt;{name}&gt; has no value here</source>
+            <translation>#&lt;{name}&gt; não tem valor aqui</translation>
         </message>
         <message>
-            <source>${0} is {1}, wanted {2}</source>
-            <translation>${0} é {1}, esperado {2}</translation>
+            <source>${number} is {value:g}, wanted {wanted:g}</source>
+            <translation>${number} é {value:g}, esperado {wanted:g}</translation>
         </message>
         <message>
             <source>% may stand only alone on a line</source>
@@ -5570,92 +5570,92 @@
             <translation>% só pode ficar na primeira e na última linha</translation>
         </message>
         <message>
-            <source>'{0}' and '{1}' cross, so that it is not clear what lies inside</source>
-            <translation>'{0}' e '{1}' se cruzam, de modo que não está claro o que fica dentro</translation>
+            <source>'{axes}' names no axes</source>
+            <translation>'{axes}' não indica eixos</translation>
         </message>
         <message>
-            <source>'{0}' cannot be {1}</source>
-            <translation>'{0}' não pode ser {1}</translation>
+            <source>'{drawing}' holds no lines that can be followed</source>
+            <translation>'{drawing}' não contém linhas que possam ser seguidas</translation>
         </message>
         <message>
-            <source>'{0}' holds no lines that can be followed</source>
-            <translation>'{0}' não contém linhas que possam ser seguidas</translation>
+            <source>'{drawing}' is a solid</source>
+            <translation>'{drawing}' é um sólido</translation>
         </message>
         <message>
-            <source>'{0}' is a solid</source>
-            <translation>'{0}' é um sólido</translation>
+            <source>'{drawing}' is one more drawing beside '{used}', and only one gives the shape</source>
+            <translation>'{drawing}' é mais um desenho ao lado de '{used}', e só um dá a forma</translation>
         </message>
         <message>
-            <source>'{0}' is drawn where '{1}' is, and counts once</source>
-            <translation>'{0}' está desenhado onde está '{1}' e conta uma só vez</translation>
+            <source>'{each}' is no operation of '{job}'</source>
+            <translation>'{each}' não é uma operação de '{job}'</translation>
         </message>
         <message>
-            <source>'{0}' is no block that only switches, as M8, M3S9000 or M64P0</source>
-            <translation>'{0}' não é um bloco que só comuta, como M8, M3S9000 ou M64P0</translation>
+            <source>'{file}' is no kind of sheet that can be written</source>
+            <translation>'{file}' não é um tipo de folha que se possa gravar</translation>
         </message>
         <message>
-            <source>'{0}' is no kind of sheet that can be written</source>
-            <translation>'{0}' não é um tipo de folha que se possa gravar</translation>
+            <source>'{inner}' and '{outer}' cross, so that it is not clear what lies inside</source>
+            <translation>'{inner}' e '{outer}' se cruzam, de modo que não está claro o que fica dentro</translation>
         </message>
         <message>
-            <source>'{0}' is no length or angle that is known</source>
-            <translation>'{0}' não é um comprimento ou ângulo conhecido</translation>
+            <source>'{key}' cannot be {value!r}</source>
+            <translation>'{key}' não pode ser {value!r}</translation>
         </message>
         <message>
-            <source>'{0}' is no operation of '{1}'</source>
-            <translation>'{0}' não é uma operação de '{1}'</translation>
+            <source>'{label}' is drawn where '{other}' is, and counts once</source>
+            <translation>'{label}' está desenhado onde está '{other}' e conta uma só vez</translation>
         </message>
         <message>
-            <source>'{0}' is no origin of a stock</source>
-            <translation>'{0}' não é uma origem de bloco</translation>
+            <source>'{line}' is no block that only switches, as M8, M3S9000 or M64P0</source>
+            <translation>'{line}' não é um bloco que só comuta, como M8, M3S9000 ou M64P0</translation>
         </message>
         <message>
-            <source>'{0}' is no solid and cannot be a clamp</source>
-            <translation>'{0}' não é um sólido e não pode ser grampo</translation>
+            <source>'{name}' names no port number</source>
+            <translation>'{name}' não indica um número de porta</translation>
         </message>
         <message>
-            <source>'{0}' is no tool file that is known</source>
-            <translation>'{0}' não é um arquivo de ferramentas conhecido</translation>
+            <source>'{obj}' stands on this job and cannot be its clamp</source>
+            <translation>'{obj}' depende deste trabalho e não pode ser grampo dele</translation>
         </message>
         <message>
-            <source>'{0}' is not a tool</source>
-            <translation>'{0}' não é uma ferramenta</translation>
+            <source>'{origin}' is no origin of a stock</source>
+            <translation>'{origin}' não é uma origem de bloco</translation>
         </message>
         <message>
-            <source>'{0}' is one more drawing beside '{1}', and only one gives the shape</source>
-            <translation>'{0}' é mais um desenho ao lado de '{1}', e só um dá a forma</translation>
+            <source>'{out}' is drawn where '{kept}' is, and counts once</source>
+            <translation>'{out}' está desenhado onde está '{kept}' e conta uma só vez</translation>
         </message>
         <message>
-            <source>'{0}' moves as only the controller knows</source>
-            <translation>'{0}' move como só o controlador sabe</translation>
+            <source>'{path}' is no tool file that is known</source>
+            <translation>'{path}' não é um arquivo de ferramentas conhecido</translation>
         </message>
         <message>
-            <source>'{0}' names no axes</source>
-            <translation>'{0}' não indica eixos</translation>
+            <source>'{solid}' is no solid and cannot be a clamp</source>
+            <translation>'{solid}' não é um sólido e não pode ser grampo</translation>
         </message>
         <message>
-            <source>'{0}' names no port number</source>
-            <translation>'{0}' não indica um número de porta</translation>
+            <source>'{text}' is not a tool</source>
+            <translation>'{text}' não é uma ferramenta</translation>
         </message>
         <message>
-            <source>'{0}' stands on this job and cannot be its clamp</source>
-            <translation>'{0}' depende deste trabalho e não pode ser grampo dele</translation>
+            <source>'{text}' moves as only the controller knows</source>
+            <translation>'{text}' move como só o controlador sabe</translation>
         </message>
         <message>
-            <source>(program {0} of {1}, tool {2})</source>
-            <translation>(programa {0} de {1}, ferramenta {2})</translation>
+            <source>'{words}' is no length or angle that is known</source>
+            <translation>'{words}' não é um comprimento ou ângulo conhecido</translation>
+        </message>
+        <message>
+            <source>(program {number} of {count}, tool {tool})</source>
+            <translation>(programa {number} de {count}, ferramenta {tool})</translation>
         </message>
         <message>
             <source>/ (block delete) may stand only at the beginning of a line</source>
             <translation>/ (bloco opcional) só pode ficar no início de uma linha</translation>
         </message>
         <message>
-            <source>0 to {0} mm</source>
-            <translation>0 a {0} mm</translation>
-        </message>
-        <message>
-            <source>; and {0} smaller ones</source>
-            <translation>; e {0} menores</translation>
+            <source>0 to {size_mm:g} mm</source>
+            <translation>0 a {size_mm:g} mm</translation>
         </message>
         <message>
             <source>= is missing after the parameter</source>
@@ -5690,24 +5690,24 @@
             <translation>CNCStepper journal</translation>
         </message>
         <message>
-            <source>D of {0} is the number of a tool</source>
-            <translation>o D de {0} é o número de uma ferramenta</translation>
+            <source>D of {code} is the number of a tool</source>
+            <translation>o D de {code} é o número de uma ferramenta</translation>
         </message>
         <message>
             <source>EXISTS asks for a parameter</source>
             <translation>EXISTS pergunta por um parâmetro</translation>
         </message>
         <message>
-            <source>FreeCAD has no tool bit for a {0}</source>
-            <translation>o FreeCAD não tem ferramenta para {0}</translation>
+            <source>FreeCAD has no tool bit for a {tool_shape}</source>
+            <translation>o FreeCAD não tem ferramenta para {tool_shape}</translation>
         </message>
         <message>
-            <source>FreeCAD's Python lacks {0}</source>
-            <translation>Falta no Python do FreeCAD: {0}</translation>
+            <source>FreeCAD's Python lacks {lacking}</source>
+            <translation>Falta no Python do FreeCAD: {lacking}</translation>
         </message>
         <message>
-            <source>G10 L{0} changes nothing</source>
-            <translation>G10 L{0} não muda nada</translation>
+            <source>G10 L{kind} changes nothing</source>
+            <translation>G10 L{kind} não muda nada</translation>
         </message>
         <message>
             <source>G10 is read with L1, L2, L10, L11 and L20 only</source>
@@ -5798,8 +5798,8 @@
             <translation>o I de G76 não pode ser 0</translation>
         </message>
         <message>
-            <source>I of {0} must be above 0</source>
-            <translation>o I de {0} deve ser maior que 0</translation>
+            <source>I of {name} must be above 0</source>
+            <translation>o I de {name} deve ser maior que 0</translation>
         </message>
         <message>
             <source>I, J and K are given from the start point of the arc</source>
@@ -5906,8 +5906,8 @@
             <translation>o Q de M19 deve ser maior que 0</translation>
         </message>
         <message>
-            <source>R lies below {0}</source>
-            <translation>R fica abaixo de {0}</translation>
+            <source>R lies below {normal}</source>
+            <translation>R fica abaixo de {normal}</translation>
         </message>
         <message>
             <source>Reset to continue</source>
@@ -5926,8 +5926,8 @@
             <translation>T seleciona um extrusor: faça uma pausa com M0 onde a ferramenta deve ser trocada</translation>
         </message>
         <message>
-            <source>[ is missing after {0}</source>
-            <translation>falta [ depois de {0}</translation>
+            <source>[ is missing after {keyword}</source>
+            <translation>falta [ depois de {keyword}</translation>
         </message>
         <message>
             <source>`$` lists what the controller knows</source>
@@ -5938,8 +5938,8 @@
             <translation>`cncstepper check` verifica um programa sem a máquina</translation>
         </message>
         <message>
-            <source>`kill {0}` (SIGTERM) lets its process stop the machine safely</source>
-            <translation>`kill {0}` (SIGTERM) faz o processo parar a máquina com segurança</translation>
+            <source>`kill {process}` (SIGTERM) lets its process stop the machine safely</source>
+            <translation>`kill {process}` (SIGTERM) faz o processo parar a máquina com segurança</translation>
         </message>
         <message>
             <source>a G code has one decimal at most</source>
@@ -5950,8 +5950,8 @@
             <translation>um G92 está em vigor onde a ferramenta é trocada: um novo programa não pode contar com ele</translation>
         </message>
         <message>
-            <source>a NURBS of order {0} needs as many control points</source>
-            <translation>uma NURBS de ordem {0} precisa do mesmo número de pontos de controle</translation>
+            <source>a NURBS of order {order} needs as many control points</source>
+            <translation>uma NURBS de ordem {order} precisa do mesmo número de pontos de controle</translation>
         </message>
         <message>
             <source>a P or L value is missing</source>
@@ -6038,8 +6038,8 @@
             <translation>um dispositivo no Modbus não responde como devia</translation>
         </message>
         <message>
-            <source>a difference of {0} mm</source>
-            <translation>uma diferença de {0} mm</translation>
+            <source>a difference of {slack:.4f} mm</source>
+            <translation>uma diferença de {slack:.4f} mm</translation>
         </message>
         <message>
             <source>a distance must be a number</source>
@@ -6070,8 +6070,8 @@
             <translation>um avanço passaria a ser 0</translation>
         </message>
         <message>
-            <source>a file that calls this machine's position unknown belongs to {0} and cannot be opened</source>
-            <translation>um arquivo que dá a posição desta máquina como desconhecida pertence a {0} e não pode ser aberto</translation>
+            <source>a file that calls this machine's position unknown belongs to {user} and cannot be opened</source>
+            <translation>um arquivo que dá a posição desta máquina como desconhecida pertence a {user} e não pode ser aberto</translation>
         </message>
         <message>
             <source>a height field needs two rows and two columns of finite heights at least</source>
@@ -6146,12 +6146,12 @@
             <translation>uma linha contém um só comando</translation>
         </message>
         <message>
-            <source>a line holds {0} M codes</source>
-            <translation>uma linha contém {0} códigos M</translation>
+            <source>a line holds {count} M codes</source>
+            <translation>uma linha contém {count} códigos M</translation>
         </message>
         <message>
-            <source>a line in '{0}' is open and encloses nothing</source>
-            <translation>uma linha em '{0}' está aberta e não encerra nada</translation>
+            <source>a line in '{label}' is open and encloses nothing</source>
+            <translation>uma linha em '{label}' está aberta e não encerra nada</translation>
         </message>
         <message>
             <source>a line is too long</source>
@@ -6206,8 +6206,8 @@
             <translation>uma mensagem não pôde ser enviada</translation>
         </message>
         <message>
-            <source>a mill that does not cut over its centre ({0}) goes down into stock too steeply</source>
-            <translation>uma fresa sem corte no centro ({0}) desce no material com inclinação demais</translation>
+            <source>a mill that does not cut over its centre ({tool}) goes down into stock too steeply</source>
+            <translation>uma fresa sem corte no centro ({tool}) desce no material com inclinação demais</translation>
         </message>
         <message>
             <source>a motor driver reports a fault</source>
@@ -6218,8 +6218,12 @@
             <translation>um movimento terminaria fora do curso (limite de software)</translation>
         </message>
         <message>
-            <source>a number beyond {0}: {1}</source>
-            <translation>um número além de {0}: {1}</translation>
+            <source>a number beyond {most:g}: {text}</source>
+            <translation>um número além de {most:g}: {text}</translation>
+        </message>
+        <message>
+            <source>a number beyond {most_count}: {text}</source>
+            <translation>um número além de {most_count}: {text}</translation>
         </message>
         <message>
             <source>a number is missing or cannot be read</source>
@@ -6290,12 +6294,12 @@
             <translation>um processo nosso não pode ser iniciado</translation>
         </message>
         <message>
-            <source>a process of ours has a machine's port, but its file {0} cannot be read: {1}</source>
-            <translation>um processo nosso tem a porta de uma máquina, mas seu arquivo {0} não pode ser lido: {1}</translation>
+            <source>a process of ours has a machine's port, but its file {path} cannot be read: {error}</source>
+            <translation>um processo nosso tem a porta de uma máquina, mas seu arquivo {path} não pode ser lido: {error}</translation>
         </message>
         <message>
-            <source>a program for {0} cannot be restarted in its middle</source>
-            <translation>um programa para {0} não pode ser retomado no meio</translation>
+            <source>a program for {language} cannot be restarted in its middle</source>
+            <translation>um programa para {language} não pode ser retomado no meio</translation>
         </message>
         <message>
             <source>a program on the controller stopped at an error</source>
@@ -6326,8 +6330,8 @@
             <translation>o raio de canto de um retângulo não pode passar da metade do seu lado menor</translation>
         </message>
         <message>
-            <source>a report of the controller is damaged and was not believed: {0}</source>
-            <translation>um relatório do controlador está danificado e não foi considerado: {0}</translation>
+            <source>a report of the controller is damaged and was not believed: {report}</source>
+            <translation>um relatório do controlador está danificado e não foi considerado: {report}</translation>
         </message>
         <message>
             <source>a request without the session's token</source>
@@ -6342,8 +6346,8 @@
             <translation>uma escala deve ser positiva</translation>
         </message>
         <message>
-            <source>a session's file belongs to {0} and cannot be opened, so that nobody can tell its port</source>
-            <translation>o arquivo de uma sessão pertence a {0} e não pode ser aberto, de modo que ninguém sabe qual é a sua porta</translation>
+            <source>a session's file belongs to {user} and cannot be opened, so that nobody can tell its port</source>
+            <translation>o arquivo de uma sessão pertence a {user} e não pode ser aberto, de modo que ninguém sabe qual é a sua porta</translation>
         </message>
         <message>
             <source>a setting asks for more steps a second than the controller can give</source>
@@ -6390,8 +6394,8 @@
             <translation>uma sub-rotina não pode ser definida dentro de outra</translation>
         </message>
         <message>
-            <source>a subroutine takes {0} arguments at most</source>
-            <translation>uma sub-rotina aceita no máximo {0} argumentos</translation>
+            <source>a subroutine takes {arguments} arguments at most</source>
+            <translation>uma sub-rotina aceita no máximo {arguments} argumentos</translation>
         </message>
         <message>
             <source>a symbolic link of another user in a folder that everybody may write to is not followed</source>
@@ -6414,24 +6418,24 @@
             <translation>um comprimento de ferramenta fica só ao longo de Z</translation>
         </message>
         <message>
-            <source>a tool length of {0} mm is in force, wanted none (G49)</source>
-            <translation>um comprimento de ferramenta de {0} mm está em vigor, mas não deveria haver nenhum (G49)</translation>
+            <source>a tool length of {length:.3f} mm is in force, wanted none (G49)</source>
+            <translation>um comprimento de ferramenta de {length:.3f} mm está em vigor, mas não deveria haver nenhum (G49)</translation>
         </message>
         <message>
             <source>a tool of the library has no number nr or no path</source>
             <translation>uma ferramenta da biblioteca não tem número nr ou não tem caminho path</translation>
         </message>
         <message>
-            <source>a tooth of the {0} tool takes too thick a chip</source>
-            <translation>um dente da ferramenta {0} tira um cavaco espesso demais</translation>
+            <source>a tooth of the {tool} tool takes too thick a chip</source>
+            <translation>um dente da ferramenta {tool} tira um cavaco espesso demais</translation>
         </message>
         <message>
-            <source>a tooth of the {0} tool takes too thick a chip for tool and material</source>
-            <translation>um dente da ferramenta {0} tira um cavaco grosso demais para a ferramenta e o material</translation>
+            <source>a tooth of the {tool} tool takes too thick a chip for tool and material</source>
+            <translation>um dente da ferramenta {tool} tira um cavaco grosso demais para a ferramenta e o material</translation>
         </message>
         <message>
-            <source>a tooth of the {0} tool takes too thin a chip: it rubs and grows hot</source>
-            <translation>um dente da ferramenta {0} tira um cavaco fino demais: ele esfrega e esquenta</translation>
+            <source>a tooth of the {tool} tool takes too thin a chip: it rubs and grows hot</source>
+            <translation>um dente da ferramenta {tool} tira um cavaco fino demais: ele esfrega e esquenta</translation>
         </message>
         <message>
             <source>a transform must not collapse the curve</source>
@@ -6490,24 +6494,24 @@
             <translation>uma palavra aparece duas vezes na linha</translation>
         </message>
         <message>
-            <source>a {0} cuts through at any height: no tabs, no ramp</source>
-            <translation>{0} atravessa em qualquer altura: sem pontes, sem rampa</translation>
+            <source>a {shape} tool has no {key}</source>
+            <translation>uma ferramenta {shape} não tem {key}</translation>
         </message>
         <message>
-            <source>a {0} tool does not drill</source>
-            <translation>uma ferramenta {0} não fura</translation>
+            <source>a {tool_shape} cuts through at any height: no tabs, no ramp</source>
+            <translation>{tool_shape} atravessa em qualquer altura: sem pontes, sem rampa</translation>
         </message>
         <message>
-            <source>a {0} tool has no {1}</source>
-            <translation>uma ferramenta {0} não tem {1}</translation>
+            <source>a {tool_shape} tool does not drill</source>
+            <translation>uma ferramenta {tool_shape} não fura</translation>
         </message>
         <message>
-            <source>a {0} tool leaves no flat floor</source>
-            <translation>uma ferramenta {0} não deixa o fundo plano</translation>
+            <source>a {tool_shape} tool leaves no flat floor</source>
+            <translation>uma ferramenta {tool_shape} não deixa o fundo plano</translation>
         </message>
         <message>
-            <source>a {0} tool mills no thread</source>
-            <translation>uma ferramenta {0} não fresa rosca</translation>
+            <source>a {tool_shape} tool mills no thread</source>
+            <translation>uma ferramenta {tool_shape} não fresa rosca</translation>
         </message>
         <message>
             <source>above 0 and below the least</source>
@@ -6522,16 +6526,16 @@
             <translation>acima de 0 mm/min</translation>
         </message>
         <message>
-            <source>above 0, at most {0} deg, no tabs</source>
-            <translation>acima de 0, no máximo {0} deg, sem pontes</translation>
+            <source>above 0, at most {ramp_max_deg:g} deg, no tabs</source>
+            <translation>acima de 0, no máximo {ramp_max_deg:g} deg, sem pontes</translation>
         </message>
         <message>
-            <source>above 0, below {0} mm</source>
-            <translation>acima de 0, abaixo de {0} mm</translation>
+            <source>above 0, below {diameter_mm:g} mm</source>
+            <translation>acima de 0, abaixo de {diameter_mm:g} mm</translation>
         </message>
         <message>
-            <source>above {0} mm</source>
-            <translation>acima de {0} mm</translation>
+            <source>above {highest_cut:g} mm</source>
+            <translation>acima de {highest_cut:g} mm</translation>
         </message>
         <message>
             <source>act = "switch" and line belong together</source>
@@ -6578,20 +6582,20 @@
             <translation>entre no grupo dela (sudo usermod -aG dialout $USER) e faça login de novo</translation>
         </message>
         <message>
-            <source>add {0} to the line</source>
-            <translation>acrescente {0} à linha</translation>
+            <source>add {letter} to the line</source>
+            <translation>acrescente {letter} à linha</translation>
         </message>
         <message>
             <source>after a stop the first move names all its axes, on one straight way: let the machine stand above the work</source>
             <translation>depois de uma parada o primeiro movimento nomeia todos os seus eixos, em um só trajeto reto: deixe a máquina acima da peça</translation>
         </message>
         <message>
-            <source>all before line {0} is cut</source>
-            <translation>tudo antes da linha {0} está cortado</translation>
+            <source>all before line {first_line} is cut</source>
+            <translation>tudo antes da linha {first_line} está cortado</translation>
         </message>
         <message>
-            <source>all {0} lines are cut, the machine is idle</source>
-            <translation>todas as {0} linhas foram usinadas, a máquina está pronta</translation>
+            <source>all {total} lines are cut, the machine is idle</source>
+            <translation>todas as {total} linhas foram usinadas, a máquina está pronta</translation>
         </message>
         <message>
             <source>an O-word begins a line of a whole program, in dialects that have them: here it is not read</source>
@@ -6610,8 +6614,8 @@
             <translation>um arco dado pelo raio não pode terminar onde começa</translation>
         </message>
         <message>
-            <source>an arc in the plane {0} would be no arc any more</source>
-            <translation>um arco no plano {0} deixaria de ser um arco</translation>
+            <source>an arc in the plane {plane} would be no arc any more</source>
+            <translation>um arco no plano {plane} deixaria de ser um arco</translation>
         </message>
         <message>
             <source>an arc needs a known start point</source>
@@ -6626,8 +6630,8 @@
             <translation>um arco aceita R ou um centro, não os dois</translation>
         </message>
         <message>
-            <source>an axis is missing: {0}</source>
-            <translation>falta um eixo: {0}</translation>
+            <source>an axis is missing: {text}</source>
+            <translation>falta um eixo: {text}</translation>
         </message>
         <message>
             <source>an expression begins with [</source>
@@ -6654,12 +6658,12 @@
             <translation>um avanço em tempo inverso precisa de uma posição conhecida</translation>
         </message>
         <message>
-            <source>an offset came damaged: {0}</source>
-            <translation>um deslocamento chegou danificado: {0}</translation>
+            <source>an offset came damaged: {error}</source>
+            <translation>um deslocamento chegou danificado: {error}</translation>
         </message>
         <message>
-            <source>an operation uses tool {0}, which neither the job nor {1} has</source>
-            <translation>uma operação usa a ferramenta {0}, que nem o trabalho nem {1} têm</translation>
+            <source>an operation uses tool {number}, which neither the job nor {form_file} has</source>
+            <translation>uma operação usa a ferramenta {number}, que nem o trabalho nem {form_file} têm</translation>
         </message>
         <message>
             <source>an operator is missing or unknown</source>
@@ -6672,6 +6676,10 @@
         <message>
             <source>an outline or island is open</source>
             <translation>um contorno ou uma ilha está aberto</translation>
+        </message>
+        <message>
+            <source>and {corners} smaller ones</source>
+            <translation>e mais {corners} menores</translation>
         </message>
         <message>
             <source>another connection is using the controller</source>
@@ -6718,28 +6726,52 @@
             <translation>no mínimo</translation>
         </message>
         <message>
-            <source>at least {0}</source>
-            <translation>no mínimo {0}</translation>
+            <source>at least {chord:.4f} mm</source>
+            <translation>ao menos {chord:.4f} mm</translation>
         </message>
         <message>
-            <source>at least {0} mm</source>
-            <translation>ao menos {0} mm</translation>
+            <source>at least {depth_mm:.3g} mm</source>
+            <translation>ao menos {depth_mm:.3g} mm</translation>
+        </message>
+        <message>
+            <source>at least {least_mm:.3g} mm</source>
+            <translation>ao menos {least_mm:.3g} mm</translation>
+        </message>
+        <message>
+            <source>at least {length_mm:.3g} mm</source>
+            <translation>ao menos {length_mm:.3g} mm</translation>
+        </message>
+        <message>
+            <source>at least {need_mm:.3f} mm</source>
+            <translation>ao menos {need_mm:.3f} mm</translation>
+        </message>
+        <message>
+            <source>at least {rough_mm:.3g} mm</source>
+            <translation>ao menos {rough_mm:.3g} mm</translation>
+        </message>
+        <message>
+            <source>at least {z:g}</source>
+            <translation>no mínimo {z:g}</translation>
+        </message>
+        <message>
+            <source>at least {z_mm:g} mm</source>
+            <translation>ao menos {z_mm:g} mm</translation>
         </message>
         <message>
             <source>at most</source>
             <translation>no máximo</translation>
         </message>
         <message>
-            <source>at most {0}</source>
-            <translation>no máximo {0}</translation>
+            <source>at most {largest_tool}</source>
+            <translation>no máximo {largest_tool}</translation>
         </message>
         <message>
-            <source>at most {0} mm</source>
-            <translation>no máximo {0} mm</translation>
+            <source>at most {longest:g} times</source>
+            <translation>no máximo {longest:g} vezes</translation>
         </message>
         <message>
-            <source>at most {0} times</source>
-            <translation>no máximo {0} vezes</translation>
+            <source>at most {narrowest_mm:.3f} mm</source>
+            <translation>no máximo {narrowest_mm:.3f} mm</translation>
         </message>
         <message>
             <source>attach to it again</source>
@@ -6762,12 +6794,12 @@
             <translation>há palavras de eixo onde nenhum comando as usa</translation>
         </message>
         <message>
-            <source>axis.{0} is missing</source>
-            <translation>falta axis.{0}</translation>
+            <source>axis.{missing} is missing</source>
+            <translation>falta axis.{missing}</translation>
         </message>
         <message>
-            <source>axis.{0}.jerk_mm_s3 is missing: ramp = "s_curve" needs it</source>
-            <translation>falta axis.{0}.jerk_mm_s3: ramp = "s_curve" precisa dele</translation>
+            <source>axis.{without}.jerk_mm_s3 is missing: ramp = "s_curve" needs it</source>
+            <translation>falta axis.{without}.jerk_mm_s3: ramp = "s_curve" precisa dele</translation>
         </message>
         <message>
             <source>back along the cut</source>
@@ -6802,8 +6834,8 @@
             <translation>início da operação:</translation>
         </message>
         <message>
-            <source>begin operation: {0}</source>
-            <translation>início da operação: {0}</translation>
+            <source>begin operation: {name}</source>
+            <translation>início da operação: {name}</translation>
         </message>
         <message>
             <source>begin the comment with ;</source>
@@ -6818,8 +6850,24 @@
             <translation>comece com rápidos que indiquem X, Y e Z</translation>
         </message>
         <message>
-            <source>below {0} mm</source>
-            <translation>abaixo de {0} mm</translation>
+            <source>below {depth_mm:g} mm</source>
+            <translation>abaixo de {depth_mm:g} mm</translation>
+        </message>
+        <message>
+            <source>below {length_mm:.3f} mm</source>
+            <translation>abaixo de {length_mm:.3f} mm</translation>
+        </message>
+        <message>
+            <source>below {minor_mm:.3f} mm</source>
+            <translation>abaixo de {minor_mm:.3f} mm</translation>
+        </message>
+        <message>
+            <source>below {narrowest_mm:g} mm</source>
+            <translation>abaixo de {narrowest_mm:g} mm</translation>
+        </message>
+        <message>
+            <source>below {total_mm:g} mm</source>
+            <translation>abaixo de {total_mm:g} mm</translation>
         </message>
         <message>
             <source>belt_pitch_mm and pulley_teeth belong together</source>
@@ -6870,8 +6918,8 @@
             <translation>troque para a ferramenta {0}</translation>
         </message>
         <message>
-            <source>change_ms is so small that there are more than {0} waits</source>
-            <translation>change_ms é tão pequeno que há mais de {0} esperas</translation>
+            <source>change_ms is so small that there are more than {most_waits} waits</source>
+            <translation>change_ms é tão pequeno que há mais de {most_waits} esperas</translation>
         </message>
         <message>
             <source>check both switches</source>
@@ -6970,8 +7018,8 @@
             <translation>chip_load_min_mm não pode exceder chip_load_max_mm</translation>
         </message>
         <message>
-            <source>choose S from {0} to {1}</source>
-            <translation>escolha S de {0} a {1}</translation>
+            <source>choose S from {min_rpm:g} to {max_rpm:g}</source>
+            <translation>escolha S de {min_rpm:g} a {max_rpm:g}</translation>
         </message>
         <message>
             <source>choose a folder that exists and that you may write to</source>
@@ -7014,8 +7062,8 @@
             <translation>escolha um sólido, por exemplo uma caixa</translation>
         </message>
         <message>
-            <source>choose a tool of at most {0} mm diameter</source>
-            <translation>escolha uma ferramenta de no máximo {0} mm de diâmetro</translation>
+            <source>choose a tool of at most {widest:.3f} mm diameter</source>
+            <translation>escolha uma ferramenta de no máximo {widest:.3f} mm de diâmetro</translation>
         </message>
         <message>
             <source>choose an earlier line</source>
@@ -7054,24 +7102,24 @@
             <translation>escolha um deles, ou usine todos com um bolsão</translation>
         </message>
         <message>
-            <source>choose one of: {0}</source>
-            <translation>escolha um destes: {0}</translation>
+            <source>choose one of: {choices}</source>
+            <translation>escolha um destes: {choices}</translation>
         </message>
         <message>
             <source>choose other values, or try again</source>
             <translation>escolha outros valores, ou tente de novo</translation>
         </message>
         <message>
-            <source>choose the pass yourself: the program sends lines again, so line {0} alone is no place</source>
-            <translation>escolha você mesmo o passe: o programa envia linhas de novo, por isso só a linha {0} não é um lugar</translation>
+            <source>choose the pass yourself: the program sends lines again, so line {line} alone is no place</source>
+            <translation>escolha você mesmo o passe: o programa envia linhas de novo, por isso só a linha {line} não é um lugar</translation>
         </message>
         <message>
             <source>choose the right machine profile, or correct the settings</source>
             <translation>escolha o perfil de máquina certo, ou corrija as configurações</translation>
         </message>
         <message>
-            <source>circles and points of several drawings that stand about the same centre, one hole each: {0}</source>
-            <translation>círculos e pontos de vários desenhos em torno do mesmo centro, um furo para cada: {0}</translation>
+            <source>circles and points of several drawings that stand about the same centre, one hole each: {twice}</source>
+            <translation>círculos e pontos de vários desenhos em torno do mesmo centro, um furo para cada: {twice}</translation>
         </message>
         <message>
             <source>clear the cause, then reset the controller</source>
@@ -7170,8 +7218,8 @@
             <translation>os sistemas de coordenadas não podem ser mudados</translation>
         </message>
         <message>
-            <source>coordinates alone may not follow {0}</source>
-            <translation>coordenadas sozinhas não podem vir depois de {0}</translation>
+            <source>coordinates alone may not follow {motion_name}</source>
+            <translation>coordenadas sozinhas não podem vir depois de {motion_name}</translation>
         </message>
         <message>
             <source>core_diameter_mm must not exceed diameter_mm</source>
@@ -7186,8 +7234,8 @@
             <translation>corrija R ou o ponto final</translation>
         </message>
         <message>
-            <source>correct R or {0}</source>
-            <translation>corrija R ou {0}</translation>
+            <source>correct R or {normal}</source>
+            <translation>corrija R ou {normal}</translation>
         </message>
         <message>
             <source>correct its configuration file, then restart the controller</source>
@@ -7198,8 +7246,8 @@
             <translation>corrija a configuração dele e reinicie-o</translation>
         </message>
         <message>
-            <source>correct its spelling or take it out; known {0}are: {1}</source>
-            <translation>corrija a grafia ou retire; as conhecidas {0}são: {1}</translation>
+            <source>correct its spelling or take it out; known {table}are: {known}</source>
+            <translation>corrija a grafia ou retire; as conhecidas {table}são: {known}</translation>
         </message>
         <message>
             <source>correct that</source>
@@ -7326,20 +7374,24 @@
             <translation>corrija o zero-peça ou o programa e destrave com $X; a posição se mantém</translation>
         </message>
         <message>
-            <source>curve {0} has no length</source>
-            <translation>a curva {0} não tem comprimento</translation>
+            <source>curve {number} has no length</source>
+            <translation>a curva {number} não tem comprimento</translation>
         </message>
         <message>
-            <source>curve {0} is closed, it has no {1}</source>
-            <translation>a curva {0} é fechada, não tem {1}</translation>
+            <source>curve {number} is closed, it has no {side}</source>
+            <translation>a curva {number} é fechada, não tem {side}</translation>
         </message>
         <message>
-            <source>curve {0} is open, it has no {1}</source>
-            <translation>a curva {0} é aberta, não tem {1}</translation>
+            <source>curve {number} is open, it has no {side}</source>
+            <translation>a curva {number} é aberta, não tem {side}</translation>
         </message>
         <message>
             <source>curves do not meet</source>
             <translation>as curvas não se encontram</translation>
+        </message>
+        <message>
+            <source>cut always</source>
+            <translation>sempre cortadas</translation>
         </message>
         <message>
             <source>cut both in one operation, which leaves the gap standing, or use a smaller tool</source>
@@ -7366,8 +7418,8 @@
             <translation>usine-os juntos como um bolsão, ou este com uma operação própria</translation>
         </message>
         <message>
-            <source>cuts {0} mm before the place again</source>
-            <translation>corta de novo {0} mm antes do ponto</translation>
+            <source>cuts {overlap_mm:.3g} mm before the place again</source>
+            <translation>corta de novo {overlap_mm:.3g} mm antes do ponto</translation>
         </message>
         <message>
             <source>define it, or put its file beside the program</source>
@@ -7474,8 +7526,8 @@
             <translation>feche outros programas, ou diminua max_rate_mm_min no perfil da máquina</translation>
         </message>
         <message>
-            <source>end that session as {0}, or remove the file as {1} where none runs any more</source>
-            <translation>encerre essa sessão como {0}, ou remova o arquivo como {1} se nenhuma estiver mais em execução</translation>
+            <source>end that session as {user}, or remove the file as {user} where none runs any more</source>
+            <translation>encerre essa sessão como {user}, ou remova o arquivo como {user} se nenhuma estiver mais em execução</translation>
         </message>
         <message>
             <source>end the tool change and resume, or reset it</source>
@@ -7490,20 +7542,20 @@
             <translation>entre em hélice ou rampa, ou no meio de um furo já aberto</translation>
         </message>
         <message>
-            <source>entered here, the program does not stand alone: {0}</source>
-            <translation>retomado aqui, o programa não se sustenta sozinho: {0}</translation>
+            <source>entered here, the program does not stand alone: {error}</source>
+            <translation>retomado aqui, o programa não se sustenta sozinho: {error}</translation>
         </message>
         <message>
             <source>entered here, the program would do something else than when it is run whole</source>
             <translation>retomado aqui, o programa faria algo diferente do que faz quando executado inteiro</translation>
         </message>
         <message>
-            <source>enters line {0} at {1}</source>
-            <translation>entra na linha {0} em {1}</translation>
+            <source>enters line {line} at {place}</source>
+            <translation>entra na linha {line} em {place}</translation>
         </message>
         <message>
-            <source>enters there because {0}</source>
-            <translation>entra ali porque {0}</translation>
+            <source>enters there because {note}</source>
+            <translation>entra ali porque {note}</translation>
         </message>
         <message>
             <source>entities with its blocks taken apart</source>
@@ -7512,6 +7564,10 @@
         <message>
             <source>entry "plunge"</source>
             <translation>entrada "plunge"</translation>
+        </message>
+        <message>
+            <source>error:{error} {meaning}; {advice}</source>
+            <translation>error:{error} {meaning}; {advice}</translation>
         </message>
         <message>
             <source>every line is cut</source>
@@ -7562,8 +7618,8 @@
             <translation>fim da operação:</translation>
         </message>
         <message>
-            <source>finish operation: {0}</source>
-            <translation>fim da operação: {0}</translation>
+            <source>finish operation: {name}</source>
+            <translation>fim da operação: {name}</translation>
         </message>
         <message>
             <source>finish_stepover_mm (ae_acab)</source>
@@ -7574,8 +7630,8 @@
             <translation>finish_stepover_mm (ae_acab) é maior do que o raio da ferramenta permite</translation>
         </message>
         <message>
-            <source>finish_{0} leaves nothing to rough</source>
-            <translation>finish_{0} não deixa nada para desbastar</translation>
+            <source>finish_{name} leaves nothing to rough</source>
+            <translation>finish_{name} não deixa nada para desbastar</translation>
         </message>
         <message>
             <source>fit the scaled curve anew</source>
@@ -7598,24 +7654,32 @@
             <translation>solte o apalpador, reinicie e referencie a máquina</translation>
         </message>
         <message>
-            <source>from 1 to {0}</source>
-            <translation>de 1 a {0}</translation>
+            <source>from 1 to {found}</source>
+            <translation>de 1 a {found}</translation>
+        </message>
+        <message>
+            <source>from 1 to {runs}</source>
+            <translation>de 1 a {runs}</translation>
         </message>
         <message>
             <source>from here on findings of this kind are not listed</source>
             <translation>daqui em diante os achados deste tipo não são listados</translation>
         </message>
         <message>
-            <source>from {0} at line {1}, to {2} at line {3}</source>
-            <translation>de {0} na linha {1} a {2} na linha {3}</translation>
+            <source>from {begin} at line {first_line}, to {end} at line {last_line}</source>
+            <translation>de {begin} na linha {first_line} a {end} na linha {last_line}</translation>
         </message>
         <message>
             <source>full circles became two arcs</source>
             <translation>círculos completos viraram dois arcos</translation>
         </message>
         <message>
-            <source>gap {0} mm</source>
-            <translation>lacuna de {0} mm</translation>
+            <source>gap {gap_mm:.3g} mm</source>
+            <translation>lacuna de {gap_mm:.3g} mm</translation>
+        </message>
+        <message>
+            <source>gap {gap_mm:g} mm</source>
+            <translation>lacuna de {gap_mm:g} mm</translation>
         </message>
         <message>
             <source>give 2 or 3 numbers</source>
@@ -7642,16 +7706,16 @@
             <translation>dê ^ com G90</translation>
         </message>
         <message>
-            <source>give a TOML file or one of: {0}</source>
-            <translation>dê um arquivo TOML ou um destes: {0}</translation>
+            <source>give a TOML file or one of: {profile_names}</source>
+            <translation>dê um arquivo TOML ou um destes: {profile_names}</translation>
         </message>
         <message>
             <source>give a device name or socket://host:port</source>
             <translation>dê um nome de dispositivo ou socket://host:porta</translation>
         </message>
         <message>
-            <source>give a file that ends in {0}</source>
-            <translation>dê um arquivo que termine em {0}</translation>
+            <source>give a file that ends in {endings}</source>
+            <translation>dê um arquivo que termine em {endings}</translation>
         </message>
         <message>
             <source>give a finite number</source>
@@ -7730,16 +7794,16 @@
             <translation>dê o diâmetro para X e para Y</translation>
         </message>
         <message>
-            <source>give its {0}</source>
-            <translation>informe {0} dela</translation>
+            <source>give its {own_key}</source>
+            <translation>informe {own_key} dela</translation>
         </message>
         <message>
             <source>give one of them</source>
             <translation>informe um deles</translation>
         </message>
         <message>
-            <source>give parameters {0} to {1} with the start state, or use G53</source>
-            <translation>dê os parâmetros {0} a {1} com o estado inicial ou use G53</translation>
+            <source>give parameters {first} to {first2} with the start state, or use G53</source>
+            <translation>dê os parâmetros {first} a {first2} com o estado inicial ou use G53</translation>
         </message>
         <message>
             <source>give peck_mm, or use G81</source>
@@ -7774,8 +7838,8 @@
             <translation>dê à ferramenta um length_offset_mm ou escolha outro tool_length para a máquina</translation>
         </message>
         <message>
-            <source>give the tool a {0}</source>
-            <translation>dê à ferramenta um {0}</translation>
+            <source>give the tool a {name}</source>
+            <translation>dê à ferramenta um {name}</translation>
         </message>
         <message>
             <source>give the tool its flutes</source>
@@ -7810,8 +7874,8 @@
             <translation>informe dois cantos opostos de um retângulo, ou três ou mais de um polígono, na ordem</translation>
         </message>
         <message>
-            <source>give {0}, or a pattern of circles</source>
-            <translation>dê {0} ou um padrão de círculos</translation>
+            <source>give {key}, or a pattern of circles</source>
+            <translation>dê {key} ou um padrão de círculos</translation>
         </message>
         <message>
             <source>given up: the controller was reset or is locked</source>
@@ -7834,24 +7898,24 @@
             <translation>avance linha por linha enquanto um trabalho está em execução</translation>
         </message>
         <message>
-            <source>go on with it or stop it where it was started, or with: cncstepper back --session {0}</source>
-            <translation>continue-o ou pare-o onde foi iniciado, ou com: cncstepper back --session {0}</translation>
+            <source>go on with it or stop it where it was started, or with: cncstepper back --session {file}</source>
+            <translation>continue-o ou pare-o onde foi iniciado, ou com: cncstepper back --session {file}</translation>
         </message>
         <message>
             <source>go on, or stop the job</source>
             <translation>continue, ou pare o trabalho</translation>
         </message>
         <message>
-            <source>goes down at {0} mm/min</source>
-            <translation>desce a {0} mm/min</translation>
+            <source>goes down at {plunge_mm_min:g} mm/min</source>
+            <translation>desce a {plunge_mm_min:g} mm/min</translation>
         </message>
         <message>
             <source>goes on with</source>
             <translation>continua com</translation>
         </message>
         <message>
-            <source>goes to Z {0} first, straight up (it is not sent while the tool stands higher), then over the place</source>
-            <translation>vai primeiro a Z {0}, reto para cima (não é enviado enquanto a ferramenta estiver mais alta), depois para cima do lugar</translation>
+            <source>goes to Z {height_mm:.3f} first, straight up (it is not sent while the tool stands higher), then over the place</source>
+            <translation>vai primeiro a Z {height_mm:.3f}, reto para cima (não é enviado enquanto a ferramenta estiver mais alta), depois para cima do lugar</translation>
         </message>
         <message>
             <source>grbl follows the exact path always: leave the word out or write G61</source>
@@ -7878,8 +7942,8 @@
             <translation>alturas pertencem a um bloco da forma 'height_field', e a nenhum outro</translation>
         </message>
         <message>
-            <source>heights differ by {0} mm</source>
-            <translation>as alturas diferem em {0} mm</translation>
+            <source>heights differ by {rise:.4g} mm</source>
+            <translation>as alturas diferem em {rise:.4g} mm</translation>
         </message>
         <message>
             <source>hold it first</source>
@@ -7962,32 +8026,32 @@
             <translation>o referenciamento foi interrompido por um reset</translation>
         </message>
         <message>
-            <source>if it was cutting, the position is unknown: look at the machine, then see {0}</source>
-            <translation>se estava cortando, a posição é desconhecida: olhe a máquina e depois veja {0}</translation>
+            <source>if it was cutting, the position is unknown: look at the machine, then see {session_file}</source>
+            <translation>se estava cortando, a posição é desconhecida: olhe a máquina e depois veja {session_file}</translation>
         </message>
         <message>
             <source>in absolute mode the control drives an axis without a word to 0</source>
             <translation>no modo absoluto o comando leva para 0 um eixo sem palavra</translation>
         </message>
         <message>
-            <source>in inverse time every {0} needs its own F above 0</source>
-            <translation>em tempo inverso cada {0} precisa do seu próprio F maior que 0</translation>
+            <source>in inverse time every {name} needs its own F above 0</source>
+            <translation>em tempo inverso cada {name} precisa do seu próprio F maior que 0</translation>
         </message>
         <message>
-            <source>in the language of {0} no play can be taken up</source>
-            <translation>na linguagem de {0} não há como compensar a folga</translation>
+            <source>in the language of {dialect} no play can be taken up</source>
+            <translation>na linguagem de {dialect} não há como compensar a folga</translation>
         </message>
         <message>
-            <source>in the operation {0}</source>
-            <translation>na operação {0}</translation>
+            <source>in the operation {span}</source>
+            <translation>na operação {span}</translation>
         </message>
         <message>
             <source>incremental coordinates became absolute</source>
             <translation>coordenadas incrementais viraram absolutas</translation>
         </message>
         <message>
-            <source>input: two inputs are on {0}</source>
-            <translation>input: duas entradas estão em {0}</translation>
+            <source>input: two inputs are on {twice}</source>
+            <translation>input: duas entradas estão em {twice}</translation>
         </message>
         <message>
             <source>install it for the Python that proves (python -m pip install NAME)</source>
@@ -8002,8 +8066,8 @@
             <translation>instale-o: python -m pip install pyserial</translation>
         </message>
         <message>
-            <source>install them in one (python -m pip install {0}), or set {1} to a Python that has them</source>
-            <translation>instale-os em um (python -m pip install {0}), ou aponte {1} para um Python que os tenha</translation>
+            <source>install them in one (python -m pip install {packages}), or set {variable} to a Python that has them</source>
+            <translation>instale-os em um (python -m pip install {packages}), ou aponte {variable} para um Python que os tenha</translation>
         </message>
         <message>
             <source>is read as a line of its own, in a whole program, where the dialect has subroutines</source>
@@ -8014,16 +8078,16 @@
             <translation>ele fechou a conexão</translation>
         </message>
         <message>
-            <source>it cuts upwards on a helix, as thread mills do, and is entered at its begin, line {0}</source>
-            <translation>o corte sobe em hélice, como fazem as fresas de roscar, e é retomado no seu início, linha {0}</translation>
+            <source>it cuts upwards on a helix, as thread mills do, and is entered at its begin, line {begin}</source>
+            <translation>o corte sobe em hélice, como fazem as fresas de roscar, e é retomado no seu início, linha {begin}</translation>
         </message>
         <message>
             <source>it ended with an error</source>
             <translation>terminou com um erro</translation>
         </message>
         <message>
-            <source>it ends at X {0} Y {1}</source>
-            <translation>termina em X {0} Y {1}</translation>
+            <source>it ends at X {end_mm:.4g} Y {end_mm2:.4g}</source>
+            <translation>termina em X {end_mm:.4g} Y {end_mm2:.4g}</translation>
         </message>
         <message>
             <source>it ends too early</source>
@@ -8038,16 +8102,16 @@
             <translation>não tem nenhum</translation>
         </message>
         <message>
-            <source>it has them on {0}</source>
-            <translation>ele as tem em {0}</translation>
+            <source>it has them on {names}</source>
+            <translation>ele as tem em {names}</translation>
         </message>
         <message>
-            <source>it has {0}</source>
-            <translation>tem {0}</translation>
+            <source>it has {ways}</source>
+            <translation>tem {ways}</translation>
         </message>
         <message>
-            <source>it has: {0}</source>
-            <translation>ele tem: {0}</translation>
+            <source>it has: {entries}</source>
+            <translation>ele tem: {entries}</translation>
         </message>
         <message>
             <source>it is a device</source>
@@ -8074,8 +8138,8 @@
             <translation>é longa demais para a sua tolerância</translation>
         </message>
         <message>
-            <source>it is within a way into the cut, which begins at line {0}</source>
-            <translation>está dentro de uma entrada no corte, que começa na linha {0}</translation>
+            <source>it is within a way into the cut, which begins at line {file_line}</source>
+            <translation>está dentro de uma entrada no corte, que começa na linha {file_line}</translation>
         </message>
         <message>
             <source>it names no operation: choose a line</source>
@@ -8090,20 +8154,20 @@
             <translation>ele não diz nada</translation>
         </message>
         <message>
-            <source>it should be *{0}</source>
-            <translation>deveria ser *{0}</translation>
+            <source>it should be *{summed}</source>
+            <translation>deveria ser *{summed}</translation>
         </message>
         <message>
-            <source>it was a restart itself: the first line not certainly cut is the program's {0}</source>
-            <translation>ele já era um reinício: a primeira linha não certamente cortada é a {0} do programa</translation>
+            <source>it was a restart itself: the first line not certainly cut is the program's {story}</source>
+            <translation>ele já era um reinício: a primeira linha não certamente cortada é a {story} do programa</translation>
         </message>
         <message>
             <source>it would forget the settings: write the settings that are to change one by one</source>
             <translation>ele esqueceria as configurações: escreva uma a uma as que devem mudar</translation>
         </message>
         <message>
-            <source>its file '{0}' is neither here nor in ../Bit</source>
-            <translation>o seu arquivo '{0}' não está aqui nem em ../Bit</translation>
+            <source>its file '{name}' is neither here nor in ../Bit</source>
+            <translation>o seu arquivo '{name}' não está aqui nem em ../Bit</translation>
         </message>
         <message>
             <source>its host is not this computer</source>
@@ -8122,24 +8186,24 @@
             <translation>a posição de máquina não é 0</translation>
         </message>
         <message>
-            <source>its number is above {0}</source>
-            <translation>o seu número passa de {0}</translation>
+            <source>its number is above {largest_number}</source>
+            <translation>o seu número passa de {largest_number}</translation>
         </message>
         <message>
-            <source>its numbers make no curve: {0}</source>
-            <translation>seus números não formam uma curva: {0}</translation>
+            <source>its numbers make no curve: {why}</source>
+            <translation>seus números não formam uma curva: {why}</translation>
         </message>
         <message>
-            <source>its operations are: {0}</source>
-            <translation>as operações dele são: {0}</translation>
+            <source>its operations are: {known}</source>
+            <translation>as operações dele são: {known}</translation>
         </message>
         <message>
             <source>its owner</source>
             <translation>seu proprietário</translation>
         </message>
         <message>
-            <source>its shape '{0}' is none of {1}</source>
-            <translation>a sua forma '{0}' não é nenhuma de {1}</translation>
+            <source>its shape '{kind}' is none of {shapes}</source>
+            <translation>a sua forma '{kind}' não é nenhuma de {shapes}</translation>
         </message>
         <message>
             <source>its symbolic links form a circle</source>
@@ -8150,20 +8214,20 @@
             <translation>seus pesos não são maiores que 0</translation>
         </message>
         <message>
-            <source>its {0} are no numbers in bounds</source>
-            <translation>{0}: não são números dentro dos limites</translation>
+            <source>its {name} are no numbers in bounds</source>
+            <translation>{name}: não são números dentro dos limites</translation>
         </message>
         <message>
-            <source>its {0} is no number in bounds</source>
-            <translation>{0}: não é um número dentro dos limites</translation>
+            <source>its {name} is no number in bounds</source>
+            <translation>{name}: não é um número dentro dos limites</translation>
         </message>
         <message>
             <source>jog again if it is still wanted</source>
             <translation>mova de novo se ainda for preciso</translation>
         </message>
         <message>
-            <source>jog it down to that height where you see what is below it, or restart with the height {0} (--height), from which it goes over the place at once</source>
-            <translation>desça-a à mão até essa altura onde você vê o que há embaixo, ou reinicie com a altura {0} (--height), da qual ela vai logo para cima do lugar</translation>
+            <source>jog it down to that height where you see what is below it, or restart with the height {here_mm:.1f} (--height), from which it goes over the place at once</source>
+            <translation>desça-a à mão até essa altura onde você vê o que há embaixo, ou reinicie com a altura {here_mm:.1f} (--height), da qual ela vai logo para cima do lugar</translation>
         </message>
         <message>
             <source>jog less far</source>
@@ -8178,8 +8242,8 @@
             <translation>junte-os em um só contorno, ou mova um deles</translation>
         </message>
         <message>
-            <source>kept only if the controller has had power ever since and was not reset in motion; a greeting, an alarm or a place that is not right says that it was: then {0}; {1}</source>
-            <translation>mantida só se o controlador ficou ligado desde então e não foi reiniciado em movimento; uma saudação, um alarme ou um lugar errado dizem que foi: então {0}; {1}</translation>
+            <source>kept only if the controller has had power ever since and was not reset in motion; a greeting, an alarm or a place that is not right says that it was: then {home}; {until_homed}</source>
+            <translation>mantida só se o controlador ficou ligado desde então e não foi reiniciado em movimento; uma saudação, um alarme ou um lugar errado dizem que foi: então {home}; {until_homed}</translation>
         </message>
         <message>
             <source>kerf_mm is not what this tool cuts</source>
@@ -8190,8 +8254,8 @@
             <translation>cortes grandes estão sendo preparados, uma vez após a instalação</translation>
         </message>
         <message>
-            <source>larger than {0} MB</source>
-            <translation>maior que {0} MB</translation>
+            <source>larger than {largest_bytes} MB</source>
+            <translation>maior que {largest_bytes} MB</translation>
         </message>
         <message>
             <source>laser mode needs a spindle of the kind Laser</source>
@@ -8214,16 +8278,16 @@
             <translation>alinhe a peça com os eixos da máquina</translation>
         </message>
         <message>
-            <source>leads had to be made smaller to stay in the scrap, down to {0} of their size</source>
-            <translation>entradas e saídas tiveram de ser diminuídas para ficar na sobra, até {0} do seu tamanho</translation>
+            <source>leads had to be made smaller to stay in the scrap, down to {smallest:.0%} of their size</source>
+            <translation>entradas e saídas tiveram de ser diminuídas para ficar na sobra, até {smallest:.0%} do seu tamanho</translation>
         </message>
         <message>
             <source>least_ms must not be above first_ms</source>
             <translation>least_ms não pode ser maior que first_ms</translation>
         </message>
         <message>
-            <source>leave '{0}' out, if the machine's operator does it by hand</source>
-            <translation>omita '{0}' se o operador da máquina o faz à mão</translation>
+            <source>leave '{name}' out, if the machine's operator does it by hand</source>
+            <translation>omita '{name}' se o operador da máquina o faz à mão</translation>
         </message>
         <message>
             <source>leave it out: Marlin has only this mode</source>
@@ -8266,6 +8330,10 @@
             <translation>deixa o fuso desligado, como o programa o tem ali</translation>
         </message>
         <message>
+            <source>left out</source>
+            <translation>omitidas</translation>
+        </message>
+        <message>
             <source>left out: G61.1, the machine may round the corners</source>
             <translation>omitido: G61.1, a máquina pode arredondar os cantos</translation>
         </message>
@@ -8278,12 +8346,12 @@
             <translation>omitido: os comprimentos das ferramentas; ajuste o zero de Z com cada ferramenta</translation>
         </message>
         <message>
-            <source>left out: {0}</source>
-            <translation>omitido: {0}</translation>
+            <source>left out: {lacks}</source>
+            <translation>omitido: {lacks}</translation>
         </message>
         <message>
-            <source>left out: {0}, which never moves; that axis stands at 0</source>
-            <translation>omitido: {0}, que nunca se move; esse eixo fica em 0</translation>
+            <source>left out: {letter}, which never moves; that axis stands at 0</source>
+            <translation>omitido: {letter}, que nunca se move; esse eixo fica em 0</translation>
         </message>
         <message>
             <source>lengths of tools went into the coordinates</source>
@@ -8302,8 +8370,8 @@
             <translation>deixe a ferramenta mais para fora do porta-ferramenta</translation>
         </message>
         <message>
-            <source>let them coincide, or keep them {0} mm apart</source>
-            <translation>faça-os coincidir ou mantenha-os a {0} mm um do outro</translation>
+            <source>let them coincide, or keep them {small_mm:g} mm apart</source>
+            <translation>faça-os coincidir ou mantenha-os a {small_mm:g} mm um do outro</translation>
         </message>
         <message>
             <source>lift the tool before it</source>
@@ -8318,44 +8386,48 @@
             <translation>levante a ferramenta acima dele, mude o grampo de lugar ou desloque a forma</translation>
         </message>
         <message>
+            <source>limit {limit}</source>
+            <translation>limite {limit}</translation>
+        </message>
+        <message>
             <source>line numbers begin at 0 or above and grow</source>
             <translation>os números de linha começam em 0 ou acima e crescem</translation>
         </message>
         <message>
-            <source>line {0} here is its line {1}</source>
-            <translation>a linha {0} aqui é a linha {1} dele</translation>
+            <source>line {file_line} is run from its begin</source>
+            <translation>a linha {file_line} é executada desde o início</translation>
         </message>
         <message>
-            <source>line {0} is run from its begin</source>
-            <translation>a linha {0} é executada desde o início</translation>
+            <source>line {file_line} makes several moves and is run from its begin</source>
+            <translation>a linha {file_line} faz vários movimentos e é executada desde o início</translation>
         </message>
         <message>
-            <source>line {0} makes several moves and is run from its begin</source>
-            <translation>a linha {0} faz vários movimentos e é executada desde o início</translation>
+            <source>line {first_line} may not have been begun, line {last} may have been sent</source>
+            <translation>a linha {first_line} pode não ter sido começada, a linha {last} pode ter sido enviada</translation>
         </message>
         <message>
-            <source>line {0} may not have been begun, line {1} may have been sent</source>
-            <translation>a linha {0} pode não ter sido começada, a linha {1} pode ter sido enviada</translation>
+            <source>line {first} to {file_line}</source>
+            <translation>linha {first} a {file_line}</translation>
         </message>
         <message>
-            <source>line {0} of the journal is damaged</source>
-            <translation>a linha {0} do diário está danificada</translation>
+            <source>line {own} here is its line {file_line}</source>
+            <translation>a linha {own} aqui é a linha {file_line} dele</translation>
         </message>
         <message>
-            <source>line {0} of the journal is not the one that was written there</source>
-            <translation>a linha {0} do diário não é a que foi gravada ali</translation>
+            <source>line {place} of the journal is damaged</source>
+            <translation>a linha {place} do diário está danificada</translation>
         </message>
         <message>
-            <source>line {0} to {1}</source>
-            <translation>linha {0} a {1}</translation>
+            <source>line {place} of the journal is not the one that was written there</source>
+            <translation>a linha {place} do diário não é a que foi gravada ali</translation>
         </message>
         <message>
-            <source>lines of '{0}' that are no whole circles and want no holes: {1}</source>
-            <translation>linhas de '{0}' que não são círculos inteiros e não pedem furos: {1}</translation>
+            <source>lines of '{drawing}' that are no whole circles and want no holes: {lines}</source>
+            <translation>linhas de '{drawing}' que não são círculos inteiros e não pedem furos: {lines}</translation>
         </message>
         <message>
-            <source>lines with / are {0}: no switch deletes them any more</source>
-            <translation>linhas com / estão {0}: nenhuma chave as omite mais</translation>
+            <source>lines with / are {word}: no switch deletes them any more</source>
+            <translation>linhas com / estão {word}: nenhuma chave as omite mais</translation>
         </message>
         <message>
             <source>load the module ppdev, and let your user use the device</source>
@@ -8506,8 +8578,8 @@
             <translation>aumente Q</translation>
         </message>
         <message>
-            <source>make finish_{0} smaller</source>
-            <translation>diminua finish_{0}</translation>
+            <source>make finish_{name} smaller</source>
+            <translation>diminua finish_{name}</translation>
         </message>
         <message>
             <source>make it again</source>
@@ -8530,12 +8602,12 @@
             <translation>libere espaço no disco dele, e continue quando for dito que ele é gravado de novo</translation>
         </message>
         <message>
-            <source>make room on the disk of {0}, and see that you may write there</source>
-            <translation>libere espaço no disco de {0}, e veja se você pode gravar ali</translation>
+            <source>make room on the disk of {folder}, and see that you may write there; then send again</source>
+            <translation>libere espaço no disco de {folder} e verifique se você pode gravar ali; depois envie de novo</translation>
         </message>
         <message>
-            <source>make room on the disk of {0}, and see that you may write there; then send again</source>
-            <translation>libere espaço no disco de {0} e verifique se você pode gravar ali; depois envie de novo</translation>
+            <source>make room on the disk of {parent}, and see that you may write there</source>
+            <translation>libere espaço no disco de {parent}, e veja se você pode gravar ali</translation>
         </message>
         <message>
             <source>make several jobs of this one</source>
@@ -8586,16 +8658,16 @@
             <translation>baixe-as</translation>
         </message>
         <message>
-            <source>make {0} larger</source>
-            <translation>aumente {0}</translation>
+            <source>make {name} larger</source>
+            <translation>aumente {name}</translation>
         </message>
         <message>
-            <source>material is left where it should be removed{0}</source>
-            <translation>sobra material onde deveria ser removido{0}</translation>
+            <source>material is left where it should be removed{islands}</source>
+            <translation>sobra material onde deveria ser removido{islands}</translation>
         </message>
         <message>
-            <source>material stays in {0} gap(s) between walls that are narrower than the tool, the deepest one before X{1} Y{2}; a smaller tool takes it away</source>
-            <translation>fica material em {0} fresta(s) entre paredes mais estreita(s) que a ferramenta, a mais funda diante de X{1} Y{2}; uma ferramenta menor o remove</translation>
+            <source>material stays in {gaps} gap(s) between walls that are narrower than the tool, the deepest one before X{x:.3f} Y{y:.3f}; a smaller tool takes it away</source>
+            <translation>fica material em {gaps} fresta(s) entre paredes mais estreita(s) que a ferramenta, a mais funda diante de X{x:.3f} Y{y:.3f}; uma ferramenta menor o remove</translation>
         </message>
         <message>
             <source>measure the width of its cut, or leave kerf_mm out</source>
@@ -8622,8 +8694,8 @@
             <translation>refrigeração por névoa</translation>
         </message>
         <message>
-            <source>more of the {0} tool's rim is in the material than it may</source>
-            <translation>o ângulo de contato da ferramenta {0} com o material é maior que o permitido</translation>
+            <source>more of the {tool} tool's rim is in the material than it may</source>
+            <translation>o ângulo de contato da ferramenta {tool} com o material é maior que o permitido</translation>
         </message>
         <message>
             <source>more than</source>
@@ -8638,16 +8710,16 @@
             <translation>mais de um milhão de qualquer coisa é um engano</translation>
         </message>
         <message>
-            <source>more than {0} lines</source>
-            <translation>mais de {0} linhas</translation>
+            <source>more than {most} lines</source>
+            <translation>mais de {most} linhas</translation>
         </message>
         <message>
-            <source>more than {0} mm</source>
-            <translation>mais de {0} mm</translation>
+            <source>more than {radius:g} mm</source>
+            <translation>mais de {radius:g} mm</translation>
         </message>
         <message>
-            <source>more than {0} steps</source>
-            <translation>mais de {0} passos</translation>
+            <source>more than {way} steps</source>
+            <translation>mais de {way} passos</translation>
         </message>
         <message>
             <source>motion mode set to none</source>
@@ -8686,8 +8758,8 @@
             <translation>mova o controle deslizante para iniciá-lo de novo</translation>
         </message>
         <message>
-            <source>move the work zero {0} the {1} axis or make the program smaller</source>
-            <translation>mova o zero-peça ({0}) no eixo {1} ou diminua o programa</translation>
+            <source>move the work zero {word} the {name} axis or make the program smaller</source>
+            <translation>mova o zero-peça ({word}) no eixo {name} ou diminua o programa</translation>
         </message>
         <message>
             <source>move them or the work zero</source>
@@ -8702,12 +8774,12 @@
             <translation>vá antes até lá com G90</translation>
         </message>
         <message>
-            <source>move {0} on a line of its own</source>
-            <translation>mova {0} em uma linha própria</translation>
+            <source>move {letter} on a line of its own</source>
+            <translation>mova {letter} em uma linha própria</translation>
         </message>
         <message>
-            <source>must be {0} from {1}</source>
-            <translation>deve ser {0} de {1}</translation>
+            <source>must be {number} from {words}</source>
+            <translation>deve ser {number} de {words}</translation>
         </message>
         <message>
             <source>name X and Y in a rapid above the stock first</source>
@@ -8738,8 +8810,8 @@
             <translation>nomeie uma delas</translation>
         </message>
         <message>
-            <source>name one of: {0}</source>
-            <translation>nomeie uma de: {0}</translation>
+            <source>name one of: {known}</source>
+            <translation>nomeie uma de: {known}</translation>
         </message>
         <message>
             <source>name the device file of a parallel port, such as /dev/parport0, or a file to record in</source>
@@ -8758,12 +8830,12 @@
             <translation>aninhado fundo demais</translation>
         </message>
         <message>
-            <source>next is line {0}: {1}</source>
-            <translation>a próxima é a linha {0}: {1}</translation>
+            <source>next is line {line}: {text}</source>
+            <translation>a próxima é a linha {line}: {text}</translation>
         </message>
         <message>
-            <source>no JSON at byte {0}</source>
-            <translation>nenhum JSON no byte {0}</translation>
+            <source>no JSON at byte {offset}</source>
+            <translation>nenhum JSON no byte {offset}</translation>
         </message>
         <message>
             <source>no axis is set up for homing</source>
@@ -8790,12 +8862,12 @@
             <translation>não se encontraram curvas fechadas a essa distância</translation>
         </message>
         <message>
-            <source>no code on this line uses the word {0}</source>
-            <translation>nenhum código desta linha usa a palavra {0}</translation>
+            <source>no code on this line uses the word {letter}</source>
+            <translation>nenhum código desta linha usa a palavra {letter}</translation>
         </message>
         <message>
-            <source>no conversion makes this a program for {0}: {1}</source>
-            <translation>nenhuma conversão faz deste um programa para {0}: {1}</translation>
+            <source>no conversion makes this a program for {dialect_named}: {error}</source>
+            <translation>nenhuma conversão faz deste um programa para {dialect_named}: {error}</translation>
         </message>
         <message>
             <source>no cutter's edge runs faster than 170 m/s</source>
@@ -8810,8 +8882,8 @@
             <translation>nenhum encoder conta mais numa volta</translation>
         </message>
         <message>
-            <source>no encoder for '{0}' is installed</source>
-            <translation>não há codificador instalado para '{0}'</translation>
+            <source>no encoder for '{file}' is installed</source>
+            <translation>não há codificador instalado para '{file}'</translation>
         </message>
         <message>
             <source>no feed rate was set</source>
@@ -8826,8 +8898,8 @@
             <translation>nenhuma engrenagem gira dez mil vezes mais depressa</translation>
         </message>
         <message>
-            <source>no identity of a port: {0}</source>
-            <translation>não é a identidade de uma porta: {0}</translation>
+            <source>no identity of a port: {content}</source>
+            <translation>não é a identidade de uma porta: {content}</translation>
         </message>
         <message>
             <source>no input may be read</source>
@@ -8854,12 +8926,12 @@
             <translation>não há modos guardados aqui</translation>
         </message>
         <message>
-            <source>no move of line {0} lies on the way back</source>
-            <translation>nenhum movimento da linha {0} fica no caminho de volta</translation>
+            <source>no move of line {line} lies on the way back</source>
+            <translation>nenhum movimento da linha {line} fica no caminho de volta</translation>
         </message>
         <message>
-            <source>no operation, or more than one, is called '{0}'</source>
-            <translation>nenhuma operação, ou mais de uma, se chama '{0}'</translation>
+            <source>no operation, or more than one, is called '{name}'</source>
+            <translation>nenhuma operação, ou mais de uma, se chama '{name}'</translation>
         </message>
         <message>
             <source>no output may be set</source>
@@ -8878,8 +8950,8 @@
             <translation>nenhuma posição pode ser guardada</translation>
         </message>
         <message>
-            <source>no process has it any more: remove the file as {0}</source>
-            <translation>nenhum processo o usa mais: remova o arquivo como {0}</translation>
+            <source>no process has it any more: remove the file as {user}</source>
+            <translation>nenhum processo o usa mais: remova o arquivo como {user}</translation>
         </message>
         <message>
             <source>no process, or no port</source>
@@ -8954,48 +9026,48 @@
             <translation>nenhum dos desenhos selecionados pode ser seguido</translation>
         </message>
         <message>
-            <source>not a DXF file: {0}</source>
-            <translation>não é um arquivo DXF: {0}</translation>
+            <source>not a DXF file: {why}</source>
+            <translation>não é um arquivo DXF: {why}</translation>
         </message>
         <message>
-            <source>not a JSON file: {0}</source>
-            <translation>não é um arquivo JSON: {0}</translation>
+            <source>not a JSON file: {error}</source>
+            <translation>não é um arquivo JSON: {error}</translation>
         </message>
         <message>
-            <source>not a TOML file: {0}</source>
-            <translation>não é um arquivo TOML: {0}</translation>
+            <source>not a TOML file: {error}</source>
+            <translation>não é um arquivo TOML: {error}</translation>
         </message>
         <message>
-            <source>not a curve with xy and bulge: {0}</source>
-            <translation>não é uma curva com xy e bulge: {0}</translation>
+            <source>not a curve with xy and bulge: {error}</source>
+            <translation>não é uma curva com xy e bulge: {error}</translation>
         </message>
         <message>
             <source>not a file</source>
             <translation>não é um arquivo</translation>
         </message>
         <message>
-            <source>not a job to send: {0}</source>
-            <translation>não é um trabalho para enviar: {0}</translation>
+            <source>not a job to send: {error}</source>
+            <translation>não é um trabalho para enviar: {error}</translation>
         </message>
         <message>
-            <source>not a number: {0}</source>
-            <translation>não é um número: {0}</translation>
+            <source>not a number: {text}</source>
+            <translation>não é um número: {text}</translation>
         </message>
         <message>
-            <source>not a point: '{0}'</source>
-            <translation>não é um ponto: '{0}'</translation>
+            <source>not a point: '{line}'</source>
+            <translation>não é um ponto: '{line}'</translation>
         </message>
         <message>
             <source>not a status: a vector has other things in it than numbers</source>
             <translation>não é um estado: um vetor contém outra coisa que números</translation>
         </message>
         <message>
-            <source>not a status: its {0} is no {1}</source>
-            <translation>não é um estado: {0} não é do tipo {1}</translation>
+            <source>not a status: its {name} is no {kind_name}</source>
+            <translation>não é um estado: {name} não é do tipo {kind_name}</translation>
         </message>
         <message>
-            <source>not a status: {0}</source>
-            <translation>não é um estado: {0}</translation>
+            <source>not a status: {error}</source>
+            <translation>não é um estado: {error}</translation>
         </message>
         <message>
             <source>not a text file</source>
@@ -9006,16 +9078,16 @@
             <translation>não é uma ferramenta: não tem forma ou não tem parâmetro</translation>
         </message>
         <message>
-            <source>not a tool bit: its {0} is no object</source>
-            <translation>não é um arquivo de ferramenta: o {0} dele não é um objeto</translation>
+            <source>not a tool bit: its {key} is no object</source>
+            <translation>não é um arquivo de ferramenta: o {key} dele não é um objeto</translation>
         </message>
         <message>
             <source>not a tool library: it has no list of tools</source>
             <translation>não é uma biblioteca de ferramentas: não tem lista de ferramentas</translation>
         </message>
         <message>
-            <source>not a tool of a table: '{0}'</source>
-            <translation>não é uma ferramenta de uma tabela: '{0}'</translation>
+            <source>not a tool of a table: '{line}'</source>
+            <translation>não é uma ferramenta de uma tabela: '{line}'</translation>
         </message>
         <message>
             <source>not all of a parallel of the wall is seen from the middle of the room</source>
@@ -9030,8 +9102,8 @@
             <translation>não é um erro: suas palavras não são texto</translation>
         </message>
         <message>
-            <source>not an error: {0}</source>
-            <translation>não é um erro: {0}</translation>
+            <source>not an error: {error}</source>
+            <translation>não é um erro: {error}</translation>
         </message>
         <message>
             <source>not an object of JSON</source>
@@ -9042,24 +9114,24 @@
             <translation>não é um resultado: não diz como terminou</translation>
         </message>
         <message>
-            <source>not an outcome: {0}</source>
-            <translation>não é um resultado: {0}</translation>
+            <source>not an outcome: {fault}</source>
+            <translation>não é um resultado: {fault}</translation>
         </message>
         <message>
             <source>not certain</source>
             <translation>incerto</translation>
         </message>
         <message>
-            <source>not known on {0}</source>
-            <translation>não se sabe em {0}</translation>
+            <source>not known on {platform}</source>
+            <translation>não se sabe em {platform}</translation>
         </message>
         <message>
             <source>not sent</source>
             <translation>não enviado</translation>
         </message>
         <message>
-            <source>not the numbers of a curve: {0}</source>
-            <translation>não são os números de uma curva: {0}</translation>
+            <source>not the numbers of a curve: {error}</source>
+            <translation>não são os números de uma curva: {error}</translation>
         </message>
         <message>
             <source>notes must be a list</source>
@@ -9070,8 +9142,8 @@
             <translation>nada responde</translation>
         </message>
         <message>
-            <source>nothing answers at {0}: {1}</source>
-            <translation>nada responde em {0}: {1}</translation>
+            <source>nothing answers at {name}: {text}</source>
+            <translation>nada responde em {name}: {text}</translation>
         </message>
         <message>
             <source>nothing has been cut yet, so there is no way back</source>
@@ -9106,20 +9178,20 @@
             <translation>nada pode ser apalpado</translation>
         </message>
         <message>
-            <source>nothing may follow {0}</source>
-            <translation>nada pode vir depois de {0}</translation>
+            <source>nothing may follow {keyword}</source>
+            <translation>nada pode vir depois de {keyword}</translation>
         </message>
         <message>
             <source>nothing moves</source>
             <translation>nada se move</translation>
         </message>
         <message>
-            <source>nothing moves at line {0} or after it</source>
-            <translation>nada se move na linha {0} nem depois dela</translation>
+            <source>nothing moves at line {number} or after it</source>
+            <translation>nada se move na linha {number} nem depois dela</translation>
         </message>
         <message>
-            <source>nothing moves in the plane {0}</source>
-            <translation>nada se move no plano {0}</translation>
+            <source>nothing moves in the plane {plane}</source>
+            <translation>nada se move no plano {plane}</translation>
         </message>
         <message>
             <source>nothing moves that could be held</source>
@@ -9134,8 +9206,8 @@
             <translation>nada que um eixo move pesa mais que 100 t</translation>
         </message>
         <message>
-            <source>numbers 1 to {0}</source>
-            <translation>números de 1 a {0}</translation>
+            <source>numbers 1 to {largest}</source>
+            <translation>números de 1 a {largest}</translation>
         </message>
         <message>
             <source>o&lt;name&gt; sub ends with o&lt;name&gt; endsub</source>
@@ -9162,20 +9234,20 @@
             <translation>no caminho</translation>
         </message>
         <message>
-            <source>one more client beside {0}</source>
-            <translation>mais um cliente além de {0}</translation>
+            <source>one more client beside {known_limit}</source>
+            <translation>mais um cliente além de {known_limit}</translation>
         </message>
         <message>
             <source>one of its points is no number in bounds</source>
             <translation>um de seus pontos não é um número dentro dos limites</translation>
         </message>
         <message>
-            <source>one pass is {0} mm deep, deeper than the tool's diameter of {1} mm; give stepdown_mm</source>
-            <translation>um passe tem {0} mm de profundidade, mais que o diâmetro de {1} mm da ferramenta; informe stepdown_mm</translation>
+            <source>one pass is {deepest_mm:g} mm deep, deeper than the tool's diameter of {diameter_mm:g} mm; give stepdown_mm</source>
+            <translation>um passe tem {deepest_mm:g} mm de profundidade, mais que o diâmetro de {diameter_mm:g} mm da ferramenta; informe stepdown_mm</translation>
         </message>
         <message>
-            <source>only X, Y and Z are edited, not {0}</source>
-            <translation>só X, Y e Z são editados, e não {0}</translation>
+            <source>only X, Y and Z are edited, not {letter}</source>
+            <translation>só X, Y e Z são editados, e não {letter}</translation>
         </message>
         <message>
             <source>only arcs of G17 can be turned about Z</source>
@@ -9186,20 +9258,20 @@
             <translation>só o primeiro ponto de controle dispensa X e Y</translation>
         </message>
         <message>
-            <source>only {0} kB are free</source>
-            <translation>só há {0} kB livres</translation>
+            <source>only {free} kB are free</source>
+            <translation>só há {free} kB livres</translation>
         </message>
         <message>
-            <source>only {0} of {1} bytes were taken</source>
-            <translation>só {0} de {1} bytes foram aceitos</translation>
+            <source>only {written} of {data} bytes were taken</source>
+            <translation>só {written} de {data} bytes foram aceitos</translation>
         </message>
         <message>
-            <source>operation '{0}' uses tool {1}, which the job does not have</source>
-            <translation>a operação '{0}' usa a ferramenta {1}, que o trabalho não tem</translation>
+            <source>operation '{cycle}' uses tool {tool}, which the job does not have</source>
+            <translation>a operação '{cycle}' usa a ferramenta {tool}, que o trabalho não tem</translation>
         </message>
         <message>
-            <source>operation {0} ({1}) will take long: about {2} m of cut in {3} levels</source>
-            <translation>a operação {0} ({1}) vai demorar: cerca de {2} m de corte em {3} níveis</translation>
+            <source>operation {number} ({cycle}) will take long: about {length_mm:.0f} m of cut in {levels} levels</source>
+            <translation>a operação {number} ({cycle}) vai demorar: cerca de {length_mm:.0f} m de corte em {levels} níveis</translation>
         </message>
         <message>
             <source>outlines and islands lie too close to each other to be told apart</source>
@@ -9210,8 +9282,8 @@
             <translation>os ajustes de avanço e rotação não podem ser ligados nem desligados</translation>
         </message>
         <message>
-            <source>o{0} has no end: the text is over, and it is still being skipped</source>
-            <translation>o{0} não tem fim: o texto acabou e ainda está sendo pulado</translation>
+            <source>o{name} has no end: the text is over, and it is still being skipped</source>
+            <translation>o{name} não tem fim: o texto acabou e ainda está sendo pulado</translation>
         </message>
         <message>
             <source>parameter 5220 names no work system</source>
@@ -9230,44 +9302,44 @@
             <translation>parte da forma desenhada fica fora do bloco</translation>
         </message>
         <message>
-            <source>peck_mm {0} mm</source>
-            <translation>peck_mm {0} mm</translation>
+            <source>peck_mm {peck_mm:g} mm</source>
+            <translation>peck_mm {peck_mm:g} mm</translation>
         </message>
         <message>
             <source>pick it again</source>
             <translation>escolha-o de novo</translation>
         </message>
         <message>
-            <source>pin '{0}' is no pin of a controller; there are {1}</source>
-            <translation>o pino '{0}' não é de um controlador; existem {1}</translation>
+            <source>pin '{pin}' is no pin of a controller; there are {controller_pins}</source>
+            <translation>o pino '{pin}' não é de um controlador; existem {controller_pins}</translation>
         </message>
         <message>
-            <source>pin {0} is no input of a parallel port; inputs are 10, 11, 12, 13 and 15</source>
-            <translation>o pino {0} não é entrada de uma porta paralela; as entradas são 10, 11, 12, 13 e 15</translation>
+            <source>pin {pin} is no input of a parallel port; inputs are 10, 11, 12, 13 and 15</source>
+            <translation>o pino {pin} não é entrada de uma porta paralela; as entradas são 10, 11, 12, 13 e 15</translation>
         </message>
         <message>
-            <source>pin {0} of {1}</source>
-            <translation>pino {0} de {1}</translation>
+            <source>pin {pin} of {port}</source>
+            <translation>pino {pin} de {port}</translation>
         </message>
         <message>
-            <source>pins.{0} is no signal; there are {1}</source>
-            <translation>pins.{0} não é um sinal; existem {1}</translation>
+            <source>pins.{name} is no signal; there are {known}</source>
+            <translation>pins.{name} não é um sinal; existem {known}</translation>
         </message>
         <message>
-            <source>pins.{0}: pin {1} is an input of the parallel port</source>
-            <translation>pins.{0}: o pino {1} é uma entrada da porta paralela</translation>
+            <source>pins.{name}: pin {pin} is an input of the parallel port</source>
+            <translation>pins.{name}: o pino {pin} é uma entrada da porta paralela</translation>
         </message>
         <message>
-            <source>pins.{0}: pin {1} is no output; outputs are 1 to 9, 14, 16 and 17</source>
-            <translation>pins.{0}: o pino {1} não é uma saída; as saídas são 1 a 9, 14, 16 e 17</translation>
+            <source>pins.{name}: pin {pin} is no output; outputs are 1 to 9, 14, 16 and 17</source>
+            <translation>pins.{name}: o pino {pin} não é uma saída; as saídas são 1 a 9, 14, 16 e 17</translation>
         </message>
         <message>
             <source>pins: two signals are on one pin</source>
             <translation>pins: dois sinais estão no mesmo pino</translation>
         </message>
         <message>
-            <source>pitch_mm is lowered to {0} mm, for the helix must not fall by more than {1}°</source>
-            <translation>pitch_mm é reduzido para {0} mm, pois a hélice não pode descer mais que {1}°</translation>
+            <source>pitch_mm is lowered to {pitch_mm:.3f} mm, for the helix must not fall by more than {most_deg:g}°</source>
+            <translation>pitch_mm é reduzido para {pitch_mm:.3f} mm, pois a hélice não pode descer mais que {most_deg:g}°</translation>
         </message>
         <message>
             <source>place not known</source>
@@ -9294,20 +9366,20 @@
             <translation>relate-o, por favor, com o programa</translation>
         </message>
         <message>
-            <source>plug the controller in, or give one of the ports that are there: {0}</source>
-            <translation>conecte o controlador, ou indique uma das portas que há: {0}</translation>
+            <source>plug the controller in, or give one of the ports that are there: {names}</source>
+            <translation>conecte o controlador, ou indique uma das portas que há: {names}</translation>
         </message>
         <message>
             <source>points are not pairs of x and y</source>
             <translation>os pontos não são pares de x e y</translation>
         </message>
         <message>
-            <source>points with its blocks taken apart ({0})</source>
-            <translation>pontos com os seus blocos desmembrados ({0})</translation>
+            <source>points with its blocks taken apart ({splines})</source>
+            <translation>pontos com os seus blocos desmembrados ({splines})</translation>
         </message>
         <message>
-            <source>positions are not compared with the path any more: {0}</source>
-            <translation>as posições não são mais comparadas com o percurso: {0}</translation>
+            <source>positions are not compared with the path any more: {why}</source>
+            <translation>as posições não são mais comparadas com o percurso: {why}</translation>
         </message>
         <message>
             <source>prepare the program again</source>
@@ -9318,8 +9390,8 @@
             <translation>prepare as linhas deste próprio programa</translation>
         </message>
         <message>
-            <source>programs are not written in the dialect {0}</source>
-            <translation>não se escrevem programas no dialeto {0}</translation>
+            <source>programs are not written in the dialect {dialect}</source>
+            <translation>não se escrevem programas no dialeto {dialect}</translation>
         </message>
         <message>
             <source>programs are read for machines with three axes, or with nine</source>
@@ -9330,8 +9402,8 @@
             <translation>já existem programas com esses nomes</translation>
         </message>
         <message>
-            <source>programs of {0} are in one unit only</source>
-            <translation>programas de {0} usam uma só unidade</translation>
+            <source>programs of {language} are in one unit only</source>
+            <translation>programas de {language} usam uma só unidade</translation>
         </message>
         <message>
             <source>programs with more than the axes X, Y and Z are not written</source>
@@ -9398,8 +9470,8 @@
             <translation>ramp = "table" e planner.waits andam juntos</translation>
         </message>
         <message>
-            <source>ramp {0} deg</source>
-            <translation>rampa {0} deg</translation>
+            <source>ramp {ramp_deg:g} deg</source>
+            <translation>rampa {ramp_deg:g} deg</translation>
         </message>
         <message>
             <source>rapids and cuts would be exchanged</source>
@@ -9450,8 +9522,8 @@
             <translation>release_line acompanha line</translation>
         </message>
         <message>
-            <source>remove it as {0}; until then the position is unknown again at each connection</source>
-            <translation>remova-o como {0}; até lá, a posição volta a ser desconhecida a cada conexão</translation>
+            <source>remove it as {user}; until then the position is unknown again at each connection</source>
+            <translation>remova-o como {user}; até lá, a posição volta a ser desconhecida a cada conexão</translation>
         </message>
         <message>
             <source>remove it; only plain ASCII without ? ! ~ may be sent</source>
@@ -9490,8 +9562,8 @@
             <translation>retome mais cedo, ou faça uma nova peça</translation>
         </message>
         <message>
-            <source>restart of {0} at line {1}</source>
-            <translation>retomada de {0} na linha {1}</translation>
+            <source>restart of {name} at line {file_line}</source>
+            <translation>retomada de {name} na linha {file_line}</translation>
         </message>
         <message>
             <source>restart the controller</source>
@@ -9538,8 +9610,8 @@
             <translation>modo de recuo: plano R</translation>
         </message>
         <message>
-            <source>run 'make setup' beside the workbench, or let Tools &gt; Addon Manager install them, or install them for Python {0}.{1} into a folder of their own (pip install --target FOLDER) and name it in the environment variable CNCSTEPPER_PACKAGES</source>
-            <translation>rode 'make setup' na pasta da bancada, ou instale-os por Ferramentas &gt; Gerenciador de extensões, ou instale-os para Python {0}.{1} em uma pasta própria (pip install --target PASTA) e indique-a na variável de ambiente CNCSTEPPER_PACKAGES</translation>
+            <source>run 'make setup' beside the workbench, or let Tools &gt; Addon Manager install them, or install them for Python {version_info}.{version_info2} into a folder of their own (pip install --target FOLDER) and name it in the environment variable CNCSTEPPER_PACKAGES</source>
+            <translation>rode 'make setup' na pasta da bancada, ou instale-os por Ferramentas &gt; Gerenciador de extensões, ou instale-os para Python {version_info}.{version_info2} em uma pasta própria (pip install --target PASTA) e indique-a na variável de ambiente CNCSTEPPER_PACKAGES</translation>
         </message>
         <message>
             <source>save it as DXF again, as R2000 or newer</source>
@@ -9642,8 +9714,8 @@
             <translation>use $32=0 ou um firmware com PWM</translation>
         </message>
         <message>
-            <source>set again at the pause at line {0}: {1} (machine, mm); what comes after counts from there, what was before from the old one</source>
-            <translation>definido de novo na pausa da linha {0}: {1} (máquina, mm); o que vem depois conta a partir daí, o que veio antes, a partir do antigo</translation>
+            <source>set again at the pause at line {line}: {places} (machine, mm); what comes after counts from there, what was before from the old one</source>
+            <translation>definido de novo na pausa da linha {line}: {places} (máquina, mm); o que vem depois conta a partir daí, o que veio antes, a partir do antigo</translation>
         </message>
         <message>
             <source>set backlash_mm to 0 in the machine profile</source>
@@ -9694,24 +9766,24 @@
             <translation>instale na máquina um programa com esse nome</translation>
         </message>
         <message>
-            <source>sets G92 as it was: {0}</source>
-            <translation>define G92 como estava: {0}</translation>
+            <source>sets G92 as it was: {array}</source>
+            <translation>define G92 como estava: {array}</translation>
         </message>
         <message>
             <source>several turns of an arc became one arc a turn</source>
             <translation>várias voltas de um arco viraram um arco por volta</translation>
         </message>
         <message>
-            <source>shape '{0}' goes without the {1} {2} of its drawing: {3}</source>
-            <translation>a forma '{0}' fica sem {1} {2} do seu desenho: {3}</translation>
+            <source>shape '{name}' goes without the {entity_kind} {handle} of its drawing: {why}</source>
+            <translation>a forma '{name}' fica sem {entity_kind} {handle} do seu desenho: {why}</translation>
         </message>
         <message>
-            <source>shape '{0}' goes without {1} more things of its drawing</source>
-            <translation>a forma '{0}' fica sem mais {1} coisas do seu desenho</translation>
+            <source>shape '{name}' goes without {skipped} more things of its drawing</source>
+            <translation>a forma '{name}' fica sem mais {skipped} coisas do seu desenho</translation>
         </message>
         <message>
-            <source>shape '{0}': two ends lie {1} mm apart at X{2} Y{3}</source>
-            <translation>forma '{0}': duas pontas ficam a {1} mm uma da outra em X{2} Y{3}</translation>
+            <source>shape '{name}': two ends lie {size_mm:.3g} mm apart at X{x:.3f} Y{y:.3f}</source>
+            <translation>forma '{name}': duas pontas ficam a {size_mm:.3g} mm uma da outra em X{x:.3f} Y{y:.3f}</translation>
         </message>
         <message>
             <source>short slice</source>
@@ -9738,8 +9810,8 @@
             <translation>quem responde não é um grbl</translation>
         </message>
         <message>
-            <source>spacing_mm asks for more than {0} tabs on one contour</source>
-            <translation>spacing_mm pede mais de {0} pontes em um contorno</translation>
+            <source>spacing_mm asks for more than {most_tabs} tabs on one contour</source>
+            <translation>spacing_mm pede mais de {most_tabs} pontes em um contorno</translation>
         </message>
         <message>
             <source>spindle stop</source>
@@ -9786,28 +9858,28 @@
             <translation>ligue o spindle com M3 e S antes dele</translation>
         </message>
         <message>
-            <source>starts the spindle at {0} rpm, {1}</source>
-            <translation>liga o fuso a {0} rpm, {1}</translation>
+            <source>starts the spindle at {spindle_rpm:g} rpm, {sense}</source>
+            <translation>liga o fuso a {spindle_rpm:g} rpm, {sense}</translation>
         </message>
         <message>
             <source>stepover_mm (ae)</source>
             <translation>stepover_mm (ae)</translation>
         </message>
         <message>
-            <source>stepover_mm asks for more than {0} passes</source>
-            <translation>stepover_mm pede mais de {0} passes</translation>
+            <source>stepover_mm asks for more than {most_passes} passes</source>
+            <translation>stepover_mm pede mais de {most_passes} passes</translation>
         </message>
         <message>
-            <source>stepover_mm asks for more than {0} turns</source>
-            <translation>stepover_mm pede mais de {0} voltas</translation>
+            <source>stepover_mm asks for more than {most_passes} turns</source>
+            <translation>stepover_mm pede mais de {most_passes} voltas</translation>
         </message>
         <message>
             <source>stepover_mm is too small for the engagement to be bounded by it</source>
             <translation>stepover_mm é pequeno demais para limitar o engajamento</translation>
         </message>
         <message>
-            <source>steps_per_mm is {0}, but the drive gives {1}</source>
-            <translation>steps_per_mm é {0}, mas o acionamento dá {1}</translation>
+            <source>steps_per_mm is {steps_per_mm:g}, but the drive gives {pulses_per_mm:g}</source>
+            <translation>steps_per_mm é {steps_per_mm:g}, mas o acionamento dá {pulses_per_mm:g}</translation>
         </message>
         <message>
             <source>stop it, then home it, or set the zero of all axes</source>
@@ -9826,8 +9898,8 @@
             <translation>pare com M5 e M0 antes da nova ferramenta</translation>
         </message>
         <message>
-            <source>stopped as asked after {0} lines</source>
-            <translation>parado como pedido após {0} linhas</translation>
+            <source>stopped as asked after {acknowledged} lines</source>
+            <translation>parado como pedido após {acknowledged} linhas</translation>
         </message>
         <message>
             <source>stopped before the first line was sent</source>
@@ -9862,8 +9934,8 @@
             <translation>ligue o spindle antes dessa linha</translation>
         </message>
         <message>
-            <source>switches the beam on at S{0} once it is down</source>
-            <translation>liga o feixe em S{0} depois de descer</translation>
+            <source>switches the beam on at S{spindle_rpm:g} once it is down</source>
+            <translation>liga o feixe em S{spindle_rpm:g} depois de descer</translation>
         </message>
         <message>
             <source>switches the coolant on</source>
@@ -9914,12 +9986,12 @@
             <translation>retire o ( interno</translation>
         </message>
         <message>
-            <source>take out {0}</source>
-            <translation>retire {0}</translation>
+            <source>take out {word}</source>
+            <translation>retire {word}</translation>
         </message>
         <message>
-            <source>taken as a flat mill: '{0}' names no shape that a table's words can tell</source>
-            <translation>tida como fresa de topo: '{0}' não nomeia uma forma que as palavras de uma tabela digam</translation>
+            <source>taken as a flat mill: '{name}' names no shape that a table's words can tell</source>
+            <translation>tida como fresa de topo: '{name}' não nomeia uma forma que as palavras de uma tabela digam</translation>
         </message>
         <message>
             <source>tapping became plain moves: the feed may be overridden, and nothing keeps it to the spindle</source>
@@ -9962,8 +10034,8 @@
             <translation>o arco não tem I, nem K, nem R</translation>
         </message>
         <message>
-            <source>the arc has neither {0} nor {1} nor R</source>
-            <translation>o arco não tem {0}, nem {1}, nem R</translation>
+            <source>the arc has neither {centre} nor {centre2} nor R</source>
+            <translation>o arco não tem {centre}, nem {centre2}, nem R</translation>
         </message>
         <message>
             <source>the arc has no axis word of its plane</source>
@@ -9982,8 +10054,8 @@
             <translation>falta ao arco o deslocamento do centro no plano</translation>
         </message>
         <message>
-            <source>the arc needs {0} or {1} in plane {2}</source>
-            <translation>o arco precisa de {0} ou {1} no plano {2}</translation>
+            <source>the arc needs {axis} or {axis2} in plane {name}</source>
+            <translation>o arco precisa de {axis} ou {axis2} no plano {name}</translation>
         </message>
         <message>
             <source>the arc would go through another angle</source>
@@ -10018,12 +10090,12 @@
             <translation>o furo não deixa à ferramenta espaço para uma hélice</translation>
         </message>
         <message>
-            <source>the buttons are not heard any more, so the machine is held: {0}</source>
-            <translation>os botões não são mais lidos, por isso a máquina fica retida: {0}</translation>
+            <source>the buttons are not heard any more, so the machine is held: {error}</source>
+            <translation>os botões não são mais lidos, por isso a máquina fica retida: {error}</translation>
         </message>
         <message>
-            <source>the canned cycle is begun anew, at line {0}: G91 is in force</source>
-            <translation>o ciclo fixo recomeça na linha {0}: G91 está em vigor</translation>
+            <source>the canned cycle is begun anew, at line {file_line}: G91 is in force</source>
+            <translation>o ciclo fixo recomeça na linha {file_line}: G91 está em vigor</translation>
         </message>
         <message>
             <source>the certificate cannot be read</source>
@@ -10058,8 +10130,8 @@
             <translation>o programa alterado faria outros movimentos</translation>
         </message>
         <message>
-            <source>the character {0} would act as a command of its own or is not ASCII</source>
-            <translation>o caractere {0} agiria como um comando ou não é ASCII</translation>
+            <source>the character {found} would act as a command of its own or is not ASCII</source>
+            <translation>o caractere {found} agiria como um comando ou não é ASCII</translation>
         </message>
         <message>
             <source>the checksum is wrong</source>
@@ -10086,20 +10158,20 @@
             <translation>a ferramenta compensada não alcança este canto sem invadir a peça</translation>
         </message>
         <message>
-            <source>the computer came too late with a pulse and stopped after {0} writes in time, {1} s from the begin; spindle, beam and drives are off, and steps may be lost</source>
-            <translation>o computador se atrasou com um pulso e parou após {0} escritas no prazo, {1} s depois do início; spindle, feixe e motores estão desligados, e passos podem ter sido perdidos</translation>
+            <source>the computer came too late with a pulse and stopped after {written} writes in time, {at_ns:.3f} s from the begin; spindle, beam and drives are off, and steps may be lost</source>
+            <translation>o computador se atrasou com um pulso e parou após {written} escritas no prazo, {at_ns:.3f} s depois do início; spindle, feixe e motores estão desligados, e passos podem ter sido perdidos</translation>
         </message>
         <message>
             <source>the configuration is not valid</source>
             <translation>a configuração não é válida</translation>
         </message>
         <message>
-            <source>the connection {0} is open, but its process does not answer</source>
-            <translation>a conexão {0} está aberta, mas seu processo não responde</translation>
+            <source>the connection {session_file} is open, but its process does not answer</source>
+            <translation>a conexão {session_file} está aberta, mas seu processo não responde</translation>
         </message>
         <message>
-            <source>the console does not pass on {0}</source>
-            <translation>o console não repassa {0}</translation>
+            <source>the console does not pass on {text}</source>
+            <translation>o console não repassa {text}</translation>
         </message>
         <message>
             <source>the contour goes through the stock and sets a piece free that no tab holds</source>
@@ -10130,16 +10202,16 @@
             <translation>o controlador não conhece este comando</translation>
         </message>
         <message>
-            <source>the controller does not report ${0}: it was not compared</source>
-            <translation>o controlador não informa ${0}: não foi comparado</translation>
+            <source>the controller does not report ${number}: it was not compared</source>
+            <translation>o controlador não informa ${number}: não foi comparado</translation>
         </message>
         <message>
-            <source>the controller does not report its {0}</source>
-            <translation>o controlador não informa: {0}</translation>
+            <source>the controller does not report its {system}</source>
+            <translation>o controlador não informa: {system}</translation>
         </message>
         <message>
-            <source>the controller does not say its work system: {0}</source>
-            <translation>o controlador não informa o sistema de coordenadas: {0}</translation>
+            <source>the controller does not say its work system: {modes}</source>
+            <translation>o controlador não informa o sistema de coordenadas: {modes}</translation>
         </message>
         <message>
             <source>the controller does not say whether it reports in mm or in inches</source>
@@ -10162,8 +10234,8 @@
             <translation>o controlador não manteve sua posição na reinicialização em repouso</translation>
         </message>
         <message>
-            <source>the controller is idle but has not answered '{0}'</source>
-            <translation>o controlador está pronto mas não respondeu '{0}'</translation>
+            <source>the controller is idle but has not answered '{text}'</source>
+            <translation>o controlador está pronto mas não respondeu '{text}'</translation>
         </message>
         <message>
             <source>the controller is locked by an alarm or a jog</source>
@@ -10186,36 +10258,36 @@
             <translation>o controlador lê as linhas sem se mover</translation>
         </message>
         <message>
-            <source>the controller refused '{0}' (error:{1})</source>
-            <translation>o controlador recusou '{0}' (error:{1})</translation>
+            <source>the controller refused '{sent}' (error:{error})</source>
+            <translation>o controlador recusou '{sent}' (error:{error})</translation>
         </message>
         <message>
-            <source>the controller refused '{0}': {1} (error:{2})</source>
-            <translation>o controlador recusou '{0}': {1} (error:{2})</translation>
+            <source>the controller refused '{sent}': {meaning} (error:{error})</source>
+            <translation>o controlador recusou '{sent}': {meaning} (error:{error})</translation>
         </message>
         <message>
             <source>the controller refused the line</source>
             <translation>o controlador recusou a linha</translation>
         </message>
         <message>
-            <source>the controller refused {0}: {1} (error:{2})</source>
-            <translation>o controlador recusou {0}: {1} (error:{2})</translation>
+            <source>the controller refused {line}: {meaning} (error:{error})</source>
+            <translation>o controlador recusou {line}: {meaning} (error:{error})</translation>
         </message>
         <message>
             <source>the controller restarted in the middle of the job</source>
             <translation>o controlador reiniciou no meio do trabalho</translation>
         </message>
         <message>
-            <source>the controller restarted when its port was opened, so the machine's position is unknown: {0}</source>
-            <translation>o controlador reiniciou ao abrir a porta, por isso a posição da máquina é desconhecida: {0}</translation>
+            <source>the controller restarted when its port was opened, so the machine's position is unknown: {why}</source>
+            <translation>o controlador reiniciou ao abrir a porta, por isso a posição da máquina é desconhecida: {why}</translation>
         </message>
         <message>
             <source>the controller restarted when its port was opened; it counts from where it stands</source>
             <translation>o controlador reiniciou quando a porta foi aberta; ele conta a partir de onde está</translation>
         </message>
         <message>
-            <source>the controller said: {0}</source>
-            <translation>o controlador disse: {0}</translation>
+            <source>the controller said: {report}</source>
+            <translation>o controlador disse: {report}</translation>
         </message>
         <message>
             <source>the controller says that it is homed, but too soon: another line than $H reached it</source>
@@ -10310,24 +10382,24 @@
             <translation>o corte chega perto demais da borda da chapa</translation>
         </message>
         <message>
-            <source>the cut failed by a fault of its own: {0}: {1}</source>
-            <translation>o corte falhou por um defeito próprio: {0}: {1}</translation>
+            <source>the cut failed by a fault of its own: {kind}: {fault}</source>
+            <translation>o corte falhou por um defeito próprio: {kind}: {fault}</translation>
         </message>
         <message>
-            <source>the cut goes into the part of another contour at X{0} Y{1}</source>
-            <translation>o corte entra na peça de outro contorno em X{0} Y{1}</translation>
+            <source>the cut goes into the part of another contour at X{x:.3f} Y{y:.3f}</source>
+            <translation>o corte entra na peça de outro contorno em X{x:.3f} Y{y:.3f}</translation>
         </message>
         <message>
-            <source>the cut goes into {0} outline(s) that other contours leave standing, most at X{1} Y{2}, by {3} mm</source>
-            <translation>o corte entra em {0} linha(s) que outros contornos deixam intacta(s), mais em X{1} Y{2}, por {3} mm</translation>
+            <source>the cut goes into {hurt} outline(s) that other contours leave standing, most at X{x:.3f} Y{y:.3f}, by {radius_mm:.3f} mm</source>
+            <translation>o corte entra em {hurt} linha(s) que outros contornos deixam intacta(s), mais em X{x:.3f} Y{y:.3f}, por {radius_mm:.3f} mm</translation>
         </message>
         <message>
-            <source>the cut is taken to be {0} mm wide, the simulation cuts with the tool's {1} mm</source>
-            <translation>o corte é tido como de {0} mm de largura, a simulação corta com os {1} mm da ferramenta</translation>
+            <source>the cut is taken to be {kerf_mm:g} mm wide, the simulation cuts with the tool's {diameter_mm:g} mm</source>
+            <translation>o corte é tido como de {kerf_mm:g} mm de largura, a simulação corta com os {diameter_mm:g} mm da ferramenta</translation>
         </message>
         <message>
-            <source>the cut leads through the edge of a part that a contour leaves standing, {0}</source>
-            <translation>o corte passa pela borda de uma peça que um contorno deixa em pé, {0}</translation>
+            <source>the cut leads through the edge of a part that a contour leaves standing, {where}</source>
+            <translation>o corte passa pela borda de uma peça que um contorno deixa em pé, {where}</translation>
         </message>
         <message>
             <source>the cut takes more memory than there is</source>
@@ -10346,8 +10418,8 @@
             <translation>a profundidade passa abaixo do bloco</translation>
         </message>
         <message>
-            <source>the desk cannot be started: {0}</source>
-            <translation>a mesa de controle não pode ser iniciada: {0}</translation>
+            <source>the desk cannot be started: {error}</source>
+            <translation>a mesa de controle não pode ser iniciada: {error}</translation>
         </message>
         <message>
             <source>the desk failed by a fault of its own</source>
@@ -10358,8 +10430,8 @@
             <translation>a conexão da janela terminou</translation>
         </message>
         <message>
-            <source>the desk of {0} is not there, or was killed</source>
-            <translation>a mesa de controle de {0} não existe ou foi encerrada</translation>
+            <source>the desk of {port} is not there, or was killed</source>
+            <translation>a mesa de controle de {port} não existe ou foi encerrada</translation>
         </message>
         <message>
             <source>the desk's process does not come up</source>
@@ -10370,72 +10442,72 @@
             <translation>o diâmetro da ferramenta não é conhecido</translation>
         </message>
         <message>
-            <source>the digits of {0} cannot hold this feed: F would be {1} mm/min</source>
-            <translation>os dígitos de {0} não comportam este avanço: F seria {1} mm/min</translation>
+            <source>the digits of {dialect} cannot hold this feed: F would be {written_mm_min:.4g} mm/min</source>
+            <translation>os dígitos de {dialect} não comportam este avanço: F seria {written_mm_min:.4g} mm/min</translation>
         </message>
         <message>
-            <source>the drawing '{0}' does not lie flat</source>
-            <translation>o desenho '{0}' não é plano</translation>
+            <source>the drawing '{deleted_drawing}' that it followed was deleted</source>
+            <translation>o desenho '{deleted_drawing}' que ela seguia foi excluído</translation>
         </message>
         <message>
-            <source>the drawing '{0}' holds a line that is no ellipse</source>
-            <translation>o desenho '{0}' tem uma linha que não é elipse</translation>
+            <source>the drawing '{drawing}' holds an ellipse and no circle</source>
+            <translation>o desenho '{drawing}' contém uma elipse e não um círculo</translation>
         </message>
         <message>
-            <source>the drawing '{0}' holds an ellipse and no circle</source>
-            <translation>o desenho '{0}' contém uma elipse e não um círculo</translation>
+            <source>the drawing '{drawing}' holds more than one ellipse</source>
+            <translation>o desenho '{drawing}' tem mais de uma elipse</translation>
         </message>
         <message>
-            <source>the drawing '{0}' holds more than one ellipse</source>
-            <translation>o desenho '{0}' tem mais de uma elipse</translation>
+            <source>the drawing '{drawing}' holds no circles and no points</source>
+            <translation>o desenho '{drawing}' não contém círculos nem pontos</translation>
         </message>
         <message>
-            <source>the drawing '{0}' holds no circles and no points</source>
-            <translation>o desenho '{0}' não contém círculos nem pontos</translation>
+            <source>the drawing '{drawing}' holds no lines</source>
+            <translation>o desenho '{drawing}' não tem linhas</translation>
         </message>
         <message>
-            <source>the drawing '{0}' holds no lines</source>
-            <translation>o desenho '{0}' não tem linhas</translation>
+            <source>the drawing '{drawing}' holds no single rectangle</source>
+            <translation>o desenho '{drawing}' não contém um só retângulo</translation>
         </message>
         <message>
-            <source>the drawing '{0}' holds no single rectangle</source>
-            <translation>o desenho '{0}' não contém um só retângulo</translation>
+            <source>the drawing '{label}' does not lie flat</source>
+            <translation>o desenho '{label}' não é plano</translation>
         </message>
         <message>
-            <source>the drawing '{0}' that it followed was deleted</source>
-            <translation>o desenho '{0}' que ela seguia foi excluído</translation>
+            <source>the drawing '{label}' holds a line that is no ellipse</source>
+            <translation>o desenho '{label}' tem uma linha que não é elipse</translation>
         </message>
         <message>
-            <source>the drawing has no curves on a layer '{0}'</source>
-            <translation>o desenho não tem curvas em uma camada '{0}'</translation>
+            <source>the drawing has no curves on a layer '{name}'</source>
+            <translation>o desenho não tem curvas em uma camada '{name}'</translation>
         </message>
         <message>
-            <source>the drawing has too many {0}</source>
-            <translation>o desenho tem demais: {0}</translation>
+            <source>the drawing has too many {of_what}</source>
+            <translation>o desenho tem demais: {of_what}</translation>
         </message>
         <message>
             <source>the drawing holds no curves</source>
             <translation>o desenho não contém curvas</translation>
         </message>
         <message>
-            <source>the drawing {0} is damaged, a part of it may be missing: {1}</source>
-            <translation>o desenho {0} está danificado, pode faltar parte dele: {1}</translation>
+            <source>the drawing {form_file} is damaged, a part of it may be missing: {damage}</source>
+            <translation>o desenho {form_file} está danificado, pode faltar parte dele: {damage}</translation>
         </message>
         <message>
             <source>the drawing's unit</source>
             <translation>a unidade do desenho</translation>
         </message>
         <message>
-            <source>the drawings lie at heights from Z{0} to Z{1} mm; all depths count from the top of the stock</source>
-            <translation>os desenhos estão em alturas de Z{0} a Z{1} mm; todas as profundidades contam a partir do topo do bloco</translation>
+            <source>the drawings lie at heights from Z{least_heights:.4g} to Z{most_heights:.4g} mm; all depths count from the top of the stock</source>
+            <translation>os desenhos estão em alturas de Z{least_heights:.4g} a Z{most_heights:.4g} mm; todas as profundidades contam a partir do topo do bloco</translation>
         </message>
         <message>
             <source>the edited program has no job</source>
             <translation>o programa editado não tem trabalho</translation>
         </message>
         <message>
-            <source>the ellipse in '{0}' is open</source>
-            <translation>a elipse em '{0}' está aberta</translation>
+            <source>the ellipse in '{drawing}' is open</source>
+            <translation>a elipse em '{drawing}' está aberta</translation>
         </message>
         <message>
             <source>the ellipse's ends are tighter than the tool, where similar ellipses would cut into the wall</source>
@@ -10490,8 +10562,8 @@
             <translation>o fator deve ser maior que 0</translation>
         </message>
         <message>
-            <source>the feed asks more of {0} than its highest rate</source>
-            <translation>o avanço pede de {0} mais que a sua velocidade máxima</translation>
+            <source>the feed asks more of {name} than its highest rate</source>
+            <translation>o avanço pede de {name} mais que a sua velocidade máxima</translation>
         </message>
         <message>
             <source>the feed is higher than the machine's axes can go</source>
@@ -10522,8 +10594,8 @@
             <translation>o arquivo não pode ser lido</translation>
         </message>
         <message>
-            <source>the file cannot be read: {0}</source>
-            <translation>o arquivo não pode ser lido: {0}</translation>
+            <source>the file cannot be read: {why}</source>
+            <translation>o arquivo não pode ser lido: {why}</translation>
         </message>
         <message>
             <source>the file cannot be renamed</source>
@@ -10606,16 +10678,16 @@
             <translation>a pasta é um link</translation>
         </message>
         <message>
-            <source>the folder of sessions cannot be used: {0}</source>
-            <translation>a pasta das sessões não pode ser usada: {0}</translation>
+            <source>the folder of sessions cannot be used: {error}</source>
+            <translation>a pasta das sessões não pode ser usada: {error}</translation>
         </message>
         <message>
             <source>the grid has too many holes</source>
             <translation>a grade tem furos demais</translation>
         </message>
         <message>
-            <source>the heights cannot be read: {0}</source>
-            <translation>as alturas não podem ser lidas: {0}</translation>
+            <source>the heights cannot be read: {reason}</source>
+            <translation>as alturas não podem ser lidas: {reason}</translation>
         </message>
         <message>
             <source>the heights do not fit their box</source>
@@ -10630,16 +10702,16 @@
             <translation>o porta-ferramenta</translation>
         </message>
         <message>
-            <source>the holder of the {0} tool goes into stock</source>
-            <translation>o porta-ferramenta da ferramenta {0} entra no material</translation>
+            <source>the holder of the {tool} tool goes into stock</source>
+            <translation>o porta-ferramenta da ferramenta {tool} entra no material</translation>
         </message>
         <message>
-            <source>the job cannot be read: {0}</source>
-            <translation>o trabalho não pode ser lido: {0}</translation>
+            <source>the job cannot be read: {why}</source>
+            <translation>o trabalho não pode ser lido: {why}</translation>
         </message>
         <message>
-            <source>the job has ended: {0}</source>
-            <translation>o trabalho terminou: {0}</translation>
+            <source>the job has ended: {outcome}</source>
+            <translation>o trabalho terminou: {outcome}</translation>
         </message>
         <message>
             <source>the job has no operation</source>
@@ -10650,16 +10722,16 @@
             <translation>o trabalho não tem operações</translation>
         </message>
         <message>
-            <source>the job has {0}</source>
-            <translation>o trabalho tem {0}</translation>
+            <source>the job has {of_what}</source>
+            <translation>o trabalho tem {of_what}</translation>
         </message>
         <message>
             <source>the job is about to go on</source>
             <translation>o trabalho está prestes a continuar</translation>
         </message>
         <message>
-            <source>the job still runs, on {0}</source>
-            <translation>o trabalho ainda está em andamento, em {0}</translation>
+            <source>the job still runs, on {port}</source>
+            <translation>o trabalho ainda está em andamento, em {port}</translation>
         </message>
         <message>
             <source>the job was deleted</source>
@@ -10670,8 +10742,8 @@
             <translation>o trabalho foi enviado sem perfil de máquina, portanto nenhum caminho de volta pode ser verificado</translation>
         </message>
         <message>
-            <source>the job's machine profile cannot be read: {0}</source>
-            <translation>o perfil de máquina do trabalho não pode ser lido: {0}</translation>
+            <source>the job's machine profile cannot be read: {error}</source>
+            <translation>o perfil de máquina do trabalho não pode ser lido: {error}</translation>
         </message>
         <message>
             <source>the job's own program has changed since this one was edited</source>
@@ -10694,24 +10766,24 @@
             <translation>o movimento manual foi cancelado</translation>
         </message>
         <message>
-            <source>the jog was stopped: its button was not heard of for {0} s</source>
-            <translation>o movimento manual foi parado: sem notícia do botão por {0} s</translation>
+            <source>the jog was stopped: its button was not heard of for {lapse_s:g} s</source>
+            <translation>o movimento manual foi parado: sem notícia do botão por {lapse_s:g} s</translation>
         </message>
         <message>
             <source>the jogs before this one are not done yet</source>
             <translation>os movimentos manuais anteriores ainda não terminaram</translation>
         </message>
         <message>
-            <source>the journal cannot be read: {0}</source>
-            <translation>o diário não pode ser lido: {0}</translation>
+            <source>the journal cannot be read: {error}</source>
+            <translation>o diário não pode ser lido: {error}</translation>
         </message>
         <message>
-            <source>the journal cannot be written ({0}): the job goes on to {1} and is held there; make room on the disk of {2}</source>
-            <translation>o diário não pode ser gravado ({0}): o trabalho segue até {1} e fica retido ali; libere espaço no disco de {2}</translation>
+            <source>the journal cannot be written ({trouble}): the job goes on to {place} and is held there; make room on the disk of {folder}</source>
+            <translation>o diário não pode ser gravado ({trouble}): o trabalho segue até {place} e fica retido ali; libere espaço no disco de {folder}</translation>
         </message>
         <message>
-            <source>the journal could not be ended ({0}): it will tell of a killed job</source>
-            <translation>o diário não pôde ser encerrado ({0}): ele falará de um trabalho interrompido à força</translation>
+            <source>the journal could not be ended ({error}): it will tell of a killed job</source>
+            <translation>o diário não pôde ser encerrado ({error}): ele falará de um trabalho interrompido à força</translation>
         </message>
         <message>
             <source>the journal is written again: a job that was held for it can be resumed</source>
@@ -10726,36 +10798,36 @@
             <translation>o diário do trabalho não pode ser gravado</translation>
         </message>
         <message>
-            <source>the journal of the job cannot be written: {0}</source>
-            <translation>o diário do trabalho não pode ser gravado: {0}</translation>
+            <source>the journal of the job cannot be written: {why}</source>
+            <translation>o diário do trabalho não pode ser gravado: {why}</translation>
         </message>
         <message>
-            <source>the kernels are not compiled ahead: {0}</source>
-            <translation>o código rápido não foi compilado antes: {0}</translation>
+            <source>the kernels are not compiled ahead: {said}</source>
+            <translation>o código rápido não foi compilado antes: {said}</translation>
         </message>
         <message>
-            <source>the key {0} is missing</source>
-            <translation>falta a chave {0}</translation>
+            <source>the key {name} is missing</source>
+            <translation>falta a chave {name}</translation>
         </message>
         <message>
-            <source>the largest disc of the {0} tool stands more than a pitch above its tip: it cuts no thread</source>
-            <translation>o maior disco da ferramenta {0} fica mais de um passo acima da ponta: ela não corta rosca</translation>
+            <source>the largest disc of the {tool} tool stands more than a pitch above its tip: it cuts no thread</source>
+            <translation>o maior disco da ferramenta {tool} fica mais de um passo acima da ponta: ela não corta rosca</translation>
         </message>
         <message>
-            <source>the leads fit nowhere in the scrap; the closest obstacle is {0} at X{1} Y{2}</source>
-            <translation>as entradas e saídas não cabem em lugar nenhum da sobra; o obstáculo mais próximo é {0} em X{1} Y{2}</translation>
+            <source>the leads fit nowhere in the scrap; the closest obstacle is {name} at X{x:.3f} Y{y:.3f}</source>
+            <translation>as entradas e saídas não cabem em lugar nenhum da sobra; o obstáculo mais próximo é {name} em X{x:.3f} Y{y:.3f}</translation>
         </message>
         <message>
             <source>the length of the tool before is in force after the change</source>
             <translation>o comprimento da ferramenta anterior está em vigor depois da troca</translation>
         </message>
         <message>
-            <source>the length offset of tool {0} is not known</source>
-            <translation>a correção de comprimento da ferramenta {0} não é conhecida</translation>
+            <source>the length offset of tool {tool_number} is not known, it is taken as 0</source>
+            <translation>a correção de comprimento da ferramenta {tool_number} não é conhecida, vale como 0</translation>
         </message>
         <message>
-            <source>the length offset of tool {0} is not known, it is taken as 0</source>
-            <translation>a correção de comprimento da ferramenta {0} não é conhecida, vale como 0</translation>
+            <source>the length offset of tool {tool} is not known</source>
+            <translation>a correção de comprimento da ferramenta {tool} não é conhecida</translation>
         </message>
         <message>
             <source>the library has too many tools</source>
@@ -10774,8 +10846,8 @@
             <translation>a linha não cabe no buffer do controlador</translation>
         </message>
         <message>
-            <source>the line does not fit the buffer of {0}</source>
-            <translation>a linha não cabe no buffer de {0}</translation>
+            <source>the line does not fit the buffer of {language}</source>
+            <translation>a linha não cabe no buffer de {language}</translation>
         </message>
         <message>
             <source>the line ended too early</source>
@@ -10794,8 +10866,8 @@
             <translation>a ferramenta não alcança a reta no canto côncavo sem invadir a peça</translation>
         </message>
         <message>
-            <source>the line is longer than {0} can read</source>
-            <translation>a linha é mais longa do que {0} consegue ler</translation>
+            <source>the line is longer than {firmware} can read</source>
+            <translation>a linha é mais longa do que {firmware} consegue ler</translation>
         </message>
         <message>
             <source>the line is too long</source>
@@ -10846,8 +10918,8 @@
             <translation>as linhas a enviar foram feitas de outro programa</translation>
         </message>
         <message>
-            <source>the link to {0} broke: {1}</source>
-            <translation>a ligação com {0} caiu: {1}</translation>
+            <source>the link to {name} broke: {error}</source>
+            <translation>a ligação com {name} caiu: {error}</translation>
         </message>
         <message>
             <source>the locks of the order contradict each other</source>
@@ -10862,8 +10934,8 @@
             <translation>a máquina não termina o referenciamento</translation>
         </message>
         <message>
-            <source>the machine does not home: {0} (error:{1})</source>
-            <translation>a máquina não referencia: {0} (error:{1})</translation>
+            <source>the machine does not home: {meaning} (error:{error})</source>
+            <translation>a máquina não referencia: {meaning} (error:{error})</translation>
         </message>
         <message>
             <source>the machine does not stand</source>
@@ -10882,8 +10954,8 @@
             <translation>a máquina procura o seu próprio zero</translation>
         </message>
         <message>
-            <source>the machine has no {0} coolant</source>
-            <translation>a máquina não tem refrigeração {0}</translation>
+            <source>the machine has no {name} coolant</source>
+            <translation>a máquina não tem refrigeração {name}</translation>
         </message>
         <message>
             <source>the machine has one spindle, number 0</source>
@@ -10950,8 +11022,8 @@
             <translation>a máquina foi parada de imediato</translation>
         </message>
         <message>
-            <source>the machine's buttons lead nothing back any more: {0}</source>
-            <translation>os botões da máquina não conduzem mais nada de volta: {0}</translation>
+            <source>the machine's buttons lead nothing back any more: {error}</source>
+            <translation>os botões da máquina não conduzem mais nada de volta: {error}</translation>
         </message>
         <message>
             <source>the machine's position is unknown</source>
@@ -10974,16 +11046,16 @@
             <translation>o diâmetro menor não combina com o maior e o passo</translation>
         </message>
         <message>
-            <source>the motor of {0} may lose steps: at {1} mm/s ({2} rpm) and {3} mm/s² it has too little torque</source>
-            <translation>o motor de {0} pode perder passos: a {1} mm/s ({2} rpm) e {3} mm/s² falta-lhe torque</translation>
+            <source>the motor of {name} may lose steps: at {speed:.4g} mm/s ({rpm_at:.0f} rpm) and {acceleration:.4g} mm/s² it has too little torque</source>
+            <translation>o motor de {name} pode perder passos: a {speed:.4g} mm/s ({rpm_at:.0f} rpm) e {acceleration:.4g} mm/s² falta-lhe torque</translation>
         </message>
         <message>
             <source>the move after the end of a compensation must be a line</source>
             <translation>o movimento depois do fim de uma compensação deve ser uma reta</translation>
         </message>
         <message>
-            <source>the move leaves the travel of {0} by {1} mm</source>
-            <translation>o movimento sai do curso de {0} por {1} mm</translation>
+            <source>the move leaves the travel of {name} by {over:.4g} mm</source>
+            <translation>o movimento sai do curso de {name} por {over:.4g} mm</translation>
         </message>
         <message>
             <source>the moves that are taken as done cut into the wanted part</source>
@@ -11000,6 +11072,10 @@
         <message>
             <source>the name of a parameter holds a comment</source>
             <translation>o nome de um parâmetro contém um comentário</translation>
+        </message>
+        <message>
+            <source>the number of a subprogram</source>
+            <translation>o número de um subprograma</translation>
         </message>
         <message>
             <source>the number of turns is a whole number from 1</source>
@@ -11030,8 +11106,8 @@
             <translation>o sobrecorte é mais longo que o contorno</translation>
         </message>
         <message>
-            <source>the overlap is only {0} mm: the cut begins there</source>
-            <translation>a sobreposição é de apenas {0} mm: o corte começa ali</translation>
+            <source>the overlap is only {here_mm:.3g} mm: the cut begins there</source>
+            <translation>a sobreposição é de apenas {here_mm:.3g} mm: o corte começa ali</translation>
         </message>
         <message>
             <source>the overrides are not what they were before the reset</source>
@@ -11058,8 +11134,8 @@
             <translation>o modo de percurso não pode ser mudado</translation>
         </message>
         <message>
-            <source>the pattern cannot be read: {0}</source>
-            <translation>o padrão de busca não pode ser lido: {0}</translation>
+            <source>the pattern cannot be read: {error}</source>
+            <translation>o padrão de busca não pode ser lido: {error}</translation>
         </message>
         <message>
             <source>the pins of the machine are not known to this reader</source>
@@ -11090,8 +11166,8 @@
             <translation>o bolsão é tão estreito que seu caminho com este engajamento seria longo demais em relação às paralelas</translation>
         </message>
         <message>
-            <source>the pocket is too narrow for a {0}</source>
-            <translation>o bolsão é estreito demais para uma {0}</translation>
+            <source>the pocket is too narrow for a {entry}</source>
+            <translation>o bolsão é estreito demais para uma {entry}</translation>
         </message>
         <message>
             <source>the pocket is too narrow for its engagement to be bounded</source>
@@ -11102,12 +11178,16 @@
             <translation>os pontos de uma linha à mão livre estão em alturas diferentes</translation>
         </message>
         <message>
-            <source>the position along {0} is not known here</source>
-            <translation>a posição em {0} não é conhecida aqui</translation>
+            <source>the position along {axis} is not known here</source>
+            <translation>a posição em {axis} não é conhecida aqui</translation>
         </message>
         <message>
-            <source>the position stored for {0} is not known</source>
-            <translation>a posição guardada para {0} não é conhecida</translation>
+            <source>the position along {name} is not known here</source>
+            <translation>a posição em {name} não é conhecida aqui</translation>
+        </message>
+        <message>
+            <source>the position stored for {code} is not known</source>
+            <translation>a posição guardada para {code} não é conhecida</translation>
         </message>
         <message>
             <source>the probe stands at its end already</source>
@@ -11166,12 +11246,16 @@
             <translation>o perfil volta para trás em Z</translation>
         </message>
         <message>
+            <source>the program before it</source>
+            <translation>o programa anterior</translation>
+        </message>
+        <message>
             <source>the program begins with the tool at the work zero: bring it there before this one is sent</source>
             <translation>o programa começa com a ferramenta no zero da peça: leve-a até lá antes de enviar este</translation>
         </message>
         <message>
-            <source>the program cannot be written: {0}</source>
-            <translation>o programa não pode ser gravado: {0}</translation>
+            <source>the program cannot be written: {error}</source>
+            <translation>o programa não pode ser gravado: {error}</translation>
         </message>
         <message>
             <source>the program changes no tool</source>
@@ -11210,12 +11294,12 @@
             <translation>o programa tem parâmetros demais</translation>
         </message>
         <message>
-            <source>the program has {0}, which goes by the machine's own zero</source>
-            <translation>o programa tem {0}, que parte do zero próprio da máquina</translation>
+            <source>the program has {place}, which goes by the machine's own zero</source>
+            <translation>o programa tem {place}, que parte do zero próprio da máquina</translation>
         </message>
         <message>
-            <source>the program is larger than the travel of {0}</source>
-            <translation>o programa é maior que o curso de {0}</translation>
+            <source>the program is larger than the travel of {name}</source>
+            <translation>o programa é maior que o curso de {name}</translation>
         </message>
         <message>
             <source>the program is none of the job's parts</source>
@@ -11266,36 +11350,36 @@
             <translation>o programa foi verificado com outras ferramentas</translation>
         </message>
         <message>
-            <source>the program was read as {0}, which no controller understands that lines are sent to</source>
-            <translation>o programa foi lido como {0}, que nenhum controlador ao qual se enviam linhas entende</translation>
+            <source>the program was read as {dialect}, which no controller understands that lines are sent to</source>
+            <translation>o programa foi lido como {dialect}, que nenhum controlador ao qual se enviam linhas entende</translation>
         </message>
         <message>
-            <source>the program was read as {0}: to {1} its lines may mean other moves, or nothing</source>
-            <translation>o programa foi lido como {0}: para {1} suas linhas podem significar outros movimentos, ou nada</translation>
+            <source>the program was read as {dialect}: to {firmware} its lines may mean other moves, or nothing</source>
+            <translation>o programa foi lido como {dialect}: para {firmware} suas linhas podem significar outros movimentos, ou nada</translation>
         </message>
         <message>
-            <source>the proof failed by a fault of its own: {0}: {1}</source>
-            <translation>a verificação falhou por um defeito próprio: {0}: {1}</translation>
+            <source>the proof failed by a fault of its own: {kind}: {error}</source>
+            <translation>a verificação falhou por um defeito próprio: {kind}: {error}</translation>
         </message>
         <message>
-            <source>the proof found {0} error(s) in the program, the first: {1}</source>
-            <translation>a verificação encontrou {0} erro(s) no programa, o primeiro: {1}</translation>
+            <source>the proof found {errors} error(s) in the program, the first: {text}</source>
+            <translation>a verificação encontrou {errors} erro(s) no programa, o primeiro: {text}</translation>
         </message>
         <message>
             <source>the pulses were stopped before they were all sent</source>
             <translation>os pulsos foram interrompidos antes de serem todos enviados</translation>
         </message>
         <message>
-            <source>the pulses were stopped on the way: {0}</source>
-            <translation>os pulsos foram interrompidos no caminho: {0}</translation>
+            <source>the pulses were stopped on the way: {error}</source>
+            <translation>os pulsos foram interrompidos no caminho: {error}</translation>
         </message>
         <message>
             <source>the pulses were stopped: no more of them came in time</source>
             <translation>os pulsos foram interrompidos: os seguintes não chegaram a tempo</translation>
         </message>
         <message>
-            <source>the radius at the end of the arc is {0} mm and at its start {1} mm</source>
-            <translation>o raio no fim do arco é {0} mm e no início {1} mm</translation>
+            <source>the radius at the end of the arc is {at_end:.4f} mm and at its start {radius:.4f} mm</source>
+            <translation>o raio no fim do arco é {at_end:.4f} mm e no início {radius:.4f} mm</translation>
         </message>
         <message>
             <source>the radius is too small to reach the end of the arc</source>
@@ -11318,16 +11402,16 @@
             <translation>o registro não termina</translation>
         </message>
         <message>
-            <source>the replacement cannot be made: {0}</source>
-            <translation>a substituição não pode ser feita: {0}</translation>
+            <source>the replacement cannot be made: {error}</source>
+            <translation>a substituição não pode ser feita: {error}</translation>
         </message>
         <message>
             <source>the resolution is too fine for the ellipse</source>
             <translation>a resolução é fina demais para a elipse</translation>
         </message>
         <message>
-            <source>the restart goes straight down first, from Z {0}, where the machine has homed, to Z {1}</source>
-            <translation>o reinício primeiro desce reto, de Z {0}, onde a máquina se referenciou, até Z {1}</translation>
+            <source>the restart goes straight down first, from Z {high}, where the machine has homed, to Z {low}</source>
+            <translation>o reinício primeiro desce reto, de Z {high}, onde a máquina se referenciou, até Z {low}</translation>
         </message>
         <message>
             <source>the retract mode may not be changed</source>
@@ -11338,12 +11422,12 @@
             <translation>o plano de retração fica abaixo do fundo do furo</translation>
         </message>
         <message>
-            <source>the rim of the {0} tool is slow for the material</source>
-            <translation>a borda da ferramenta {0} é lenta para o material</translation>
+            <source>the rim of the {tool} tool is slow for the material</source>
+            <translation>a borda da ferramenta {tool} é lenta para o material</translation>
         </message>
         <message>
-            <source>the rim of the {0} tool is too fast for the material</source>
-            <translation>a borda da ferramenta {0} é rápida demais para o material</translation>
+            <source>the rim of the {tool} tool is too fast for the material</source>
+            <translation>a borda da ferramenta {tool} é rápida demais para o material</translation>
         </message>
         <message>
             <source>the room falls into parts away from its wall</source>
@@ -11354,8 +11438,8 @@
             <translation>o espaço do centro da ferramenta tem ilhas ou várias partes</translation>
         </message>
         <message>
-            <source>the row leads to an unknown place along {0}</source>
-            <translation>o movimento leva a um lugar desconhecido em {0}</translation>
+            <source>the row leads to an unknown place along {axis}</source>
+            <translation>o movimento leva a um lugar desconhecido em {axis}</translation>
         </message>
         <message>
             <source>the rows of heights differ in length</source>
@@ -11366,8 +11450,8 @@
             <translation>a porta de segurança está aberta</translation>
         </message>
         <message>
-            <source>the safety door is open or the machine is parking ({0}): resume later</source>
-            <translation>a porta de segurança está aberta ou a máquina está estacionando ({0}): retome depois</translation>
+            <source>the safety door is open or the machine is parking ({status}): resume later</source>
+            <translation>a porta de segurança está aberta ou a máquina está estacionando ({status}): retome depois</translation>
         </message>
         <message>
             <source>the safety door was opened</source>
@@ -11406,28 +11490,28 @@
             <translation>a sessão não responde</translation>
         </message>
         <message>
-            <source>the session refused {0}</source>
-            <translation>a sessão recusou {0}</translation>
+            <source>the session refused {text}</source>
+            <translation>a sessão recusou {text}</translation>
         </message>
         <message>
             <source>the session still runs</source>
             <translation>a sessão ainda está em curso</translation>
         </message>
         <message>
-            <source>the session {0} answers what this program does not understand</source>
-            <translation>a sessão {0} responde o que este programa não entende</translation>
+            <source>the session {session_file} answers what this program does not understand</source>
+            <translation>a sessão {session_file} responde o que este programa não entende</translation>
         </message>
         <message>
-            <source>the session {0} has ended, and its outcome cannot be read: {1}</source>
-            <translation>a sessão {0} terminou, e o resultado não pode ser lido: {1}</translation>
+            <source>the session {session_file} has ended, and its outcome cannot be read: {why}</source>
+            <translation>a sessão {session_file} terminou, e o resultado não pode ser lido: {why}</translation>
         </message>
         <message>
-            <source>the session {0} is not there, or was killed</source>
-            <translation>a sessão {0} não existe ou foi encerrada</translation>
+            <source>the session {session_file} is not there, or was killed</source>
+            <translation>a sessão {session_file} não existe ou foi encerrada</translation>
         </message>
         <message>
-            <source>the session {0} runs, but its process does not answer</source>
-            <translation>a sessão {0} está em execução, mas seu processo não responde</translation>
+            <source>the session {session_file} runs, but its process does not answer</source>
+            <translation>a sessão {session_file} está em execução, mas seu processo não responde</translation>
         </message>
         <message>
             <source>the session's log</source>
@@ -11450,12 +11534,12 @@
             <translation>este leitor não conhece o arquivo de configuração da máquina</translation>
         </message>
         <message>
-            <source>the shank of the {0} tool rubs along the wall over its flutes</source>
-            <translation>a haste da ferramenta {0} atrita na parede acima da parte cortante</translation>
+            <source>the shank of the {tool} tool rubs along the wall over its flutes</source>
+            <translation>a haste da ferramenta {tool} atrita na parede acima da parte cortante</translation>
         </message>
         <message>
-            <source>the shape '{0}' needs one of {1}; {2}</source>
-            <translation>a forma '{0}' precisa de um de {1}; {2}</translation>
+            <source>the shape '{name}' needs one of {ways}; {told}</source>
+            <translation>a forma '{name}' precisa de um de {ways}; {told}</translation>
         </message>
         <message>
             <source>the shift of G92 went into the coordinates</source>
@@ -11534,8 +11618,8 @@
             <translation>as configurações guardadas não puderam ser lidas e foram redefinidas</translation>
         </message>
         <message>
-            <source>the subroutine o&lt;{0}&gt; has no end</source>
-            <translation>a sub-rotina o&lt;{0}&gt; não tem fim</translation>
+            <source>the subroutine o&lt;{call}&gt; has no end</source>
+            <translation>a sub-rotina o&lt;{call}&gt; não tem fim</translation>
         </message>
         <message>
             <source>the table gives it no diameter</source>
@@ -11552,6 +11636,10 @@
         <message>
             <source>the target lies outside of the machine's travel</source>
             <translation>o destino fica fora do curso da máquina</translation>
+        </message>
+        <message>
+            <source>the text</source>
+            <translation>o texto</translation>
         </message>
         <message>
             <source>the text is not found, or is the same already</source>
@@ -11594,12 +11682,12 @@
             <translation>a ferramenta não entra no furo</translation>
         </message>
         <message>
-            <source>the tool does not reach into {0} corners or narrow places; what stays there: {1}</source>
-            <translation>a ferramenta não alcança {0} cantos ou lugares estreitos; o que fica lá: {1}</translation>
+            <source>the tool does not reach into {corners} corners or narrow places; what stays there: {told}</source>
+            <translation>a ferramenta não alcança {corners} cantos ou lugares estreitos; o que fica lá: {told}</translation>
         </message>
         <message>
-            <source>the tool fits nowhere along curve {0}, which begins at X{1} Y{2}</source>
-            <translation>a ferramenta não cabe em lugar nenhum da curva {0}, que começa em X{1} Y{2}</translation>
+            <source>the tool fits nowhere along curve {number}, which begins at X{x:.3f} Y{y:.3f}</source>
+            <translation>a ferramenta não cabe em lugar nenhum da curva {number}, que começa em X{x:.3f} Y{y:.3f}</translation>
         </message>
         <message>
             <source>the tool goes below the stock and cuts what lies under it</source>
@@ -11650,8 +11738,8 @@
             <translation>a correção da ferramenta não pode ser mudada</translation>
         </message>
         <message>
-            <source>the tool stands at Z {0}, and the restart goes straight down to Z {1} first, as a rapid</source>
-            <translation>a ferramenta está em Z {0}, e o reinício primeiro desce reto até Z {1}, em avanço rápido</translation>
+            <source>the tool stands at Z {high}, and the restart goes straight down to Z {low} first, as a rapid</source>
+            <translation>a ferramenta está em Z {high}, e o reinício primeiro desce reto até Z {low}, em avanço rápido</translation>
         </message>
         <message>
             <source>the tool table cannot be read again</source>
@@ -11662,8 +11750,8 @@
             <translation>o raio da ferramenta é compensado neste trecho (G41, G42)</translation>
         </message>
         <message>
-            <source>the tool's radius is compensated: it begins at line {0}, with G41 or G42</source>
-            <translation>o raio da ferramenta está compensado: começa na linha {0}, com G41 ou G42</translation>
+            <source>the tool's radius is compensated: it begins at line {file_line}, with G41 or G42</source>
+            <translation>o raio da ferramenta está compensado: começa na linha {file_line}, com G41 ou G42</translation>
         </message>
         <message>
             <source>the tool's radius went into the path, which is right for this tool only</source>
@@ -11686,12 +11774,12 @@
             <translation>o grbl virtual terminou logo</translation>
         </message>
         <message>
-            <source>the waits lie from {0} to {1} ms, beyond {2} to {3}</source>
-            <translation>as esperas vão de {0} a {1} ms, fora de {2} a {3}</translation>
+            <source>the waits lie from {shortest_ms:g} to {longest_ms:g} ms, beyond {least_ms:g} to {most_ms:g}</source>
+            <translation>as esperas vão de {shortest_ms:g} a {longest_ms:g} ms, fora de {least_ms:g} a {most_ms:g}</translation>
         </message>
         <message>
-            <source>the wall may be up to {0} mm off: an ellipse is no offset of an ellipse, and the resolution adds to it; method "tolerance" keeps to tolerance_mm</source>
-            <translation>a parede pode desviar até {0} mm: uma elipse não é paralela a outra elipse, e a resolução se soma a isso; o método "tolerance" respeita tolerance_mm</translation>
+            <source>the wall may be up to {promise_mm:.3f} mm off: an ellipse is no offset of an ellipse, and the resolution adds to it; method "tolerance" keeps to tolerance_mm</source>
+            <translation>a parede pode desviar até {promise_mm:.3f} mm: uma elipse não é paralela a outra elipse, e a resolução se soma a isso; o método "tolerance" respeita tolerance_mm</translation>
         </message>
         <message>
             <source>the way along the cut cannot be sent as it was written</source>
@@ -11702,8 +11790,8 @@
             <translation>o caminho de volta ao longo do corte</translation>
         </message>
         <message>
-            <source>the way back cannot be read: {0}</source>
-            <translation>o caminho de volta não pode ser lido: {0}</translation>
+            <source>the way back cannot be read: {error}</source>
+            <translation>o caminho de volta não pode ser lido: {error}</translation>
         </message>
         <message>
             <source>the way back does not lead there</source>
@@ -11714,12 +11802,12 @@
             <translation>o trajeto seria curvado de outro modo</translation>
         </message>
         <message>
-            <source>the word {0} has no number that can be read</source>
-            <translation>a palavra {0} não tem um número que possa ser lido</translation>
+            <source>the word {letter} has no number that can be read</source>
+            <translation>a palavra {letter} não tem um número que possa ser lido</translation>
         </message>
         <message>
-            <source>the words of {0} are not edited</source>
-            <translation>as palavras de {0} não são editadas</translation>
+            <source>the words of {codes} are not edited</source>
+            <translation>as palavras de {codes} não são editadas</translation>
         </message>
         <message>
             <source>the work system is locked</source>
@@ -11746,80 +11834,84 @@
             <translation>o zero da peça foi definido numa pausa, portanto o caminho de volta ao longo do corte não é conhecido</translation>
         </message>
         <message>
-            <source>the zero of {0} in {1} was not taken over</source>
-            <translation>o zero de {0} em {1} não foi aceito</translation>
+            <source>the zero of {axis} in {system} was not taken over</source>
+            <translation>o zero de {axis} em {system} não foi aceito</translation>
         </message>
         <message>
-            <source>the {0} tool cuts deeper than its flutes are long</source>
-            <translation>a ferramenta {0} corta mais fundo que o seu comprimento de corte</translation>
+            <source>the {tool_shape} tool's form is not given, so it is judged as a flat one of its diameter</source>
+            <translation>a forma da ferramenta {tool_shape} não foi informada, por isso é avaliada como fresa reta do mesmo diâmetro</translation>
         </message>
         <message>
-            <source>the {0} tool does not cut over its centre: it must not go straight down into full material</source>
-            <translation>a ferramenta {0} não corta sobre o centro: não pode descer reto em material cheio</translation>
+            <source>the {tool} tool cuts deeper than its flutes are long</source>
+            <translation>a ferramenta {tool} corta mais fundo que o seu comprimento de corte</translation>
         </message>
         <message>
-            <source>the {0} tool does not say how many flutes it has; its feed is reckoned with {1}</source>
-            <translation>a ferramenta {0} não diz quantos dentes tem; o avanço é calculado com {1}</translation>
+            <source>the {tool} tool does not cut over its centre: it must not go straight down into full material</source>
+            <translation>a ferramenta {tool} não corta sobre o centro: não pode descer reto em material cheio</translation>
         </message>
         <message>
-            <source>the {0} tool is too small against its path for its engagement to be measured</source>
-            <translation>a ferramenta {0} é pequena demais diante da trajetória para se medir o seu ângulo de contato</translation>
+            <source>the {tool} tool does not say how many flutes it has; its feed is reckoned with {usual_flutes}</source>
+            <translation>a ferramenta {tool} não diz quantos dentes tem; o avanço é calculado com {usual_flutes}</translation>
         </message>
         <message>
-            <source>the {0} tool rubs: a tooth takes too thin a chip</source>
-            <translation>a ferramenta {0} atrita em vez de cortar: um dente tira um cavaco fino demais</translation>
+            <source>the {tool} tool is too small against its path for its engagement to be measured</source>
+            <translation>a ferramenta {tool} é pequena demais diante da trajetória para se medir o seu ângulo de contato</translation>
         </message>
         <message>
-            <source>the {0} tool's form is not given, so it is judged as a flat one of its diameter</source>
-            <translation>a forma da ferramenta {0} não foi informada, por isso é avaliada como fresa reta do mesmo diâmetro</translation>
+            <source>the {tool} tool rubs: a tooth takes too thin a chip</source>
+            <translation>a ferramenta {tool} atrita em vez de cortar: um dente tira um cavaco fino demais</translation>
         </message>
         <message>
-            <source>then runs {0} lines of the program as they are; all before them is taken as cut</source>
-            <translation>depois executa {0} linhas do programa como estão; tudo antes delas é dado como cortado</translation>
+            <source>then runs {own} lines of the program as they are; all before them is taken as cut</source>
+            <translation>depois executa {own} linhas do programa como estão; tudo antes delas é dado como cortado</translation>
         </message>
         <message>
-            <source>there are {0} lines, none at {1}</source>
-            <translation>há {0} linhas, nenhuma em {1}</translation>
+            <source>there are {count} lines, none at {index}</source>
+            <translation>há {count} linhas, nenhuma em {index}</translation>
         </message>
         <message>
-            <source>there is no act '{0}'</source>
-            <translation>não existe a ação '{0}'</translation>
+            <source>there is no act '{act}'</source>
+            <translation>não existe a ação '{act}'</translation>
         </message>
         <message>
-            <source>there is no command '{0}'</source>
-            <translation>não há comando '{0}'</translation>
+            <source>there is no command '{name}'</source>
+            <translation>não há comando '{name}'</translation>
         </message>
         <message>
-            <source>there is no contour {0}</source>
-            <translation>não existe o contorno {0}</translation>
+            <source>there is no contour {number}</source>
+            <translation>não existe o contorno {number}</translation>
         </message>
         <message>
-            <source>there is no cycle '{0}'</source>
-            <translation>não há ciclo '{0}'</translation>
+            <source>there is no cycle '{cycle}'</source>
+            <translation>não há ciclo '{cycle}'</translation>
         </message>
         <message>
-            <source>there is no dialect '{0}'</source>
-            <translation>não há dialeto '{0}'</translation>
+            <source>there is no cycle '{told}'</source>
+            <translation>não há ciclo '{told}'</translation>
         </message>
         <message>
-            <source>there is no function {0}</source>
-            <translation>não há função {0}</translation>
+            <source>there is no dialect '{base}'</source>
+            <translation>não há dialeto '{base}'</translation>
         </message>
         <message>
-            <source>there is no key {0}</source>
-            <translation>não há chave {0}</translation>
+            <source>there is no function {name}</source>
+            <translation>não há função {name}</translation>
         </message>
         <message>
-            <source>there is no machine profile '{0}'</source>
-            <translation>não há perfil de máquina '{0}'</translation>
+            <source>there is no key {key}</source>
+            <translation>não há chave {key}</translation>
         </message>
         <message>
-            <source>there is no material '{0}'</source>
-            <translation>não há material '{0}'</translation>
+            <source>there is no machine profile '{name_or_path}'</source>
+            <translation>não há perfil de máquina '{name_or_path}'</translation>
         </message>
         <message>
-            <source>there is no material '{0}'; use one of: {1}</source>
-            <translation>não há material '{0}'; use um destes: {1}</translation>
+            <source>there is no material '{material}'; use one of: {material_names}</source>
+            <translation>não há material '{material}'; use um destes: {material_names}</translation>
+        </message>
+        <message>
+            <source>there is no material '{name}'</source>
+            <translation>não há material '{name}'</translation>
         </message>
         <message>
             <source>there is no motion that the coordinates could belong to</source>
@@ -11830,32 +11922,32 @@
             <translation>não há contorno nem bloco a facear</translation>
         </message>
         <message>
-            <source>there is no override {0} {1}</source>
-            <translation>não há ajuste {0} {1}</translation>
+            <source>there is no override {kind} {step}</source>
+            <translation>não há ajuste {kind} {step}</translation>
         </message>
         <message>
-            <source>there is no parameter #{0}</source>
-            <translation>não há parâmetro #{0}</translation>
+            <source>there is no parameter #{number}</source>
+            <translation>não há parâmetro #{number}</translation>
         </message>
         <message>
             <source>there is no part to draw</source>
             <translation>não há peça a desenhar</translation>
         </message>
         <message>
-            <source>there is no port {0}</source>
-            <translation>não há porta {0}</translation>
+            <source>there is no port {name}</source>
+            <translation>não há porta {name}</translation>
         </message>
         <message>
             <source>there is no room for a helix or ramp, and the tool does not cut over its centre</source>
             <translation>não há espaço para hélice ou rampa, e a ferramenta não corta sobre o centro</translation>
         </message>
         <message>
-            <source>there is no room for a {0} at {1} of {2} places</source>
-            <translation>não há espaço para: {0} em {1} de {2} lugares</translation>
+            <source>there is no room for a {entry} at {others} of {kinds} places</source>
+            <translation>não há espaço para: {entry} em {others} de {kinds} lugares</translation>
         </message>
         <message>
-            <source>there is no subroutine o&lt;{0}&gt;</source>
-            <translation>não há sub-rotina o&lt;{0}&gt;</translation>
+            <source>there is no subroutine o&lt;{seeking}&gt;</source>
+            <translation>não há sub-rotina o&lt;{seeking}&gt;</translation>
         </message>
         <message>
             <source>there is no such file</source>
@@ -11910,16 +12002,16 @@
             <translation>este computador não consegue manter a frequência dos pulsos do programa</translation>
         </message>
         <message>
-            <source>this computer may fall asleep while the machine cuts ({0}): switch its sleep off</source>
-            <translation>este computador pode adormecer enquanto a máquina corta ({0}): desligue a suspensão</translation>
+            <source>this computer may fall asleep while the machine cuts ({why}): switch its sleep off</source>
+            <translation>este computador pode adormecer enquanto a máquina corta ({why}): desligue a suspensão</translation>
         </message>
         <message>
             <source>this is no certificate</source>
             <translation>isto não é um certificado</translation>
         </message>
         <message>
-            <source>this is no input of a machine: {0}</source>
-            <translation>isto não é uma entrada de máquina: {0}</translation>
+            <source>this is no input of a machine: {error}</source>
+            <translation>isto não é uma entrada de máquina: {error}</translation>
         </message>
         <message>
             <source>this is not allowed while an emergency stop or a limit is active</source>
@@ -11930,8 +12022,8 @@
             <translation>isto está desligado na configuração do controlador</translation>
         </message>
         <message>
-            <source>this is {0}, not a file</source>
-            <translation>isto é {0}, não um arquivo</translation>
+            <source>this is {kind}, not a file</source>
+            <translation>isto é {kind}, não um arquivo</translation>
         </message>
         <message>
             <source>this language is in millimetres</source>
@@ -11978,8 +12070,8 @@
             <translation>isto demora, e está sendo feito ao lado da janela</translation>
         </message>
         <message>
-            <source>those of splines count {0} times</source>
-            <translation>os de splines contam {0} vezes</translation>
+            <source>those of splines count {spline_weight} times</source>
+            <translation>os de splines contam {spline_weight} vezes</translation>
         </message>
         <message>
             <source>threads can be cut only in the plane ZX</source>
@@ -12002,8 +12094,8 @@
             <translation>desenhos demais, ou um lido de maneiras demais</translation>
         </message>
         <message>
-            <source>too many ends of lines lie within {0} mm of each other</source>
-            <translation>extremos de linhas demais ficam a menos de {0} mm uns dos outros</translation>
+            <source>too many ends of lines lie within {within_mm:g} mm of each other</source>
+            <translation>extremos de linhas demais ficam a menos de {within_mm:g} mm uns dos outros</translation>
         </message>
         <message>
             <source>too many lines and arcs in its files</source>
@@ -12022,36 +12114,36 @@
             <translation>tool tem de ser uma lista de tabelas com um número</translation>
         </message>
         <message>
-            <source>tool {0} '{1}' cannot be used: {2}</source>
-            <translation>a ferramenta {0} '{1}' não pode ser usada: {2}</translation>
+            <source>tool {each_number} '{each}' is left out: {notes}</source>
+            <translation>a ferramenta {each_number} '{each}' fica de fora: {notes}</translation>
         </message>
         <message>
-            <source>tool {0} '{1}' is left out: {2}</source>
-            <translation>a ferramenta {0} '{1}' fica de fora: {2}</translation>
+            <source>tool {number} '{name}' cannot be used: {notes}</source>
+            <translation>a ferramenta {number} '{name}' não pode ser usada: {notes}</translation>
         </message>
         <message>
-            <source>tool {0} '{1}': a table has no {2}</source>
-            <translation>ferramenta {0} '{1}': uma tabela não tem {2}</translation>
+            <source>tool {number} '{name}': a table has no {lost}</source>
+            <translation>ferramenta {number} '{name}': uma tabela não tem {lost}</translation>
         </message>
         <message>
-            <source>tool {0} cuts on without a stop to change tool {1}</source>
-            <translation>a ferramenta {0} continua o corte sem parada para trocar a ferramenta {1}</translation>
+            <source>tool {number} cuts on without a stop to change tool {number2}</source>
+            <translation>a ferramenta {number} continua o corte sem parada para trocar a ferramenta {number2}</translation>
         </message>
         <message>
-            <source>tool {0} does not stand in the tool table</source>
-            <translation>a ferramenta {0} não está na tabela de ferramentas</translation>
+            <source>tool {number} is not known, so what it cuts is not checked</source>
+            <translation>a ferramenta {number} não é conhecida, por isso o que ela corta não é verificado</translation>
         </message>
         <message>
-            <source>tool {0} has no {1}</source>
-            <translation>a ferramenta {0} não tem {1}</translation>
+            <source>tool {stored_number} of {form_file}: {note}</source>
+            <translation>ferramenta {stored_number} de {form_file}: {note}</translation>
         </message>
         <message>
-            <source>tool {0} is not known, so what it cuts is not checked</source>
-            <translation>a ferramenta {0} não é conhecida, por isso o que ela corta não é verificado</translation>
+            <source>tool {tool_number} has no {name}</source>
+            <translation>a ferramenta {tool_number} não tem {name}</translation>
         </message>
         <message>
-            <source>tool {0} of {1}: {2}</source>
-            <translation>ferramenta {0} de {1}: {2}</translation>
+            <source>tool {tool} does not stand in the tool table</source>
+            <translation>a ferramenta {tool} não está na tabela de ferramentas</translation>
         </message>
         <message>
             <source>torque must be points (rpm, Nm) that rise in rpm</source>
@@ -12114,8 +12206,8 @@
             <translation>dois eixos com autoesquadro não podem ser referenciados ao mesmo tempo</translation>
         </message>
         <message>
-            <source>two shapes have the name '{0}'</source>
-            <translation>duas formas têm o nome '{0}'</translation>
+            <source>two shapes have the name '{shape}'</source>
+            <translation>duas formas têm o nome '{shape}'</translation>
         </message>
         <message>
             <source>two tools have the same number</source>
@@ -12134,12 +12226,12 @@
             <translation>desfaça isso, escolha outro desenho, ou nenhum</translation>
         </message>
         <message>
-            <source>unknown keys {0}</source>
-            <translation>chaves desconhecidas {0}</translation>
+            <source>unknown keys {unknown}</source>
+            <translation>chaves desconhecidas {unknown}</translation>
         </message>
         <message>
-            <source>unknown: {0} before the restart; {1}</source>
-            <translation>desconhecida: {0} antes do reinício; {1}</translation>
+            <source>unknown: {home} before the restart; {until_homed}</source>
+            <translation>desconhecida: {home} antes do reinício; {until_homed}</translation>
         </message>
         <message>
             <source>unlock it in the settings, or use another work system</source>
@@ -12266,8 +12358,8 @@
             <translation>use em vez disso um sistema de coordenadas (G54)</translation>
         </message>
         <message>
-            <source>use an engagement_max_deg of {0} or more with a stepover_mm of {1} or more, a smaller tool, or another pattern</source>
-            <translation>use um engagement_max_deg de {0} ou mais com um stepover_mm de {1} ou mais, uma ferramenta menor ou outro padrão</translation>
+            <source>use an engagement_max_deg of {deg} or more with a stepover_mm of {stepover_mm:g} or more, a smaller tool, or another pattern</source>
+            <translation>use um engagement_max_deg de {deg} ou mais com um stepover_mm de {stepover_mm:g} ou mais, uma ferramenta menor ou outro padrão</translation>
         </message>
         <message>
             <source>use entry "helix" or "ramp"</source>
@@ -12298,8 +12390,32 @@
             <translation>use um dos que `$#` lista</translation>
         </message>
         <message>
-            <source>use one of: {0}</source>
-            <translation>use um destes: {0}</translation>
+            <source>use one of: {cycles}</source>
+            <translation>use um destes: {cycles}</translation>
+        </message>
+        <message>
+            <source>use one of: {dialect_names}</source>
+            <translation>use um destes: {dialect_names}</translation>
+        </message>
+        <message>
+            <source>use one of: {keywords}</source>
+            <translation>use um destes: {keywords}</translation>
+        </message>
+        <message>
+            <source>use one of: {known}</source>
+            <translation>use um destes: {known}</translation>
+        </message>
+        <message>
+            <source>use one of: {material_names}</source>
+            <translation>use um destes: {material_names}</translation>
+        </message>
+        <message>
+            <source>use one of: {operations}</source>
+            <translation>use um destes: {operations}</translation>
+        </message>
+        <message>
+            <source>use one of: {there}</source>
+            <translation>use um destes: {there}</translation>
         </message>
         <message>
             <source>use one that `$` lists</source>
@@ -12322,8 +12438,12 @@
             <translation>use a versão do CNCStepper que a iniciou</translation>
         </message>
         <message>
-            <source>use {0} or ATAN</source>
-            <translation>use {0} ou ATAN</translation>
+            <source>use {functions} or ATAN</source>
+            <translation>use {functions} ou ATAN</translation>
+        </message>
+        <message>
+            <source>value {value}</source>
+            <translation>valor {value}</translation>
         </message>
         <message>
             <source>wait a moment</source>
@@ -12382,8 +12502,8 @@
             <translation>espere, pause ou pare</translation>
         </message>
         <message>
-            <source>waits for {0} s</source>
-            <translation>espera {0} s</translation>
+            <source>waits for {dwell_s:g} s</source>
+            <translation>espera {dwell_s:g} s</translation>
         </message>
         <message>
             <source>waits need table_ms, or first_ms, change_ms and least_ms, or acceleration_steps_s2 and steps</source>
@@ -12394,8 +12514,8 @@
             <translation>acorde-a com um reset e referencie-a</translation>
         </message>
         <message>
-            <source>what #{0} will hold is known only when the program runs</source>
-            <translation>o valor de #{0} só é conhecido quando o programa é executado</translation>
+            <source>what #{number} will hold is known only when the program runs</source>
+            <translation>o valor de #{number} só é conhecido quando o programa é executado</translation>
         </message>
         <message>
             <source>what comes after that</source>
@@ -12406,8 +12526,8 @@
             <translation>o que acontece entre os movimentos não seria o mesmo</translation>
         </message>
         <message>
-            <source>what is known of the machine's position cannot be kept: {0}</source>
-            <translation>o que se sabe da posição da máquina não pode ser guardado: {0}</translation>
+            <source>what is known of the machine's position cannot be kept: {error}</source>
+            <translation>o que se sabe da posição da máquina não pode ser guardado: {error}</translation>
         </message>
         <message>
             <source>what it does is the machine's own: leave it out</source>
@@ -12422,12 +12542,12 @@
             <translation>o que está aqui não é uma palavra que possa ser editada</translation>
         </message>
         <message>
-            <source>what was picked of '{0}' is not there any more</source>
-            <translation>o que foi escolhido de '{0}' não existe mais</translation>
+            <source>what was picked of '{drawing}' is not there any more</source>
+            <translation>o que foi escolhido de '{drawing}' não existe mais</translation>
         </message>
         <message>
-            <source>what {0} follows is not known</source>
-            <translation>não se sabe o que {0} segue</translation>
+            <source>what {kind} follows is not known</source>
+            <translation>não se sabe o que {kind} segue</translation>
         </message>
         <message>
             <source>where a probe stops only the controller knows</source>
@@ -12438,8 +12558,8 @@
             <translation>não é possível ver onde a máquina está: todos os relatórios do controlador chegam danificados</translation>
         </message>
         <message>
-            <source>where the tool stands along {0} is not known here, and turning needs both coordinates</source>
-            <translation>a posição da ferramenta em {0} não é conhecida aqui, e girar precisa das duas coordenadas</translation>
+            <source>where the tool stands along {letter} is not known here, and turning needs both coordinates</source>
+            <translation>a posição da ferramenta em {letter} não é conhecida aqui, e girar precisa das duas coordenadas</translation>
         </message>
         <message>
             <source>where the tool stands here is not known</source>
@@ -12458,28 +12578,28 @@
             <translation>não se sabe onde este trecho começa</translation>
         </message>
         <message>
-            <source>which of several passes was cut cannot be told for certain, so the earliest that fits is taken: line {0}, not {1}</source>
-            <translation>não se pode dizer com certeza qual de vários passes foi cortado, por isso vale o primeiro que se ajusta: linha {0}, não {1}</translation>
+            <source>which of several passes was cut cannot be told for certain, so the earliest that fits is taken: line {file_line}, not {file_line2}</source>
+            <translation>não se pode dizer com certeza qual de vários passes foi cortado, por isso vale o primeiro que se ajusta: linha {file_line}, não {file_line2}</translation>
         </message>
         <message>
-            <source>which run of line {0} is meant is not clear</source>
-            <translation>não está claro qual execução da linha {0} se quer</translation>
+            <source>which run of line {number} is meant is not clear</source>
+            <translation>não está claro qual execução da linha {number} se quer</translation>
         </message>
         <message>
-            <source>while G80 is in force {0} takes no axis words, nor those of {1}</source>
-            <translation>enquanto G80 vale, {0} não aceita palavras de eixo, nem as de {1}</translation>
+            <source>while G80 is in force {dialect} takes no axis words, nor those of {user}</source>
+            <translation>enquanto G80 vale, {dialect} não aceita palavras de eixo, nem as de {user}</translation>
         </message>
         <message>
-            <source>with tool {0} in the spindle</source>
-            <translation>com a ferramenta {0} no fuso</translation>
+            <source>with tool {tool} in the spindle</source>
+            <translation>com a ferramenta {tool} no fuso</translation>
         </message>
         <message>
-            <source>with {0} of its move done</source>
-            <translation>com {0} do movimento já feito</translation>
+            <source>with {share:.0%} of its move done</source>
+            <translation>com {share:.0%} do movimento já feito</translation>
         </message>
         <message>
-            <source>without a file, {0} lines to send</source>
-            <translation>sem arquivo, {0} linhas a enviar</translation>
+            <source>without a file, {total} lines to send</source>
+            <translation>sem arquivo, {total} linhas a enviar</translation>
         </message>
         <message>
             <source>words for the spindle</source>
@@ -12498,8 +12618,8 @@
             <translation>zero da peça</translation>
         </message>
         <message>
-            <source>work_offset must be one of {0}</source>
-            <translation>work_offset deve ser um destes: {0}</translation>
+            <source>work_offset must be one of {work_systems}</source>
+            <translation>work_offset deve ser um destes: {work_systems}</translation>
         </message>
         <message>
             <source>write 0 where the edge does not matter</source>
@@ -12554,8 +12674,8 @@
             <translation>escreva G18 antes dessa linha</translation>
         </message>
         <message>
-            <source>write G4 P{0} after the spindle starts</source>
-            <translation>escreva G4 P{0} depois de ligar o spindle</translation>
+            <source>write G4 P{needed_s:g} after the spindle starts</source>
+            <translation>escreva G4 P{needed_s:g} depois de ligar o spindle</translation>
         </message>
         <message>
             <source>write G40 before</source>
@@ -12646,8 +12766,8 @@
             <translation>escreva antes dele um movimento com G90 ou mova o zero-peça</translation>
         </message>
         <message>
-            <source>write a number within these bounds: {0}</source>
-            <translation>escreva um número dentro destes limites: {0}</translation>
+            <source>write a number within these bounds: {why}</source>
+            <translation>escreva um número dentro destes limites: {why}</translation>
         </message>
         <message>
             <source>write a number, #parameter or [expression]</source>
@@ -12694,8 +12814,8 @@
             <translation>escreva-a em duas</translation>
         </message>
         <message>
-            <source>write it in the controller's own: cncstepper convert PROGRAM --dialect {0} --to {1} -o NEW</source>
-            <translation>escreva-o na linguagem do controlador: cncstepper convert PROGRAMA --dialect {0} --to {1} -o NOVO</translation>
+            <source>write it in the controller's own: cncstepper convert PROGRAM --dialect {dialect} --to {own} -o NEW</source>
+            <translation>escreva-o na linguagem do controlador: cncstepper convert PROGRAMA --dialect {dialect} --to {own} -o NOVO</translation>
         </message>
         <message>
             <source>write it in two lines, or make the comment shorter</source>
@@ -12730,8 +12850,8 @@
             <translation>escreva um deles</translation>
         </message>
         <message>
-            <source>write one of: {0}</source>
-            <translation>escreva um destes: {0}</translation>
+            <source>write one of: {corner_of_origin}</source>
+            <translation>escreva um destes: {corner_of_origin}</translation>
         </message>
         <message>
             <source>write one program a tool, or pause at tool changes</source>
@@ -12822,672 +12942,716 @@
             <translation>escreva x,y em mm, ou x;y onde a vírgula é o sinal decimal</translation>
         </message>
         <message>
-            <source>write {0} = "file"</source>
-            <translation>escreva {0} = "arquivo"</translation>
+            <source>write {keyword} [condition]</source>
+            <translation>escreva {keyword} [condição]</translation>
         </message>
         <message>
-            <source>write {0} = "name"</source>
-            <translation>escreva {0} = "nome"</translation>
+            <source>write {key} = "file"</source>
+            <translation>escreva {key} = "arquivo"</translation>
         </message>
         <message>
-            <source>write {0} [condition]</source>
-            <translation>escreva {0} [condição]</translation>
+            <source>write {key} = "name"</source>
+            <translation>escreva {key} = "nome"</translation>
         </message>
         <message>
-            <source>write {0} alone</source>
-            <translation>escreva só {0}</translation>
+            <source>write {number} within these bounds: {why}</source>
+            <translation>escreva {number} dentro destes limites: {why}</translation>
         </message>
         <message>
-            <source>write {0} before</source>
-            <translation>escreva {0} antes</translation>
+            <source>write {other} alone</source>
+            <translation>escreva só {other}</translation>
         </message>
         <message>
-            <source>write {0} within these bounds: {1}</source>
-            <translation>escreva {0} dentro destes limites: {1}</translation>
+            <source>write {word} before</source>
+            <translation>escreva {word} antes</translation>
         </message>
         <message>
             <source>zero of</source>
             <translation>zero de</translation>
         </message>
         <message>
-            <source>zero of {0} set in {1}</source>
-            <translation>zero de {0} definido em {1}</translation>
-        </message>
-        <message>
-            <source>{0} (work, mm)</source>
-            <translation>{0} (peça, mm)</translation>
-        </message>
-        <message>
-            <source>{0} and {1} may not share a line: they set the same mode</source>
-            <translation>{0} e {1} não podem ficar na mesma linha: definem o mesmo modo</translation>
-        </message>
-        <message>
-            <source>{0} and {1} may not share a line: they use the same word</source>
-            <translation>{0} e {1} não podem dividir uma linha: usam a mesma palavra</translation>
-        </message>
-        <message>
-            <source>{0} and {1} would both use the axis words</source>
-            <translation>{0} e {1} usariam os dois as palavras de eixo</translation>
-        </message>
-        <message>
-            <source>{0} answered '{1}' to no line</source>
-            <translation>{0} respondeu '{1}' a nenhuma linha</translation>
-        </message>
-        <message>
-            <source>{0} asks for more than {1} passes</source>
-            <translation>{0} pede mais de {1} passes</translation>
-        </message>
-        <message>
-            <source>{0} at one place</source>
-            <translation>{0} num só lugar</translation>
-        </message>
-        <message>
-            <source>{0} at work {1}, machine {2} mm, {3}</source>
-            <translation>{0} na peça em {1}, na máquina em {2} mm, {3}</translation>
-        </message>
-        <message>
-            <source>{0} at {1}, grbl {2}, begun {3}</source>
-            <translation>{0} em {1}, grbl {2}, iniciado em {3}</translation>
-        </message>
-        <message>
-            <source>{0} became lines, at most {1} mm away</source>
-            <translation>{0} viraram retas, afastadas no máximo {1} mm</translation>
-        </message>
-        <message>
-            <source>{0} became plain moves</source>
-            <translation>{0} virou movimentos simples</translation>
-        </message>
-        <message>
-            <source>{0} blunts tools of HSS at once</source>
-            <translation>{0} cega ferramentas de aço rápido de imediato</translation>
-        </message>
-        <message>
-            <source>{0} by the button on {1}</source>
-            <translation>{0} pelo botão em {1}</translation>
-        </message>
-        <message>
-            <source>{0} by way of a place cannot be turned</source>
-            <translation>{0} passando por um ponto não pode ser girado</translation>
-        </message>
-        <message>
-            <source>{0} by {1} mm</source>
-            <translation>{0} por {1} mm</translation>
-        </message>
-        <message>
-            <source>{0} cannot be '{1}'</source>
-            <translation>{0} não pode ser '{1}'</translation>
-        </message>
-        <message>
-            <source>{0} cannot be started: {1}</source>
-            <translation>{0} não pode ser iniciado: {1}</translation>
-        </message>
-        <message>
-            <source>{0} cannot be used as a serial port: {1}</source>
-            <translation>{0} não pode ser usado como porta serial: {1}</translation>
-        </message>
-        <message>
-            <source>{0} cannot be written: {1}</source>
-            <translation>não é possível gravar {0}: {1}</translation>
-        </message>
-        <message>
-            <source>{0} cannot be {1}: {2}</source>
-            <translation>{0} não pode ser {1}: {2}</translation>
-        </message>
-        <message>
-            <source>{0} cannot change tools by '{1}'</source>
-            <translation>{0} não pode trocar ferramentas por '{1}'</translation>
-        </message>
-        <message>
-            <source>{0} characters, {1} with spaces</source>
-            <translation>{0} caracteres, {1} com espaços</translation>
-        </message>
-        <message>
-            <source>{0} cuts into a piece that {1} has set free: nothing holds it</source>
-            <translation>{0} corta uma peça que {1} já soltou: nada a segura</translation>
-        </message>
-        <message>
-            <source>{0} does not accept {1}</source>
-            <translation>{0} não aceita {1}</translation>
-        </message>
-        <message>
-            <source>{0} does not answer {1}</source>
-            <translation>{0} não responde a {1}</translation>
-        </message>
-        <message>
-            <source>{0} does not drill in pecks</source>
-            <translation>{0} não fura com bicadas</translation>
-        </message>
-        <message>
-            <source>{0} does not say its modes: question or answer was damaged</source>
-            <translation>{0} não informa seus modos: a pergunta ou a resposta foi danificada</translation>
-        </message>
-        <message>
-            <source>{0} does not wait at the bottom</source>
-            <translation>{0} não espera no fundo</translation>
-        </message>
-        <message>
-            <source>{0} drills in pecks and needs peck_mm</source>
-            <translation>{0} fura com bicadas e precisa de peck_mm</translation>
-        </message>
-        <message>
-            <source>{0} failed by a fault of its own: {1}: {2}</source>
-            <translation>{0} falhou por um defeito próprio: {1}: {2}</translation>
-        </message>
-        <message>
-            <source>{0} follows one drawing</source>
-            <translation>{0} segue um só desenho</translation>
-        </message>
-        <message>
-            <source>{0} goes beyond what the machine can travel</source>
-            <translation>{0} vai além do curso da máquina</translation>
-        </message>
-        <message>
-            <source>{0} goes far beyond the machine's fastest axis</source>
-            <translation>{0} vai muito além do eixo mais rápido da máquina</translation>
-        </message>
-        <message>
-            <source>{0} goes far beyond the stock</source>
-            <translation>{0} vai muito além da peça bruta</translation>
-        </message>
-        <message>
-            <source>{0} goes far beyond the stock and the machine</source>
-            <translation>{0} vai muito além da peça bruta e da máquina</translation>
-        </message>
-        <message>
-            <source>{0} goes into clamp {1}</source>
-            <translation>{0} bate no grampo {1}</translation>
-        </message>
-        <message>
-            <source>{0} goes on from the point before: neither with {1} nor under G91</source>
-            <translation>{0} continua a partir do ponto anterior: nem com {1} nem sob G91</translation>
-        </message>
-        <message>
-            <source>{0} has changed since the program was made</source>
-            <translation>{0} mudou desde que o programa foi feito</translation>
-        </message>
-        <message>
-            <source>{0} has no '{1}'</source>
-            <translation>{0} não tem '{1}'</translation>
-        </message>
-        <message>
-            <source>{0} has no axis {1}</source>
-            <translation>{0} não tem eixo {1}</translation>
-        </message>
-        <message>
-            <source>{0} has no drawing</source>
-            <translation>{0} não tem desenho</translation>
-        </message>
-        <message>
-            <source>{0} has no feed</source>
-            <translation>{0} não tem avanço</translation>
-        </message>
-        <message>
-            <source>{0} has no feed: a feed per turn needs F and a spindle that turns</source>
-            <translation>{0} não tem avanço: um avanço por rotação precisa de F e de um spindle girando</translation>
-        </message>
-        <message>
-            <source>{0} has no pins to read: {1}</source>
-            <translation>{0} não tem pinos para ler: {1}</translation>
-        </message>
-        <message>
-            <source>{0} has no program: {1}</source>
-            <translation>{0} não tem programa: {1}</translation>
-        </message>
-        <message>
-            <source>{0} has no programs in {1}</source>
-            <translation>{0} não tem programas em {1}</translation>
-        </message>
-        <message>
-            <source>{0} has no setting '{1}'</source>
-            <translation>{0} não tem o ajuste '{1}'</translation>
-        </message>
-        <message>
-            <source>{0} has no tool</source>
-            <translation>{0} não tem ferramenta</translation>
-        </message>
-        <message>
-            <source>{0} has no value for {1}</source>
-            <translation>{0} não tem valor para {1}</translation>
-        </message>
-        <message>
-            <source>{0} has no word {1}</source>
-            <translation>{0} não tem a palavra {1}</translation>
-        </message>
-        <message>
-            <source>{0} has no work offset {1}</source>
-            <translation>{0} não tem o sistema de coordenadas {1}</translation>
-        </message>
-        <message>
-            <source>{0} has no {1}</source>
-            <translation>{0} não tem {1}</translation>
-        </message>
-        <message>
-            <source>{0} has no {1} with the label {2} before it</source>
-            <translation>{0} não tem antes um {1} com o rótulo {2}</translation>
-        </message>
-        <message>
-            <source>{0} has too few values</source>
-            <translation>{0} tem valores de menos</translation>
-        </message>
-        <message>
-            <source>{0} is absent: the axis stays here, but the published control would drive it to 0</source>
-            <translation>falta {0}: aqui o eixo fica parado, mas o comando publicado o levaria para 0</translation>
-        </message>
-        <message>
-            <source>{0} is held by a job of yours, {1}, which is {2}</source>
-            <translation>{0} está ocupada por um trabalho seu, {1}, no estado {2}</translation>
-        </message>
-        <message>
-            <source>{0} is held by a process of yours that does not answer</source>
-            <translation>{0} está em uso por um processo seu que não responde</translation>
-        </message>
-        <message>
-            <source>{0} is held by a window or a console of yours</source>
-            <translation>{0} está ocupada por uma janela ou um console seu</translation>
-        </message>
-        <message>
-            <source>{0} is in force, wanted {1}</source>
-            <translation>{0} está em vigor, mas deveria ser {1}</translation>
-        </message>
-        <message>
-            <source>{0} is in use</source>
-            <translation>{0} está em uso</translation>
-        </message>
-        <message>
-            <source>{0} is in use by another window's connection</source>
-            <translation>{0} está em uso pela conexão de outra janela</translation>
-        </message>
-        <message>
-            <source>{0} is larger than the tool</source>
-            <translation>{0} é maior que a ferramenta</translation>
-        </message>
-        <message>
-            <source>{0} is missing, and only the circles of a drawing have one of their own</source>
-            <translation>{0} falta, e só os círculos de um desenho têm um próprio</translation>
-        </message>
-        <message>
-            <source>{0} is missing: absolute arc centres need both words</source>
-            <translation>falta {0}: centros de arco absolutos precisam das duas palavras</translation>
-        </message>
-        <message>
-            <source>{0} is no centre word in plane {1}</source>
-            <translation>{0} não é palavra de centro no plano {1}</translation>
-        </message>
-        <message>
-            <source>{0} is no number</source>
-            <translation>{0} não é um número</translation>
-        </message>
-        <message>
-            <source>{0} is no parallel port</source>
-            <translation>{0} não é uma porta paralela</translation>
-        </message>
-        <message>
-            <source>{0} is no parallel port that can be had: {1}</source>
-            <translation>não é possível usar {0} como porta paralela: {1}</translation>
-        </message>
-        <message>
-            <source>{0} is no port: {1}</source>
-            <translation>{0} não é uma porta: {1}</translation>
-        </message>
-        <message>
-            <source>{0} is no recording of pulses, and is not written over</source>
-            <translation>{0} não é uma gravação de pulsos e não é sobrescrito</translation>
-        </message>
-        <message>
-            <source>{0} is not read in {1}, a plane of the axes U, V and W</source>
-            <translation>{0} não é lido em {1}, um plano dos eixos U, V e W</translation>
-        </message>
-        <message>
-            <source>{0} is not reported</source>
-            <translation>{0} não é informado</translation>
-        </message>
-        <message>
-            <source>{0} is not the work system in force</source>
-            <translation>{0} não é o sistema de coordenadas em vigor</translation>
-        </message>
-        <message>
-            <source>{0} is out of its bounds</source>
-            <translation>{0} está fora de seus limites</translation>
-        </message>
-        <message>
-            <source>{0} is out of range</source>
-            <translation>{0} está fora da faixa</translation>
-        </message>
-        <message>
-            <source>{0} is read in the plane XY only: LinuxCNC moves along the wrong axes in {1}</source>
-            <translation>{0} só é lido no plano XY: o LinuxCNC move os eixos errados em {1}</translation>
-        </message>
-        <message>
-            <source>{0} is too long</source>
-            <translation>{0} é longo demais</translation>
-        </message>
-        <message>
-            <source>{0} is {1}, wanted {2} mm</source>
-            <translation>{0} é {1}, esperado {2} mm</translation>
-        </message>
-        <message>
-            <source>{0} lines more than the text has</source>
-            <translation>{0} linhas a mais do que o texto tem</translation>
-        </message>
-        <message>
-            <source>{0} lists no such alarm</source>
-            <translation>{0} não lista esse alarme</translation>
-        </message>
-        <message>
-            <source>{0} lists no such error</source>
-            <translation>{0} não lista esse erro</translation>
-        </message>
-        <message>
-            <source>{0} may not be assigned</source>
-            <translation>{0} não pode receber um valor</translation>
-        </message>
-        <message>
-            <source>{0} may not be negative</source>
-            <translation>{0} não pode ser negativo</translation>
-        </message>
-        <message>
-            <source>{0} may not be opened by this user</source>
-            <translation>{0} não pode ser aberta por este usuário</translation>
-        </message>
-        <message>
-            <source>{0} may not be used</source>
-            <translation>{0} não pode ser usado</translation>
-        </message>
-        <message>
-            <source>{0} messages were left out: more came than could be read</source>
-            <translation>{0} mensagens foram omitidas: chegaram mais do que se podia ler</translation>
-        </message>
-        <message>
-            <source>{0} mm ({1} mm²) at X{2} Y{3}</source>
-            <translation>{0} mm ({1} mm²) em X{2} Y{3}</translation>
-        </message>
-        <message>
-            <source>{0} mm away</source>
-            <translation>{0} mm de distância</translation>
-        </message>
-        <message>
-            <source>{0} mm deep</source>
-            <translation>{0} mm de profundidade</translation>
-        </message>
-        <message>
-            <source>{0} mm from the tool's centre</source>
-            <translation>{0} mm do centro da ferramenta</translation>
-        </message>
-        <message>
-            <source>{0} mm high</source>
-            <translation>{0} mm de altura</translation>
-        </message>
-        <message>
-            <source>{0} mm of material stays at each end of the long axis, where the ellipse is tighter than the tool; a tool of at most {1} mm diameter reaches it</source>
-            <translation>{0} mm de material ficam em cada ponta do eixo maior, onde a elipse é mais fechada que a ferramenta; uma ferramenta de no máximo {1} mm de diâmetro alcança</translation>
-        </message>
-        <message>
-            <source>{0} mm radius</source>
-            <translation>raio de {0} mm</translation>
-        </message>
-        <message>
-            <source>{0} mm to ramp on</source>
-            <translation>{0} mm para a rampa</translation>
-        </message>
-        <message>
-            <source>{0} mm wide</source>
-            <translation>{0} mm de largura</translation>
-        </message>
-        <message>
-            <source>{0} mm with the stock to leave</source>
-            <translation>{0} mm com o sobremetal</translation>
-        </message>
-        <message>
-            <source>{0} mm, {1} mm/min</source>
-            <translation>{0} mm, {1} mm/min</translation>
-        </message>
-        <message>
-            <source>{0} mm/min</source>
-            <translation>{0} mm/min</translation>
-        </message>
-        <message>
-            <source>{0} moves in one block</source>
-            <translation>{0} movimentos em um bloco</translation>
-        </message>
-        <message>
-            <source>{0} moves with the spindle, whose speed is not set</source>
-            <translation>{0} se move com o spindle, cuja rotação não foi definida</translation>
-        </message>
-        <message>
-            <source>{0} must be a list of tables</source>
-            <translation>{0} deve ser uma lista de tabelas</translation>
-        </message>
-        <message>
-            <source>{0} must be a number</source>
-            <translation>{0} deve ser um número</translation>
-        </message>
-        <message>
-            <source>{0} must be a whole number</source>
-            <translation>{0} deve ser um número inteiro</translation>
-        </message>
-        <message>
-            <source>{0} must be the name of a shape, or a list of names</source>
-            <translation>{0} tem de ser o nome de uma forma ou uma lista de nomes</translation>
-        </message>
-        <message>
-            <source>{0} must be {1} within its bounds</source>
-            <translation>{0} deve ser {1} dentro de seus limites</translation>
-        </message>
-        <message>
-            <source>{0} must name a file</source>
-            <translation>{0} deve nomear um arquivo</translation>
-        </message>
-        <message>
-            <source>{0} names the shape '{1}' twice</source>
-            <translation>{0} nomeia a forma '{1}' duas vezes</translation>
-        </message>
-        <message>
-            <source>{0} names the shape '{1}', which the job does not have</source>
-            <translation>{0} nomeia a forma '{1}', que o trabalho não tem</translation>
-        </message>
-        <message>
-            <source>{0} needs X, Y or X, Y, Z</source>
-            <translation>{0} precisa de X, Y ou X, Y, Z</translation>
-        </message>
-        <message>
-            <source>{0} needs X, Y or Z</source>
-            <translation>{0} precisa de X, Y ou Z</translation>
-        </message>
-        <message>
-            <source>{0} needs a closed shape, but '{1}' does not end where it begins</source>
-            <translation>{0} precisa de uma forma fechada, mas '{1}' não termina onde começa</translation>
-        </message>
-        <message>
-            <source>{0} needs a {1} word</source>
-            <translation>{0} precisa de uma palavra {1}</translation>
-        </message>
-        <message>
-            <source>{0} needs a {1} word: none is in force</source>
-            <translation>{0} precisa de uma palavra {1}: nenhuma está em vigor</translation>
-        </message>
-        <message>
-            <source>{0} needs both I and J</source>
-            <translation>{0} precisa de I e J</translation>
-        </message>
-        <message>
-            <source>{0} needs the spindle to turn</source>
-            <translation>{0} precisa que o spindle gire</translation>
-        </message>
-        <message>
-            <source>{0} needs the spindle to turn clockwise (M3)</source>
-            <translation>{0} precisa que o spindle gire no sentido horário (M3)</translation>
-        </message>
-        <message>
-            <source>{0} needs the spindle to turn counter-clockwise (M4)</source>
-            <translation>{0} precisa que o spindle gire no sentido anti-horário (M4)</translation>
-        </message>
-        <message>
-            <source>{0} needs the whole program: the profile is a subroutine</source>
-            <translation>{0} precisa do programa inteiro: o perfil é uma sub-rotina</translation>
-        </message>
-        <message>
-            <source>{0} of the {1} holes stand where others do and are made once</source>
-            <translation>{0} dos {1} furos ficam onde outros estão e são feitos uma só vez</translation>
-        </message>
-        <message>
-            <source>{0} of {1} must be {2} 0</source>
-            <translation>o {0} de {1} deve ser {2} 0</translation>
-        </message>
-        <message>
-            <source>{0} of {1} open, the first from {2}</source>
-            <translation>{0} de {1} abertas, a primeira a partir de {2}</translation>
-        </message>
-        <message>
-            <source>{0} of {1} runs cannot be entered from the side; a {2} is used</source>
-            <translation>{0} de {1} percursos não podem ser entrados pelo lado; usa-se {2}</translation>
-        </message>
-        <message>
-            <source>{0} of {1} tabs fit on the contour that begins at X{2} Y{3}; make them narrower to have more</source>
-            <translation>{0} de {1} pontes cabem no contorno que começa em X{2} Y{3}; estreite-as para ter mais</translation>
-        </message>
-        <message>
-            <source>{0} other things</source>
-            <translation>{0} outras coisas</translation>
-        </message>
-        <message>
-            <source>{0} piece(s) stay joined to others, for the tool does not fit between them; the tightest place is at X{1} Y{2}</source>
-            <translation>{0} peça(s) fica(m) unida(s) a outras, pois a ferramenta não cabe entre elas; o lugar mais estreito fica em X{1} Y{2}</translation>
-        </message>
-        <message>
-            <source>{0} points, {1} bulges</source>
-            <translation>{0} pontos, {1} bulges</translation>
-        </message>
-        <message>
-            <source>{0} programs are written without '{1}'</source>
-            <translation>programas de {0} são escritos sem '{1}'</translation>
-        </message>
-        <message>
-            <source>{0} restarted while it was asked</source>
-            <translation>{0} reiniciou enquanto era consultado</translation>
-        </message>
-        <message>
-            <source>{0} runs grbl {1}</source>
-            <translation>{0} usa grbl {1}</translation>
-        </message>
-        <message>
-            <source>{0} says more than anybody asked for</source>
-            <translation>{0} envia mais do que foi pedido</translation>
-        </message>
-        <message>
-            <source>{0} says nothing with G10 L{1}</source>
-            <translation>{0} não diz nada com G10 L{1}</translation>
-        </message>
-        <message>
-            <source>{0} sends no line ends</source>
-            <translation>{0} não envia fins de linha</translation>
-        </message>
-        <message>
-            <source>{0} sets the zero from where the tool stands after moves of the path</source>
-            <translation>{0} define o zero a partir de onde a ferramenta está depois de movimentos do percurso</translation>
-        </message>
-        <message>
-            <source>{0} stands between G5.2 and G5.3</source>
-            <translation>{0} está entre G5.2 e G5.3</translation>
-        </message>
-        <message>
-            <source>{0} stands in line {1} of {2} already</source>
-            <translation>{0} já está na linha {1} de {2}</translation>
-        </message>
-        <message>
-            <source>{0} stands outside any subroutine</source>
-            <translation>{0} está fora de qualquer sub-rotina</translation>
-        </message>
-        <message>
-            <source>{0} stands twice on the line</source>
-            <translation>{0} aparece duas vezes na linha</translation>
-        </message>
-        <message>
-            <source>{0} stands where a whole number must</source>
-            <translation>{0} está onde deve haver um número inteiro</translation>
-        </message>
-        <message>
-            <source>{0} takes no F: the spindle drives it</source>
-            <translation>{0} não aceita F: o spindle o conduz</translation>
-        </message>
-        <message>
-            <source>{0} to {1} mm</source>
-            <translation>{0} a {1} mm</translation>
-        </message>
-        <message>
-            <source>{0} waits at the bottom and needs dwell_s</source>
-            <translation>{0} espera no fundo e precisa de dwell_s</translation>
-        </message>
-        <message>
-            <source>{0} was refused</source>
-            <translation>{0} foi recusado</translation>
-        </message>
-        <message>
-            <source>{0} was set before</source>
-            <translation>{0} foi definido antes</translation>
-        </message>
-        <message>
-            <source>{0} while the tool is compensated</source>
-            <translation>{0} enquanto a ferramenta é compensada</translation>
-        </message>
-        <message>
-            <source>{0} works in the plane ZX</source>
-            <translation>{0} funciona no plano ZX</translation>
-        </message>
-        <message>
-            <source>{0} writes/s, the worst {1} µs late</source>
-            <translation>{0} escritas/s, a pior {1} µs atrasada</translation>
-        </message>
-        <message>
-            <source>{0} writes/s, {1} µs</source>
-            <translation>{0} escritas/s, {1} µs</translation>
-        </message>
-        <message>
-            <source>{0} {1} mm of material stays in {2} inside corner(s) that are sharper than the tool; {3}</source>
-            <translation>{0} {1} mm de material fica em {2} canto(s) interno(s) mais vivo(s) que a ferramenta; {3}</translation>
-        </message>
-        <message>
-            <source>{0} {1} {2} is no finite number</source>
-            <translation>{0} {1} {2} não é um número finito</translation>
-        </message>
-        <message>
-            <source>{0} µs late</source>
-            <translation>{0} µs de atraso</translation>
-        </message>
-        <message>
-            <source>{0}, OFF the path of these lines</source>
-            <translation>{0}, FORA do caminho destas linhas</translation>
-        </message>
-        <message>
-            <source>{0}, and end other programs before the next try</source>
-            <translation>{0}, e feche outros programas antes de tentar de novo</translation>
-        </message>
-        <message>
-            <source>{0}, grbl {1}, begun {2}</source>
-            <translation>{0}, grbl {1}, iniciado em {2}</translation>
-        </message>
-        <message>
-            <source>{0}, on the path at line {1}</source>
-            <translation>{0}, no caminho, na linha {1}</translation>
+            <source>zero of {axes} set in {system}</source>
+            <translation>zero de {axes} definido em {system}</translation>
         </message>
         <message>
             <source>{0}, program {1} of {2}</source>
             <translation>{0}, programa {1} de {2}</translation>
         </message>
         <message>
-            <source>{0}, which is to be run before it, is refused</source>
-            <translation>{0}, que deve ser executado antes, é recusado</translation>
+            <source>{absent} is absent: the axis stays here, but the published control would drive it to 0</source>
+            <translation>falta {absent}: aqui o eixo fica parado, mas o comando publicado o levaria para 0</translation>
         </message>
         <message>
-            <source>{0}, {1} lines to send</source>
-            <translation>{0}, {1} linhas a enviar</translation>
+            <source>{asked}; a {other} is used</source>
+            <translation>{asked}; usa-se: {other}</translation>
         </message>
         <message>
-            <source>{0}: restart that one again, what its restart has cut counts as cut</source>
-            <translation>{0}: reinicie esse de novo; o que o reinício dele cortou conta como cortado</translation>
+            <source>{body} goes into clamp {number}</source>
+            <translation>{body} bate no grampo {number}</translation>
         </message>
         <message>
-            <source>{0}; a {1} is used</source>
-            <translation>{0}; usa-se: {1}</translation>
+            <source>{centre_word} is no centre word in plane {name}</source>
+            <translation>{centre_word} não é palavra de centro no plano {name}</translation>
+        </message>
+        <message>
+            <source>{clear_mm:g} mm with the stock to leave</source>
+            <translation>{clear_mm:g} mm com o sobremetal</translation>
+        </message>
+        <message>
+            <source>{code} and {code2} may not share a line: they set the same mode</source>
+            <translation>{code} e {code2} não podem ficar na mesma linha: definem o mesmo modo</translation>
+        </message>
+        <message>
+            <source>{code} needs X, Y or Z</source>
+            <translation>{code} precisa de X, Y ou Z</translation>
+        </message>
+        <message>
+            <source>{code} needs a {letter} word</source>
+            <translation>{code} precisa de uma palavra {letter}</translation>
+        </message>
+        <message>
+            <source>{counts} at one place</source>
+            <translation>{counts} num só lugar</translation>
+        </message>
+        <message>
+            <source>{deep_mm:.3f} mm deep</source>
+            <translation>{deep_mm:.3f} mm de profundidade</translation>
+        </message>
+        <message>
+            <source>{dialect} answers {answer}</source>
+            <translation>{dialect} responde {answer}</translation>
+        </message>
+        <message>
+            <source>{dialect} does not accept {name}</source>
+            <translation>{dialect} não aceita {name}</translation>
+        </message>
+        <message>
+            <source>{dialect} has no axis {letter}</source>
+            <translation>{dialect} não tem eixo {letter}</translation>
+        </message>
+        <message>
+            <source>{dialect} has no programs in {units}</source>
+            <translation>{dialect} não tem programas em {units}</translation>
+        </message>
+        <message>
+            <source>{dialect} has no word {letter}</source>
+            <translation>{dialect} não tem a palavra {letter}</translation>
+        </message>
+        <message>
+            <source>{dialect} has no work offset {name}</source>
+            <translation>{dialect} não tem o sistema de coordenadas {name}</translation>
+        </message>
+        <message>
+            <source>{dialect} has no {what}</source>
+            <translation>{dialect} não tem {what}</translation>
+        </message>
+        <message>
+            <source>{dialect} programs are written without '{event_kind}'</source>
+            <translation>programas de {dialect} são escritos sem '{event_kind}'</translation>
+        </message>
+        <message>
+            <source>{doing} failed by a fault of its own: {kind}: {error}</source>
+            <translation>{doing} falhou por um defeito próprio: {kind}: {error}</translation>
+        </message>
+        <message>
+            <source>{ends} of {curves} open, the first from {end}</source>
+            <translation>{ends} de {curves} abertas, a primeira a partir de {end}</translation>
+        </message>
+        <message>
+            <source>{error}. Now {state}</source>
+            <translation>{error}. Agora {state}</translation>
+        </message>
+        <message>
+            <source>{far_mm:.3f} mm away</source>
+            <translation>{far_mm:.3f} mm de distância</translation>
+        </message>
+        <message>
+            <source>{far_mm:.3f} mm from the tool's centre</source>
+            <translation>{far_mm:.3f} mm do centro da ferramenta</translation>
+        </message>
+        <message>
+            <source>{feed_mm_min:g} mm/min</source>
+            <translation>{feed_mm_min:g} mm/min</translation>
+        </message>
+        <message>
+            <source>{field:g} to {field2:g} mm</source>
+            <translation>{field:g} a {field2:g} mm</translation>
+        </message>
+        <message>
+            <source>{file}, {total} lines to send</source>
+            <translation>{file}, {total} linhas a enviar</translation>
+        </message>
+        <message>
+            <source>{first_file}: restart that one again, what its restart has cut counts as cut</source>
+            <translation>{first_file}: reinicie esse de novo; o que o reinício dele cortou conta como cortado</translation>
+        </message>
+        <message>
+            <source>{first_mm:g} to {last_mm:g} mm</source>
+            <translation>{first_mm:g} a {last_mm:g} mm</translation>
+        </message>
+        <message>
+            <source>{hanging} piece(s) stay joined to others, for the tool does not fit between them; the tightest place is at X{x:.3f} Y{y:.3f}</source>
+            <translation>{hanging} peça(s) fica(m) unida(s) a outras, pois a ferramenta não cabe entre elas; o lugar mais estreito fica em X{x:.3f} Y{y:.3f}</translation>
+        </message>
+        <message>
+            <source>{high:g} by {high2:g} mm</source>
+            <translation>{high:g} por {high2:g} mm</translation>
+        </message>
+        <message>
+            <source>{home}, and end other programs before the next try</source>
+            <translation>{home}, e feche outros programas antes de tentar de novo</translation>
+        </message>
+        <message>
+            <source>{inside} of {runs} runs cannot be entered from the side; a {kind} is used</source>
+            <translation>{inside} de {runs} percursos não podem ser entrados pelo lado; usa-se {kind}</translation>
+        </message>
+        <message>
+            <source>{interval} (work, mm)</source>
+            <translation>{interval} (peça, mm)</translation>
+        </message>
+        <message>
+            <source>{job} has no program: {why}</source>
+            <translation>{job} não tem programa: {why}</translation>
+        </message>
+        <message>
+            <source>{keeper} was refused</source>
+            <translation>{keeper} foi recusado</translation>
+        </message>
+        <message>
+            <source>{kerf_share:.4g} to {kerf_share2:.4g} mm</source>
+            <translation>{kerf_share:.4g} a {kerf_share2:.4g} mm</translation>
+        </message>
+        <message>
+            <source>{key} cannot be '{value}'</source>
+            <translation>{key} não pode ser '{value}'</translation>
+        </message>
+        <message>
+            <source>{key} cannot be {value}: {error}</source>
+            <translation>{key} não pode ser {value}: {error}</translation>
+        </message>
+        <message>
+            <source>{key} goes beyond what the machine can travel</source>
+            <translation>{key} vai além do curso da máquina</translation>
+        </message>
+        <message>
+            <source>{key} goes far beyond the machine's fastest axis</source>
+            <translation>{key} vai muito além do eixo mais rápido da máquina</translation>
+        </message>
+        <message>
+            <source>{key} goes far beyond the stock</source>
+            <translation>{key} vai muito além da peça bruta</translation>
+        </message>
+        <message>
+            <source>{key} goes far beyond the stock and the machine</source>
+            <translation>{key} vai muito além da peça bruta e da máquina</translation>
+        </message>
+        <message>
+            <source>{key} has too few values</source>
+            <translation>{key} tem valores de menos</translation>
+        </message>
+        <message>
+            <source>{key} is missing, and only the circles of a drawing have one of their own</source>
+            <translation>{key} falta, e só os círculos de um desenho têm um próprio</translation>
+        </message>
+        <message>
+            <source>{key} is too long</source>
+            <translation>{key} é longo demais</translation>
+        </message>
+        <message>
+            <source>{key} must be a list of tables</source>
+            <translation>{key} deve ser uma lista de tabelas</translation>
+        </message>
+        <message>
+            <source>{key} must be a number</source>
+            <translation>{key} deve ser um número</translation>
+        </message>
+        <message>
+            <source>{key} must be the name of a shape, or a list of names</source>
+            <translation>{key} tem de ser o nome de uma forma ou uma lista de nomes</translation>
+        </message>
+        <message>
+            <source>{key} must be {number} within its bounds</source>
+            <translation>{key} deve ser {number} dentro de seus limites</translation>
+        </message>
+        <message>
+            <source>{key} must name a file</source>
+            <translation>{key} deve nomear um arquivo</translation>
+        </message>
+        <message>
+            <source>{key} names the shape '{name}' twice</source>
+            <translation>{key} nomeia a forma '{name}' duas vezes</translation>
+        </message>
+        <message>
+            <source>{key} names the shape '{name}', which the job does not have</source>
+            <translation>{key} nomeia a forma '{name}', que o trabalho não tem</translation>
+        </message>
+        <message>
+            <source>{key} needs X, Y or X, Y, Z</source>
+            <translation>{key} precisa de X, Y ou X, Y, Z</translation>
+        </message>
+        <message>
+            <source>{key} needs a closed shape, but '{name}' does not end where it begins</source>
+            <translation>{key} precisa de uma forma fechada, mas '{name}' não termina onde começa</translation>
+        </message>
+        <message>
+            <source>{lacks} became lines, at most {chord_mm:g} mm away</source>
+            <translation>{lacks} viraram retas, afastadas no máximo {chord_mm:g} mm</translation>
+        </message>
+        <message>
+            <source>{late_ns:.0f} µs late</source>
+            <translation>{late_ns:.0f} µs de atraso</translation>
+        </message>
+        <message>
+            <source>{left:g} {operator} {right:g} is no finite number</source>
+            <translation>{left:g} {operator} {right:g} não é um número finito</translation>
+        </message>
+        <message>
+            <source>{left_out} messages were left out: more came than could be read</source>
+            <translation>{left_out} mensagens foram omitidas: chegaram mais do que se podia ler</translation>
+        </message>
+        <message>
+            <source>{length_mm:.3f} mm to ramp on</source>
+            <translation>{length_mm:.3f} mm para a rampa</translation>
+        </message>
+        <message>
+            <source>{length_mm:g} mm, {feed_mm_min:g} mm/min</source>
+            <translation>{length_mm:g} mm, {feed_mm_min:g} mm/min</translation>
+        </message>
+        <message>
+            <source>{length} characters, {text} with spaces</source>
+            <translation>{length} caracteres, {text} com espaços</translation>
+        </message>
+        <message>
+            <source>{letter} goes on from the point before: neither with {other} nor under G91</source>
+            <translation>{letter} continua a partir do ponto anterior: nem com {other} nem sob G91</translation>
+        </message>
+        <message>
+            <source>{letter} is out of range</source>
+            <translation>{letter} está fora da faixa</translation>
+        </message>
+        <message>
+            <source>{letter} may not be negative</source>
+            <translation>{letter} não pode ser negativo</translation>
+        </message>
+        <message>
+            <source>{letter} must be a whole number</source>
+            <translation>{letter} deve ser um número inteiro</translation>
+        </message>
+        <message>
+            <source>{letter} of {name} must be {word} 0</source>
+            <translation>o {letter} de {name} deve ser {word} 0</translation>
+        </message>
+        <message>
+            <source>{letter} says nothing with G10 L{kind}</source>
+            <translation>{letter} não diz nada com G10 L{kind}</translation>
+        </message>
+        <message>
+            <source>{letter} stands twice on the line</source>
+            <translation>{letter} aparece duas vezes na linha</translation>
+        </message>
+        <message>
+            <source>{limit_mm:g} mm high</source>
+            <translation>{limit_mm:g} mm de altura</translation>
+        </message>
+        <message>
+            <source>{line_characters} characters, {window_bytes} with spaces</source>
+            <translation>{line_characters} caracteres, {window_bytes} com espaços</translation>
+        </message>
+        <message>
+            <source>{lines} lines more than the text has</source>
+            <translation>{lines} linhas a mais do que o texto tem</translation>
+        </message>
+        <message>
+            <source>{line} has no {keywords} with the label {line2} before it</source>
+            <translation>{line} não tem antes um {keywords} com o rótulo {line2}</translation>
+        </message>
+        <message>
+            <source>{line} stands in line {index} of {known_file} already</source>
+            <translation>{line} já está na linha {index} de {known_file}</translation>
+        </message>
+        <message>
+            <source>{line} stands outside any subroutine</source>
+            <translation>{line} está fora de qualquer sub-rotina</translation>
+        </message>
+        <message>
+            <source>{link} answered '{answer}' to no line</source>
+            <translation>{link} respondeu '{answer}' a nenhuma linha</translation>
+        </message>
+        <message>
+            <source>{link} does not answer {line}</source>
+            <translation>{link} não responde a {line}</translation>
+        </message>
+        <message>
+            <source>{link} does not say its modes: question or answer was damaged</source>
+            <translation>{link} não informa seus modos: a pergunta ou a resposta foi danificada</translation>
+        </message>
+        <message>
+            <source>{link} restarted while it was asked</source>
+            <translation>{link} reiniciou enquanto era consultado</translation>
+        </message>
+        <message>
+            <source>{link} runs grbl {version}</source>
+            <translation>{link} usa grbl {version}</translation>
+        </message>
+        <message>
+            <source>{link} sends no line ends</source>
+            <translation>{link} não envia fins de linha</translation>
+        </message>
+        <message>
+            <source>{machine} at {port}, grbl {firmware}, begun {begin}</source>
+            <translation>{machine} em {port}, grbl {firmware}, iniciado em {begin}</translation>
+        </message>
+        <message>
+            <source>{match} is no number</source>
+            <translation>{match} não é um número</translation>
+        </message>
+        <message>
+            <source>{meaning} (error:{error})</source>
+            <translation>{meaning} (error:{error})</translation>
+        </message>
+        <message>
+            <source>{missing} is missing: absolute arc centres need both words</source>
+            <translation>falta {missing}: centros de arco absolutos precisam das duas palavras</translation>
+        </message>
+        <message>
+            <source>{moment}, OFF the path of these lines</source>
+            <translation>{moment}, FORA do caminho destas linhas</translation>
+        </message>
+        <message>
+            <source>{moment}, on the path at line {seen_line}</source>
+            <translation>{moment}, no caminho, na linha {seen_line}</translation>
+        </message>
+        <message>
+            <source>{more} {rest_mm:.3f} mm of material stays in {corners} inside corner(s) that are sharper than the tool; {told}</source>
+            <translation>{more} {rest_mm:.3f} mm de material fica em {corners} canto(s) interno(s) mais vivo(s) que a ferramenta; {told}</translation>
+        </message>
+        <message>
+            <source>{most_strokes} moves in one block</source>
+            <translation>{most_strokes} movimentos em um bloco</translation>
+        </message>
+        <message>
+            <source>{named} cannot change tools by '{tool_change}'</source>
+            <translation>{named} não pode trocar ferramentas por '{tool_change}'</translation>
+        </message>
+        <message>
+            <source>{name} and {other} may not share a line: they use the same word</source>
+            <translation>{name} e {other} não podem dividir uma linha: usam a mesma palavra</translation>
+        </message>
+        <message>
+            <source>{name} asks for more than {most_passes} passes</source>
+            <translation>{name} pede mais de {most_passes} passes</translation>
+        </message>
+        <message>
+            <source>{name} became plain moves</source>
+            <translation>{name} virou movimentos simples</translation>
+        </message>
+        <message>
+            <source>{name} cannot be used as a serial port: {text}</source>
+            <translation>{name} não pode ser usado como porta serial: {text}</translation>
+        </message>
+        <message>
+            <source>{name} has no feed</source>
+            <translation>{name} não tem avanço</translation>
+        </message>
+        <message>
+            <source>{name} has no feed: a feed per turn needs F and a spindle that turns</source>
+            <translation>{name} não tem avanço: um avanço por rotação precisa de F e de um spindle girando</translation>
+        </message>
+        <message>
+            <source>{name} has no value for {argument:g}</source>
+            <translation>{name} não tem valor para {argument:g}</translation>
+        </message>
+        <message>
+            <source>{name} is in use</source>
+            <translation>{name} está em uso</translation>
+        </message>
+        <message>
+            <source>{name} is no port: {text}</source>
+            <translation>{name} não é uma porta: {text}</translation>
+        </message>
+        <message>
+            <source>{name} is not read in {plane}, a plane of the axes U, V and W</source>
+            <translation>{name} não é lido em {plane}, um plano dos eixos U, V e W</translation>
+        </message>
+        <message>
+            <source>{name} is not reported</source>
+            <translation>{name} não é informado</translation>
+        </message>
+        <message>
+            <source>{name} is read in the plane XY only: LinuxCNC moves along the wrong axes in {plane_code}</source>
+            <translation>{name} só é lido no plano XY: o LinuxCNC move os eixos errados em {plane_code}</translation>
+        </message>
+        <message>
+            <source>{name} is {offset}, wanted {wanted} mm</source>
+            <translation>{name} é {offset}, esperado {wanted} mm</translation>
+        </message>
+        <message>
+            <source>{name} lists no such alarm</source>
+            <translation>{name} não lista esse alarme</translation>
+        </message>
+        <message>
+            <source>{name} lists no such error</source>
+            <translation>{name} não lista esse erro</translation>
+        </message>
+        <message>
+            <source>{name} may not be assigned</source>
+            <translation>{name} não pode receber um valor</translation>
+        </message>
+        <message>
+            <source>{name} may not be opened by this user</source>
+            <translation>{name} não pode ser aberta por este usuário</translation>
+        </message>
+        <message>
+            <source>{name} may not be used</source>
+            <translation>{name} não pode ser usado</translation>
+        </message>
+        <message>
+            <source>{name} moves with the spindle, whose speed is not set</source>
+            <translation>{name} se move com o spindle, cuja rotação não foi definida</translation>
+        </message>
+        <message>
+            <source>{name} needs a {letter} word</source>
+            <translation>{name} precisa de uma palavra {letter}</translation>
+        </message>
+        <message>
+            <source>{name} needs a {letter} word: none is in force</source>
+            <translation>{name} precisa de uma palavra {letter}: nenhuma está em vigor</translation>
+        </message>
+        <message>
+            <source>{name} needs both I and J</source>
+            <translation>{name} precisa de I e J</translation>
+        </message>
+        <message>
+            <source>{name} needs the spindle to turn</source>
+            <translation>{name} precisa que o spindle gire</translation>
+        </message>
+        <message>
+            <source>{name} needs the spindle to turn clockwise (M3)</source>
+            <translation>{name} precisa que o spindle gire no sentido horário (M3)</translation>
+        </message>
+        <message>
+            <source>{name} needs the spindle to turn counter-clockwise (M4)</source>
+            <translation>{name} precisa que o spindle gire no sentido anti-horário (M4)</translation>
+        </message>
+        <message>
+            <source>{name} needs the whole program: the profile is a subroutine</source>
+            <translation>{name} precisa do programa inteiro: o perfil é uma sub-rotina</translation>
+        </message>
+        <message>
+            <source>{name} says more than anybody asked for</source>
+            <translation>{name} envia mais do que foi pedido</translation>
+        </message>
+        <message>
+            <source>{name} stands between G5.2 and G5.3</source>
+            <translation>{name} está entre G5.2 e G5.3</translation>
+        </message>
+        <message>
+            <source>{name} takes no F: the spindle drives it</source>
+            <translation>{name} não aceita F: o spindle o conduz</translation>
+        </message>
+        <message>
+            <source>{name} was set before</source>
+            <translation>{name} foi definido antes</translation>
+        </message>
+        <message>
+            <source>{name} works in the plane ZX</source>
+            <translation>{name} funciona no plano ZX</translation>
+        </message>
+        <message>
+            <source>{number:.0f} writes/s, the worst {worst_us:.0f} µs late</source>
+            <translation>{number:.0f} escritas/s, a pior {worst_us:.0f} µs atrasada</translation>
+        </message>
+        <message>
+            <source>{obj} follows one drawing</source>
+            <translation>{obj} segue um só desenho</translation>
+        </message>
+        <message>
+            <source>{obj} has no '{unknown}'</source>
+            <translation>{obj} não tem '{unknown}'</translation>
+        </message>
+        <message>
+            <source>{obj} has no drawing</source>
+            <translation>{obj} não tem desenho</translation>
+        </message>
+        <message>
+            <source>{obj} has no tool</source>
+            <translation>{obj} não tem ferramenta</translation>
+        </message>
+        <message>
+            <source>{one} cuts into a piece that {other} has set free: nothing holds it</source>
+            <translation>{one} corta uma peça que {other} já soltou: nada a segura</translation>
+        </message>
+        <message>
+            <source>{owner} by way of a place cannot be turned</source>
+            <translation>{owner} passando por um ponto não pode ser girado</translation>
+        </message>
+        <message>
+            <source>{owner} sets the zero from where the tool stands after moves of the path</source>
+            <translation>{owner} define o zero a partir de onde a ferramenta está depois de movimentos do percurso</translation>
+        </message>
+        <message>
+            <source>{path} cannot be written: {error}</source>
+            <translation>não é possível gravar {path}: {error}</translation>
+        </message>
+        <message>
+            <source>{path} has no pins to read: {error}</source>
+            <translation>{path} não tem pinos para ler: {error}</translation>
+        </message>
+        <message>
+            <source>{path} is no parallel port</source>
+            <translation>{path} não é uma porta paralela</translation>
+        </message>
+        <message>
+            <source>{path} is no parallel port that can be had: {error}</source>
+            <translation>não é possível usar {path} como porta paralela: {error}</translation>
+        </message>
+        <message>
+            <source>{path} is no recording of pulses, and is not written over</source>
+            <translation>{path} não é uma gravação de pulsos e não é sobrescrito</translation>
+        </message>
+        <message>
+            <source>{places} of {wanted} tabs fit on the contour that begins at X{x:.3f} Y{y:.3f}; make them narrower to have more</source>
+            <translation>{places} de {wanted} pontes cabem no contorno que começa em X{x:.3f} Y{y:.3f}; estreite-as para ter mais</translation>
+        </message>
+        <message>
+            <source>{plain} has no setting '{setting}'</source>
+            <translation>{plain} não tem o ajuste '{setting}'</translation>
+        </message>
+        <message>
+            <source>{port} is held by a job of yours, {status_file}, which is {phase}</source>
+            <translation>{port} está ocupada por um trabalho seu, {status_file}, no estado {phase}</translation>
+        </message>
+        <message>
+            <source>{port} is held by a process of yours that does not answer</source>
+            <translation>{port} está em uso por um processo seu que não responde</translation>
+        </message>
+        <message>
+            <source>{port} is held by a window or a console of yours</source>
+            <translation>{port} está ocupada por uma janela ou um console seu</translation>
+        </message>
+        <message>
+            <source>{port} is in use by another window's connection</source>
+            <translation>{port} está em uso pela conexão de outra janela</translation>
+        </message>
+        <message>
+            <source>{port}, grbl {firmware}, begun {begin}</source>
+            <translation>{port}, grbl {firmware}, iniciado em {begin}</translation>
+        </message>
+        <message>
+            <source>{problem} in {table}</source>
+            <translation>{problem} em {table}</translation>
+        </message>
+        <message>
+            <source>{program}, which is to be run before it, is refused</source>
+            <translation>{program}, que deve ser executado antes, é recusado</translation>
+        </message>
+        <message>
+            <source>{python} cannot be started: {error}</source>
+            <translation>{python} não pode ser iniciado: {error}</translation>
+        </message>
+        <message>
+            <source>{says} is larger than the tool</source>
+            <translation>{says} é maior que a ferramenta</translation>
+        </message>
+        <message>
+            <source>{says} is no number</source>
+            <translation>{says} não é um número</translation>
+        </message>
+        <message>
+            <source>{says} is out of its bounds</source>
+            <translation>{says} está fora de seus limites</translation>
+        </message>
+        <message>
+            <source>{skipped} other things</source>
+            <translation>{skipped} outras coisas</translation>
+        </message>
+        <message>
+            <source>{stale} has changed since the program was made</source>
+            <translation>{stale} mudou desde que o programa foi feito</translation>
+        </message>
+        <message>
+            <source>{state} at work {work}, machine {machine} mm, {moment}</source>
+            <translation>{state} na peça em {work}, na máquina em {machine} mm, {moment}</translation>
+        </message>
+        <message>
+            <source>{style} does not drill in pecks</source>
+            <translation>{style} não fura com bicadas</translation>
+        </message>
+        <message>
+            <source>{style} does not wait at the bottom</source>
+            <translation>{style} não espera no fundo</translation>
+        </message>
+        <message>
+            <source>{style} drills in pecks and needs peck_mm</source>
+            <translation>{style} fura com bicadas e precisa de peck_mm</translation>
+        </message>
+        <message>
+            <source>{style} waits at the bottom and needs dwell_s</source>
+            <translation>{style} espera no fundo e precisa de dwell_s</translation>
+        </message>
+        <message>
+            <source>{system} is not the work system in force</source>
+            <translation>{system} não é o sistema de coordenadas em vigor</translation>
+        </message>
+        <message>
+            <source>{thick_mm:.3f} mm ({area_mm2:.3f} mm²) at X{x:.2f} Y{y:.2f}</source>
+            <translation>{thick_mm:.3f} mm ({area_mm2:.3f} mm²) em X{x:.2f} Y{y:.2f}</translation>
+        </message>
+        <message>
+            <source>{title} blunts tools of HSS at once</source>
+            <translation>{title} cega ferramentas de aço rápido de imediato</translation>
+        </message>
+        <message>
+            <source>{twice} of the {drawn} holes stand where others do and are made once</source>
+            <translation>{twice} dos {drawn} furos ficam onde outros estão e são feitos uma só vez</translation>
+        </message>
+        <message>
+            <source>{unreachable_mm:.3f} mm of material stays at each end of the long axis, where the ellipse is tighter than the tool; a tool of at most {short_mm:.3g} mm diameter reaches it</source>
+            <translation>{unreachable_mm:.3f} mm de material ficam em cada ponta do eixo maior, onde a elipse é mais fechada que a ferramenta; uma ferramenta de no máximo {short_mm:.3g} mm de diâmetro alcança</translation>
+        </message>
+        <message>
+            <source>{user} and {user2} would both use the axis words</source>
+            <translation>{user} e {user2} usariam os dois as palavras de eixo</translation>
+        </message>
+        <message>
+            <source>{value:g} stands where a whole number must</source>
+            <translation>{value:g} está onde deve haver um número inteiro</translation>
+        </message>
+        <message>
+            <source>{wall_mm:g} mm radius</source>
+            <translation>raio de {wall_mm:g} mm</translation>
+        </message>
+        <message>
+            <source>{what} while the tool is compensated</source>
+            <translation>{what} enquanto a ferramenta é compensada</translation>
+        </message>
+        <message>
+            <source>{what}, not {value}</source>
+            <translation>{what}, não {value}</translation>
+        </message>
+        <message>
+            <source>{why}. Now {state}</source>
+            <translation>{why}. Agora {state}</translation>
+        </message>
+        <message>
+            <source>{width_mm:g} mm wide</source>
+            <translation>{width_mm:g} mm de largura</translation>
+        </message>
+        <message>
+            <source>{word} by the button on {button}</source>
+            <translation>{word} pelo botão em {button}</translation>
+        </message>
+        <message>
+            <source>{word} is in force, wanted {wanted}</source>
+            <translation>{word} está em vigor, mas deveria ser {wanted}</translation>
+        </message>
+        <message>
+            <source>{writes_per_s:.0f} writes/s, {stall_ns:.0f} µs</source>
+            <translation>{writes_per_s:.0f} escritas/s, {stall_ns:.0f} µs</translation>
+        </message>
+        <message>
+            <source>{xy} points, {bulge} bulges</source>
+            <translation>{xy} pontos, {bulge} bulges</translation>
         </message>
         <message>
             <source>~ is a command to the controller (cycle start), not part of a program</source>

@@ -15,6 +15,8 @@ from dataclasses import dataclass
 from typing import Any
 from zlib import crc32
 
+from CNCStepper.errors import Text
+
 NUMBER = "n"
 _DIGITS = 8  # of the checksum, then a blank
 
@@ -65,7 +67,7 @@ def _faults(contents: list[dict[str, Any] | None]) -> Iterator[str]:
     expected = 0
     for place, content in enumerate(contents, 1):
         if content is None:
-            yield f"line {place} of the journal is damaged"
+            yield Text("line {place} of the journal is damaged", place=place)
         elif content[NUMBER] != expected:
-            yield f"line {place} of the journal is not the one that was written there"
+            yield Text("line {place} of the journal is not the one that was written there", place=place)
         expected = (expected if content is None else content[NUMBER]) + 1

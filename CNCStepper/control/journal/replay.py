@@ -17,7 +17,7 @@ from CNCStepper.control.journal.records import Records, read_records
 from CNCStepper.control.journal.restart_line_map import FirstProgram
 from CNCStepper.control.processes.file_lock import is_locked
 from CNCStepper.control.session.status import DONE
-from CNCStepper.errors import JobError, Place
+from CNCStepper.errors import JobError, Place, Text
 
 FORMAT, VERSION = "CNCStepper journal", 1
 RUNNING, KILLED = "running", "killed"
@@ -102,7 +102,9 @@ def read_story(path: Path) -> Story:
             raise _refusal("journal-damaged", "the journal lacks its beginning, or is none", path)
         records = read_records(path.read_bytes())
     except OSError as error:
-        raise _refusal("journal-unreadable", f"the journal cannot be read: {error.strerror}", path) from error
+        raise _refusal(
+            "journal-unreadable", Text("the journal cannot be read: {error}", error=error.strerror), path
+        ) from error
     try:
         return _story(path, records, is_running)
     except (KeyError, IndexError, TypeError, ValueError) as error:

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from CNCStepper.control.journal.replay import KILLED, RUNNING, Story
-from CNCStepper.errors import MachineRefusal, Place
+from CNCStepper.errors import MachineRefusal, Place, Text
 
 if TYPE_CHECKING:
     from CNCStepper.control.journal.progress_interval import Reached
@@ -21,7 +21,7 @@ def check_ended(story: Story) -> None:
     if story.end == RUNNING:
         raise MachineRefusal(
             "job-runs",
-            f"the job still runs, on {story.header['port']}",
+            Text("the job still runs, on {port}", port=story.header["port"]),
             advice="hold or stop it where it was started, or wait until it has ended",
             place=Place(str(story.path)),
         )
@@ -31,14 +31,31 @@ def begun_as(story: Story) -> Iterator[tuple[str, str]]:
     """Yield what the job was begun with: a short name, and the words."""
     header, first = story.header, story.first_program
     file, total = header["file"], story.total
-    yield "program", f"{file}, {total} lines to send" if file else f"without a file, {total} lines to send"
+    yield (
+        "program",
+        Text("{file}, {total} lines to send", file=file, total=total)
+        if file
+        else Text("without a file, {total} lines to send", total=total),
+    )
     if first:
-        yield "goes on with", f"{first.file}: restart that one again, what its restart has cut counts as cut"
+        yield (
+            "goes on with",
+            Text("{first_file}: restart that one again, what its restart has cut counts as cut", first_file=first.file),
+        )
     machine, port, firmware, begin = (header[name] for name in ("machine", "port", "firmware", "begin"))
     if machine:
-        yield "machine", f"{machine} at {port}, grbl {firmware}, begun {begin}"
+        yield (
+            "machine",
+            Text(
+                "{machine} at {port}, grbl {firmware}, begun {begin}",
+                machine=machine,
+                port=port,
+                firmware=firmware,
+                begin=begin,
+            ),
+        )
     else:
-        yield "machine", f"{port}, grbl {firmware}, begun {begin}"
+        yield "machine", Text("{port}, grbl {firmware}, begun {begin}", port=port, firmware=firmware, begin=begin)
 
 
 def told_of(story: Story, reached: Reached | None = None) -> Iterator[tuple[str, str]]:
@@ -68,7 +85,9 @@ def why_no_line(story: Story) -> str:
         return "every line is cut, only the program's end was not seen"
     _, _, line, goes_back = story.restarted
     if goes_back:
-        return f"choose the pass yourself: the program sends lines again, so line {line} alone is no place"
+        return Text(
+            "choose the pass yourself: the program sends lines again, so line {line} alone is no place", line=line
+        )
     return ""
 
 
@@ -77,10 +96,22 @@ def _lines(story: Story) -> Iterator[tuple[str, str]]:
     if not story.first_line:
         yield "certain", "every line is cut"
         return
-    yield "certain", f"all before line {story.first_line} is cut" if story.finished else "nothing is certainly cut"
+    yield (
+        "certain",
+        Text("all before line {first_line} is cut", first_line=story.first_line)
+        if story.finished
+        else "nothing is certainly cut",
+    )
     if story.may_be_sent > story.finished:
         last = max(story.last_line, story.first_line)
-        yield "not certain", f"line {story.first_line} may not have been begun, line {last} may have been sent"
+        yield (
+            "not certain",
+            Text(
+                "line {first_line} may not have been begun, line {last} may have been sent",
+                first_line=story.first_line,
+                last=last,
+            ),
+        )
     if story.may_be_sent < story.total:
         yield "not sent", "what comes after that"
 
@@ -89,21 +120,36 @@ def _places(story: Story, reached: Reached | None) -> Iterator[tuple[str, str]]:
     """Yield the interval as places on the path, and where the machine was last seen."""
     if reached:
         begin, end = _place(reached.begin_mm), _place(reached.end_mm)
-        interval = f"from {begin} at line {reached.first_line}, to {end} at line {reached.last_line}"
-        yield "on the path", f"{interval} (work, mm)"
+        interval = Text(
+            "from {begin} at line {first_line}, to {end} at line {last_line}",
+            begin=begin,
+            first_line=reached.first_line,
+            end=end,
+            last_line=reached.last_line,
+        )
+        yield "on the path", Text("{interval} (work, mm)", interval=interval)
     group = story.group
     if group.wpos_mm and group.mpos_mm:
         moment = time.strftime("%Y-%m-%d %H:%M:%S", time.localtime(group.time_s))
         work, machine = _place(group.wpos_mm), _place(group.mpos_mm)
-        yield "last seen", f"{group.state} at work {work}, machine {machine} mm, {_beside(moment, reached)}"
+        yield (
+            "last seen",
+            Text(
+                "{state} at work {work}, machine {machine} mm, {moment}",
+                state=group.state,
+                work=work,
+                machine=machine,
+                moment=_beside(moment, reached),
+            ),
+        )
 
 
 def _beside(moment: str, reached: Reached | None) -> str:
     if reached is None:
         return moment
     if reached.seen_line:
-        return f"{moment}, on the path at line {reached.seen_line}"
-    return f"{moment}, OFF the path of these lines"
+        return Text("{moment}, on the path at line {seen_line}", moment=moment, seen_line=reached.seen_line)
+    return Text("{moment}, OFF the path of these lines", moment=moment)
 
 
 def _zero(story: Story) -> str:
@@ -111,19 +157,24 @@ def _zero(story: Story) -> str:
     before, now = story.header["offsets_mm"], story.zero["offsets_mm"]
     changed = [f"{name} {_place(now[name])}" for name in now if now[name] and now[name] != before.get(name)]
     places = ", ".join(changed) or "place not known"
-    return (
-        f"set again at the pause at line {story.zero['line']}: {places} (machine, mm); "
-        "what comes after counts from there, what was before from the old one"
+    return Text(
+        "set again at the pause at line {line}: {places} (machine, mm); what comes after "
+        "counts from there, what was before from the old one",
+        line=story.zero["line"],
+        places=places,
     )
 
 
 def _position(story: Story) -> str:
     home = "home it" if story.header["homing"] else "set its zero again"
     if not story.position_known:  # of a killed job nobody has seen the end
-        return f"unknown: {home} before the restart; {UNTIL_HOMED}"
-    return (
-        f"kept only if the controller has had power ever since and was not reset in motion; a greeting, an alarm or a "
-        f"place that is not right says that it was: then {home}; {UNTIL_HOMED}"
+        return Text("unknown: {home} before the restart; {until_homed}", home=home, until_homed=UNTIL_HOMED)
+    return Text(
+        "kept only if the controller has had power ever since and was not reset in motion; a "
+        "greeting, an alarm or a place that is not right says that it was: then {home}; "
+        "{until_homed}",
+        home=home,
+        until_homed=UNTIL_HOMED,
     )
 
 

@@ -31,7 +31,7 @@ from CNCStepper.control.session.files import new_session
 from CNCStepper.control.session.status import Outcome
 from CNCStepper.control.stream.controller_buffer import Capacity
 from CNCStepper.control.stream.executed_lines import finished_lines, longest_step_mm
-from CNCStepper.errors import JobError
+from CNCStepper.errors import JobError, Text
 
 ROOM_BYTES = 10_000_000  # a day's journal
 PROGRESS_S = 2.0  # between two entries that permit nothing new
@@ -133,7 +133,12 @@ class Journal:
         try:
             self._file.append(end | group.to_content() | self._zero)
         except OSError as error:
-            told.append(f"the journal could not be ended ({error.strerror or error}): it will tell of a killed job")
+            told.append(
+                Text(
+                    "the journal could not be ended ({error}): it will tell of a killed job",
+                    error=error.strerror or error,
+                )
+            )
         self._file.close()
         self._file = None
         if self._executor:
@@ -202,8 +207,13 @@ class Journal:
             return []
         place = self._job.place(max(self.permitted - 1, 0))
         return [
-            f"the journal cannot be written ({trouble}): the job goes on to {place} and is held there; make room on "
-            f"the disk of {self._folder}"
+            Text(
+                "the journal cannot be written ({trouble}): the job goes on to {place} and is held "
+                "there; make room on the disk of {folder}",
+                trouble=trouble,
+                place=place,
+                folder=self._folder,
+            )
         ]
 
     def _mended(self) -> list[str]:
@@ -215,13 +225,16 @@ class Journal:
     def _check_room(self) -> None:
         free = shutil.disk_usage(self._folder).free
         if free < ROOM_BYTES:
-            raise OSError(None, f"only {free // 1000} kB are free")
+            raise OSError(None, Text("only {free} kB are free", free=free // 1000))
 
     def _refusal(self, why: str) -> JobError:
         return JobError(
             "journal-unwritable",
-            f"the journal of the job cannot be written: {why}",
-            advice=f"make room on the disk of {self._folder}, and see that you may write there; then send again",
+            Text("the journal of the job cannot be written: {why}", why=why),
+            advice=Text(
+                "make room on the disk of {folder}, and see that you may write there; then send again",
+                folder=self._folder,
+            ),
         )
 
     def _discard(self) -> None:

@@ -9,7 +9,7 @@ from CNCStepper.control.protocol.grbl.firmware import TOOL
 from CNCStepper.control.protocol.grbl.readiness import check_state
 from CNCStepper.control.protocol.grbl.report import Status, Vector
 from CNCStepper.control.protocol.grbl.timeouts import Timing
-from CNCStepper.errors import LinkError, MachineRefusal
+from CNCStepper.errors import LinkError, MachineRefusal, Text
 
 AXES = "XYZ"
 SYSTEMS = ("G54", "G55", "G56", "G57", "G58", "G59")  # P1 to P6 of G10
@@ -75,7 +75,9 @@ def _silent(what: str) -> LinkError:
 def _axes(axes: str) -> str:
     wanted = axes.upper()
     if not wanted or set(wanted) - set(AXES) or len(set(wanted)) < len(wanted):
-        raise MachineRefusal("axes", f"'{axes[:20]}' names no axes", advice="write for example XYZ, or Z alone")
+        raise MachineRefusal(
+            "axes", Text("'{axes}' names no axes", axes=axes[:20]), advice="write for example XYZ, or Z alone"
+        )
     return wanted
 
 
@@ -83,7 +85,11 @@ def _system_in_force(driver: Grbl, timing: Timing) -> str:
     modes = read_modes(driver, timing)
     system = next((word for word in modes.split() if word in SYSTEMS), None)
     if system is None:
-        raise LinkError("link-noise", f"the controller does not say its work system: {modes}", advice="check the cable")
+        raise LinkError(
+            "link-noise",
+            Text("the controller does not say its work system: {modes}", modes=modes),
+            advice="check the cable",
+        )
     return system
 
 
@@ -94,7 +100,10 @@ def _check_zero_set(driver: Grbl, system: str, axes: str, timing: Timing) -> Non
     machine_mm, offset_mm, extra_mm = driver.mpos_mm, driver.mm(offsets.get(system)), driver.mm(offsets.get("G92"))
     if machine_mm is None or offset_mm is None:
         raise MachineRefusal(
-            "zero-not-read", f"the controller does not report its {system}", value=status.name, advice="set $10=1"
+            "zero-not-read",
+            Text("the controller does not report its {system}", system=system),
+            value=status.name,
+            advice="set $10=1",
         )
     extra_mm = extra_mm or (0.0,) * len(machine_mm)
     for number, axis in enumerate(AXES):
@@ -102,7 +111,7 @@ def _check_zero_set(driver: Grbl, system: str, axes: str, timing: Timing) -> Non
         if axis in axes and abs(here_mm) > ZERO_TOLERANCE_MM:
             raise MachineRefusal(
                 "zero-not-set",
-                f"the zero of {axis} in {system} was not taken over",
+                Text("the zero of {axis} in {system} was not taken over", axis=axis, system=system),
                 value=f"{here_mm:.3f} mm",
                 limit="0 mm",
                 advice="set it again, and do not start before it is right",

@@ -18,7 +18,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from CNCStepper.control.session.command import Command
-from CNCStepper.errors import JobError
+from CNCStepper.errors import JobError, Text
 
 COMMANDS = {
     "start": Command("resume"),
@@ -49,15 +49,19 @@ class Button:
         try:
             button = cls(**content)
         except TypeError as error:
-            raise JobError("input", f"this is no input of a machine: {error}", advice="make the job again") from error
+            raise JobError(
+                "input", Text("this is no input of a machine: {error}", error=error), advice="make the job again"
+            ) from error
         if button.act not in (*COMMANDS, "back", "switch"):
-            raise JobError("input", f"there is no act '{str(button.act)[:40]}'", advice="make the job again")
+            raise JobError(
+                "input", Text("there is no act '{act}'", act=str(button.act)[:40]), advice="make the job again"
+            )
         return button
 
     @property
     def name(self) -> str:
         """How a person finds it."""
-        return f"pin {self.pin} of {self.port}" if self.port else f"pin {self.pin}"
+        return Text("pin {pin} of {port}", pin=self.pin, port=self.port) if self.port else f"pin {self.pin}"
 
     def command(self, pressed: bool) -> Command | None:
         """Return what it asks for when it was just pressed, or let go; None for nothing."""

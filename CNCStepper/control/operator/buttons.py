@@ -19,7 +19,7 @@ from CNCStepper.control.protocol.grbl.driver import Received
 from CNCStepper.control.protocol.grbl.report import Greeting, Status
 from CNCStepper.control.protocol.grbl.timeouts import Timing
 from CNCStepper.control.session.command import Command
-from CNCStepper.errors import LinkError
+from CNCStepper.errors import LinkError, Text
 
 POLL_S = 0.1  # between two `?`, so that a button need not be pressed for long
 WORDS = {
@@ -110,12 +110,12 @@ class Buttons:
                 self._press(contact.button, command)
 
     def _press(self, button: Button, command: Command) -> None:
-        self._tell("message", f"{WORDS[button.act]} by the button on {button.name}")
+        self._tell("message", Text("{word} by the button on {button}", word=WORDS[button.act], button=button.name))
         self._ask((button.act == "start" and self._start()) or command)
 
     def _lost(self, error: LinkError) -> None:
         """Hold: whoever works the machine by buttons can stop it by none of them now."""
-        self._tell("warning", f"the buttons are not heard any more, so the machine is held: {error}")
+        self._tell("warning", Text("the buttons are not heard any more, so the machine is held: {error}", error=error))
         self._ask(Command("hold"))
 
 

@@ -12,7 +12,7 @@ from CNCStepper.control.operator.console_line import MOVING_KINDS, SETTING, STEP
 from CNCStepper.control.program.wire_line import dwell_s
 from CNCStepper.control.protocol.grbl.driver import Answered, Grbl, Received, Sent
 from CNCStepper.control.protocol.grbl.report import Feedback, NamedSetting, Setting, Status
-from CNCStepper.errors import MachineRefusal
+from CNCStepper.errors import MachineRefusal, Text
 
 AT_REST = ("Idle", "Alarm", "Check")
 
@@ -52,7 +52,9 @@ class Console:
             return False
         if answer.error:
             code = self._driver.firmware.error(answer.error)
-            self._end(f"error:{answer.error} {code.meaning}; {code.advice}")
+            self._end(
+                Text("error:{error} {meaning}; {advice}", error=answer.error, meaning=code.meaning, advice=code.advice)
+            )
         elif self._kind in MOVING_KINDS:
             self._answered_s = self._driver.clock()
         else:

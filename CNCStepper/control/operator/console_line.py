@@ -18,7 +18,7 @@ import re
 
 from CNCStepper.control.program.wire_line import check_length, check_line
 from CNCStepper.control.protocol.grbl.firmware import Firmware
-from CNCStepper.errors import MachineRefusal
+from CNCStepper.errors import MachineRefusal, Text
 
 HOME, UNLOCK, QUESTION, JOG, SETTING, PROGRAM = "home", "unlock", "question", "jog", "setting", "program"
 MOVING_KINDS = (JOG, PROGRAM)  # done only when the machine stands again
@@ -49,7 +49,7 @@ def kind_of(text: str) -> str:
     why = next(
         (why for begin, why in _WHY_NOT.items() if plain.startswith(begin)), "`$` lists what the controller knows"
     )
-    raise MachineRefusal("console-command", f"the console does not pass on {text[:20]}", advice=why)
+    raise MachineRefusal("console-command", Text("the console does not pass on {text}", text=text[:20]), advice=why)
 
 
 def plain_line(text: str) -> str:

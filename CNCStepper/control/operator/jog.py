@@ -20,7 +20,7 @@ from typing import Protocol
 from CNCStepper.control.protocol.grbl.driver import JOG_CANCEL, Answered, Grbl
 from CNCStepper.control.protocol.grbl.readiness import ACCELERATION, MAX_RATE
 from CNCStepper.control.session.command import Command
-from CNCStepper.errors import MachineRefusal
+from CNCStepper.errors import MachineRefusal, Text
 
 LAPSE_S = 0.3  # a held jog that nobody renews for so long is cancelled
 AHEAD_S = 0.2  # how much longer than its braking the planned way lasts
@@ -160,7 +160,9 @@ class Jogger:
         now_s = self._driver.clock()
         if self._held and now_s - self._held.renewed_s > LAPSE_S:
             self.cancel()
-            self._tell("warning", f"the jog was stopped: its button was not heard of for {LAPSE_S:g} s")
+            self._tell(
+                "warning", Text("the jog was stopped: its button was not heard of for {lapse_s:g} s", lapse_s=LAPSE_S)
+            )
         if self._cancelling:
             self._look_after_cancel(now_s)
         elif not self._under_way:
@@ -173,7 +175,7 @@ class Jogger:
             self._give_up()
             firmware = self._driver.firmware
             code = firmware.error(answer.error)
-            words = f"{code.meaning} (error:{answer.error})"
+            words = Text("{meaning} (error:{error})", meaning=code.meaning, error=answer.error)
             self._refuse(MachineRefusal(f"{firmware.key}-error-{answer.error}", words, advice=code.advice))
 
     def forget(self) -> None:
@@ -201,7 +203,9 @@ class Jogger:
             raise MachineRefusal(
                 "jog-way",
                 "a jog needs a way and a feed",
-                value=f"{way.length_mm:g} mm, {way.feed_mm_min:g} mm/min",
+                value=Text(
+                    "{length_mm:g} mm, {feed_mm_min:g} mm/min", length_mm=way.length_mm, feed_mm_min=way.feed_mm_min
+                ),
                 advice="give a way of 0.0001 mm or more and a feed above 0",
             )
 

@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Protocol
 
 from CNCStepper.control.pulses.ports import CLAIM, RELEASE, is_parallel_port, no_port
-from CNCStepper.errors import LinkError
+from CNCStepper.errors import LinkError, Text
 
 READ_STATUS = 0x80017081  # of Linux's ppdev.h
 BITS = {15: 3, 13: 4, 12: 5, 10: 6, 11: 7}
@@ -64,7 +64,9 @@ class FilePins:
             return frozenset(map(int, self._path.read_text("utf-8").split()))
         except (OSError, ValueError) as error:
             advice = "name a parallel port (/dev/parport0), or a text file with the numbers of the pins that are high"
-            raise LinkError("input-port", f"{self._path} has no pins to read: {error}", advice=advice) from error
+            raise LinkError(
+                "input-port", Text("{path} has no pins to read: {error}", path=self._path, error=error), advice=advice
+            ) from error
 
 
 def high_pins(register: int) -> Pins:

@@ -13,6 +13,7 @@ from CNCStepper.control.program.send_job import SendJob
 from CNCStepper.control.protocol.grbl.connect import Found, check_units, offsets_of
 from CNCStepper.control.protocol.grbl.driver import Grbl
 from CNCStepper.control.protocol.grbl.readiness import check_offsets, check_settings, differences, offset_differences
+from CNCStepper.errors import Text
 
 
 def check_found(job: SendJob, driver: Grbl, found: Found, tell: Callable[[str, str], None]) -> None:
@@ -28,7 +29,7 @@ def check_found(job: SendJob, driver: Grbl, found: Found, tell: Callable[[str, s
     if found.greeted:
         check_zero_here(job.lines, driver, found)
     for number in sorted(set(job.expected) - set(found.settings)):
-        tell("warning", f"the controller does not report ${number}: it was not compared")
+        tell("warning", Text("the controller does not report ${number}: it was not compared", number=number))
     offsets_mm = offsets_of(driver, found)
     moved = offset_differences(offsets_mm, found.modes, job.work_offsets_mm, job.work_system)
     modes = mode_differences(found.modes, offsets_mm, job.lines)

@@ -19,7 +19,7 @@ from CNCStepper.control.protocol.grbl.driver import Grbl
 from CNCStepper.control.protocol.grbl.motion_interlock import UNKNOWN
 from CNCStepper.control.protocol.grbl.readiness import OFFSET_TOLERANCE_MM
 from CNCStepper.control.protocol.grbl.report import Vector
-from CNCStepper.errors import MachineRefusal
+from CNCStepper.errors import MachineRefusal, Text
 from CNCStepper.state import WORK_SYSTEMS
 
 _SYSTEM = re.compile(r"G(5[4-8]|59(?:\.[123])?)(?![\d.])")
@@ -48,9 +48,9 @@ def check_zero_here(lines: Iterable[str], driver: Grbl, found: Found) -> None:
     for name in sorted(systems | {"G92", "TLO"}):
         offset = driver.mm(found.offsets.get(name))
         if offset is None and name in systems:
-            raise _refusal(f"{name} is not reported", "")
+            raise _refusal(Text("{name} is not reported", name=name), "")
         if offset and not _is_zero(offset):
-            raise _refusal(f"{name} was set before", _words(offset))
+            raise _refusal(Text("{name} was set before", name=name), _words(offset))
 
 
 def _systems(lines: Iterable[str]) -> Iterator[str]:
@@ -58,7 +58,9 @@ def _systems(lines: Iterable[str]) -> Iterator[str]:
     for line in filterfalse(is_move, lines):
         plain = line.replace(" ", "").upper()
         if place := _MACHINE_PLACE.search(plain):
-            raise _refusal(f"the program has {place[0]}, which goes by the machine's own zero", line[:40])
+            raise _refusal(
+                Text("the program has {place}, which goes by the machine's own zero", place=place[0]), line[:40]
+            )
         yield from (f"G{number}" for number in _SYSTEM.findall(plain))
 
 
@@ -71,5 +73,7 @@ def _words(vector: Vector) -> str:
 
 
 def _refusal(why: str, value: str) -> MachineRefusal:
-    what = f"the controller restarted when its port was opened, so the machine's position is unknown: {why}"
+    what = Text(
+        "the controller restarted when its port was opened, so the machine's position is unknown: {why}", why=why
+    )
     return MachineRefusal(UNKNOWN, what, value=value, advice=WHAT_TO_DO)

@@ -7,7 +7,7 @@ G90 X40 Y0 F300      a cut at F300 in the language of thesis A, a rapid to grbl 
 from __future__ import annotations
 
 from CNCStepper.control.protocol.grbl.firmware import FIRMWARES, Firmware
-from CNCStepper.errors import MachineRefusal
+from CNCStepper.errors import MachineRefusal, Text
 
 
 def check_spoken(dialect: str, firmware: Firmware) -> None:
@@ -16,7 +16,11 @@ def check_spoken(dialect: str, firmware: Firmware) -> None:
     dialect: "" is that of a job that nobody has read; its lines are the controller's own.
     """
     if dialect and dialect not in firmware.dialects:
-        what = f"the program was read as {dialect}: to {firmware.name} its lines may mean other moves, or nothing"
+        what = Text(
+            "the program was read as {dialect}: to {firmware} its lines may mean other moves, or nothing",
+            dialect=dialect,
+            firmware=firmware.name,
+        )
         raise _refusal(dialect, what, firmware)
 
 
@@ -29,7 +33,9 @@ def check_sendable(dialect: str, controller: str) -> None:
     if named:
         check_spoken(dialect, named)
     elif not any(dialect in firmware.dialects for firmware in FIRMWARES):
-        what = f"the program was read as {dialect}, which no controller understands that lines are sent to"
+        what = Text(
+            "the program was read as {dialect}, which no controller understands that lines are sent to", dialect=dialect
+        )
         raise _refusal(dialect, what, FIRMWARES[0])
 
 
@@ -40,5 +46,9 @@ def _refusal(dialect: str, what: str, firmware: Firmware) -> MachineRefusal:
         what,
         value=dialect,
         limit=" or ".join(firmware.dialects),
-        advice=f"write it in the controller's own: cncstepper convert PROGRAM --dialect {dialect} --to {own} -o NEW",
+        advice=Text(
+            "write it in the controller's own: cncstepper convert PROGRAM --dialect {dialect} --to {own} -o NEW",
+            dialect=dialect,
+            own=own,
+        ),
     )

@@ -14,7 +14,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Mapping, Sequence
 
-from CNCStepper.errors import MachineRefusal
+from CNCStepper.errors import MachineRefusal, Text
 
 FRESH = {
     "G17": ("G17", "G18", "G19"),
@@ -74,16 +74,18 @@ def mode_differences(modes: str, offsets_mm: Mapping[str, Sequence[float] | None
     modes: the words of `$G`. offsets_mm: by name, as `$#` has them. What is not reported is left out.
     """
     held = modes.split()
-    found = [
-        f"{word} is in force, wanted {wanted}"
+    found: list[str] = [
+        Text("{word} is in force, wanted {wanted}", word=word, wanted=wanted)
         for wanted in granted_modes(lines)
         for word in held
         if word in FRESH[wanted] and word != wanted
     ]
-    found += [f"{word} is in force, wanted {wanted}" for word, wanted in _left_on(held, lines)]
+    found += [
+        Text("{word} is in force, wanted {wanted}", word=word, wanted=wanted) for word, wanted in _left_on(held, lines)
+    ]
     length = offsets_mm.get("TLO")
     if length and any(abs(value) > LENGTH_TOLERANCE_MM for value in length):
-        found.append(f"a tool length of {length[-1]:.3f} mm is in force, wanted none (G49)")
+        found.append(Text("a tool length of {length:.3f} mm is in force, wanted none (G49)", length=length[-1]))
     return found
 
 

@@ -13,7 +13,7 @@ from collections.abc import Callable
 from CNCStepper.control.program.send_job import SendJob
 from CNCStepper.control.protocol.grbl.connect import Found, offsets_of
 from CNCStepper.control.protocol.grbl.driver import Grbl
-from CNCStepper.errors import MachineRefusal
+from CNCStepper.errors import MachineRefusal, Text
 
 ABOVE_MM = 0.01
 HEIGHT_STEP_MM = 0.1  # in which another height is proposed
@@ -31,13 +31,27 @@ def check_lift(job: SendJob, driver: Grbl, found: Found, tell: Callable[[str, st
     here_mm = math.ceil((height_mm + above_mm) / HEIGHT_STEP_MM - ABOVE_MM) * HEIGHT_STEP_MM
     high, low = f"{height_mm + above_mm:.3f}", f"{height_mm:.3f}"
     if job.home_first:
-        tell("warning", f"the restart goes straight down first, from Z {high}, where the machine has homed, to Z {low}")
+        tell(
+            "warning",
+            Text(
+                "the restart goes straight down first, from Z {high}, where the machine has homed, to Z {low}",
+                high=high,
+                low=low,
+            ),
+        )
         return
     raise MachineRefusal(
         "restart-above",
-        f"the tool stands at Z {high}, and the restart goes straight down to Z {low} first, as a rapid",
-        advice=f"jog it down to that height where you see what is below it, or restart with the height {here_mm:.1f} "
-        "(--height), from which it goes over the place at once",
+        Text(
+            "the tool stands at Z {high}, and the restart goes straight down to Z {low} first, as a rapid",
+            high=high,
+            low=low,
+        ),
+        advice=Text(
+            "jog it down to that height where you see what is below it, or restart with the "
+            "height {here_mm:.1f} (--height), from which it goes over the place at once",
+            here_mm=here_mm,
+        ),
     )
 
 

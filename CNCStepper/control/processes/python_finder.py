@@ -20,7 +20,7 @@ import CNCStepper
 from CNCStepper.control.processes.background_thread import in_background
 from CNCStepper.control.processes.bootstrap import BEHIND, python_version
 from CNCStepper.dependencies import pip_names
-from CNCStepper.errors import MissingPackage
+from CNCStepper.errors import MissingPackage, Text
 
 VARIABLE = "CNCSTEPPER_PYTHON"
 OLDEST = (3, 11)
@@ -61,7 +61,11 @@ def find_python(needs: tuple[str, ...] = SENDER, version: str = "") -> str:
     raise MissingPackage(
         "python-missing",
         f"no Python has {packages}: " + "; ".join(f"{name}: {lack}" for name, lack in tried.items()),
-        advice=f"install them in one (python -m pip install {packages}), or set {VARIABLE} to a Python that has them",
+        advice=Text(
+            "install them in one (python -m pip install {packages}), or set {variable} to a Python that has them",
+            packages=packages,
+            variable=VARIABLE,
+        ),
     )
 
 

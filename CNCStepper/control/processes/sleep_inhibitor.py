@@ -14,6 +14,8 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import Any
 
+from CNCStepper.errors import Text
+
 WHY = "a machine is cutting"
 SETTLED_S = 0.2  # a child that is refused has ended by then
 ENDED_S = 2.0
@@ -35,7 +37,7 @@ def awake(warn: Callable[[str], None], platform: str = sys.platform) -> Iterator
         with _awake_by_child(keeper, warn):
             yield
     else:
-        warn(_may_sleep(f"not known on {platform}"))
+        warn(_may_sleep(Text("not known on {platform}", platform=platform)))
         yield
 
 
@@ -49,7 +51,7 @@ def _awake_by_child(keeper: tuple[str, ...], warn: Callable[[str], None]) -> Ite
         return
     try:
         if _ends_within(child, SETTLED_S):
-            warn(_may_sleep(f"{keeper[0]} was refused"))
+            warn(_may_sleep(Text("{keeper} was refused", keeper=keeper[0])))
         yield
     finally:
         assert child.stdin
@@ -81,4 +83,4 @@ def _awake_on_windows(warn: Callable[[str], None], kernel: Any = None) -> Iterat
 
 
 def _may_sleep(why: str) -> str:
-    return f"this computer may fall asleep while the machine cuts ({why}): switch its sleep off"
+    return Text("this computer may fall asleep while the machine cuts ({why}): switch its sleep off", why=why)

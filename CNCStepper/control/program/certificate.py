@@ -169,7 +169,11 @@ class Certificate:
         if errors:
             first = errors[0]
             place = Place(first["file"], first["line"], first["column"])
-            what = f"the proof found {len(errors)} error(s) in the program, the first: {first['text']}"
+            what = Text(
+                "the proof found {errors} error(s) in the program, the first: {text}",
+                errors=len(errors),
+                text=first["text"],
+            )
             raise JobError("certificate-errors", what, advice="correct the program, and check it again", place=place)
 
     def sending(self, **more: Any) -> Certificate:

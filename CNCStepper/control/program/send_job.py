@@ -20,7 +20,7 @@ from CNCStepper.control.program.bundle import (
 )
 from CNCStepper.control.program.wire_line import check_length, check_line, is_plain
 from CNCStepper.control.protocol.grbl.firmware import Firmware
-from CNCStepper.errors import JobError, Place, ProgramError
+from CNCStepper.errors import JobError, Place, ProgramError, Text
 
 JOB = "job.json"
 
@@ -127,7 +127,7 @@ class SendJob:
         try:
             unknown = set(content) - {entry.name for entry in fields(cls)}
             if unknown:
-                raise ValueError(f"unknown keys {sorted(unknown)}")
+                raise ValueError(Text("unknown keys {unknown}", unknown=sorted(unknown)))
             known = dict(content)
             known["messages"] = {int(key): str(value) for key, value in content.get("messages", {}).items()}
             known["expected"] = {int(key): float(value) for key, value in content.get("expected", {}).items()}
@@ -157,4 +157,4 @@ def read_job(path: Path) -> SendJob:
 
 
 def _no_job(error: Exception) -> JobError:
-    return JobError("send-job", f"not a job to send: {error}", advice="start it with cncstepper send")
+    return JobError("send-job", Text("not a job to send: {error}", error=error), advice="start it with cncstepper send")

@@ -6,7 +6,7 @@ from __future__ import annotations
 import re
 
 from CNCStepper.control.protocol.grbl.firmware import Firmware
-from CNCStepper.errors import Place, ProgramError
+from CNCStepper.errors import Place, ProgramError, Text
 
 ARCS = ("G2", "G3")  # a line of no more than that is refused
 # Bytes that act at once wherever they stand: ! ? ~, controls, all above 0x7e.
@@ -34,7 +34,7 @@ def check_line(text: str, place: Place | None = None) -> None:
         where = Place(place.file, place.line, found.start() + 1) if place else None
         raise ProgramError(
             "acting-byte",
-            f"the character {found[0]!a} would act as a command of its own or is not ASCII",
+            Text("the character {found} would act as a command of its own or is not ASCII", found=ascii(found[0])),
             advice="remove it; only plain ASCII without ? ! ~ may be sent",
             place=where,
         )
@@ -49,9 +49,13 @@ def check_length(text: str, firmware: Firmware, window_bytes: int, place: Place 
     if length > firmware.line_characters or len(text) >= window_bytes:
         raise ProgramError(
             "line-too-long",
-            f"the line is longer than {firmware.name} can read",
-            value=f"{length} characters, {len(text)} with spaces",
-            limit=f"{firmware.line_characters} characters, {window_bytes - 1} with spaces",
+            Text("the line is longer than {firmware} can read", firmware=firmware.name),
+            value=Text("{length} characters, {text} with spaces", length=length, text=len(text)),
+            limit=Text(
+                "{line_characters} characters, {window_bytes} with spaces",
+                line_characters=firmware.line_characters,
+                window_bytes=window_bytes - 1,
+            ),
             advice="shorten or split that line",
             place=place,
         )

@@ -20,7 +20,7 @@ from pathlib import Path
 from typing import Any
 
 from CNCStepper.control.pulses.ports import Port
-from CNCStepper.errors import LinkError, MachineRefusal
+from CNCStepper.errors import LinkError, MachineRefusal, Text
 
 TRIAL_S = 3.0  # what comes between pulses once a second comes in it
 MOST_LONGER = 1.02  # of the time that a trial should take
@@ -95,11 +95,16 @@ def pace(writes: Iterable[Write], port: Port, keep_ns: int, most_late_ns: int = 
 def _stalled(late_ns: int, most_ns: int, written: int, at_ns: int) -> LinkError:
     return LinkError(
         "pulses-late",
-        f"the computer came too late with a pulse and stopped after {written} writes in time, "
-        f"{at_ns / NS_PER_S:.3f} s from the begin; spindle, beam and drives are off, and steps may be lost",
-        value=f"{late_ns / 1000:.0f} µs late",
+        Text(
+            "the computer came too late with a pulse and stopped after {written} writes in time, "
+            "{at_ns:.3f} s from the begin; spindle, beam and drives are off, and steps may be "
+            "lost",
+            written=written,
+            at_ns=at_ns / NS_PER_S,
+        ),
+        value=Text("{late_ns:.0f} µs late", late_ns=late_ns / 1000),
         limit=f"{most_ns / 1000:.0f} µs",
-        advice=f"{HOME}, and end other programs before the next try",
+        advice=Text("{home}, and end other programs before the next try", home=HOME),
     )
 
 
@@ -125,8 +130,16 @@ def require_rate(
         raise MachineRefusal(
             "pulse-rate",
             "this computer cannot keep the rate of the program's pulses",
-            value=f"{number / trial.taken_s:.0f} writes/s, the worst {trial.worst_us:.0f} µs late",
-            limit=f"{writes_per_s:.0f} writes/s, {stall_ns(writes_per_s) / 1000:.0f} µs",
+            value=Text(
+                "{number:.0f} writes/s, the worst {worst_us:.0f} µs late",
+                number=number / trial.taken_s,
+                worst_us=trial.worst_us,
+            ),
+            limit=Text(
+                "{writes_per_s:.0f} writes/s, {stall_ns:.0f} µs",
+                writes_per_s=writes_per_s,
+                stall_ns=stall_ns(writes_per_s) / 1000,
+            ),
             advice="end other programs, or lower max_rate_mm_min in the machine's profile",
         )
     return trial

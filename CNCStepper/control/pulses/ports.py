@@ -15,7 +15,7 @@ from pathlib import Path
 from typing import BinaryIO, Protocol
 
 from CNCStepper.atomic_file import followed
-from CNCStepper.errors import LinkError
+from CNCStepper.errors import LinkError, Text
 
 WRITE_DATA, WRITE_CONTROL, DATA_DIRECTION = 0x40017086, 0x40017084, 0x40047090  # of Linux's ppdev.h
 CLAIM, RELEASE = 0x0000708B, 0x0000708C
@@ -97,7 +97,7 @@ def open_port(path: Path) -> Port:
         return ParallelPort(path)
     if path.parent == Path("/dev") or (path.exists() and not path.is_file()):
         advice = "name the device file of a parallel port, such as /dev/parport0, or a file to record in"
-        raise LinkError("pulse-port", f"{path} is no parallel port", advice=advice)
+        raise LinkError("pulse-port", Text("{path} is no parallel port", path=path), advice=advice)
     return RecordingPort(_recording(path))
 
 
@@ -117,12 +117,14 @@ def _recording(path: Path) -> BinaryIO:
         target.touch()
         file = target.open("r+b", buffering=1 << 20)
     except OSError as error:
-        raise LinkError("pulse-port", f"{path} cannot be written: {error}") from error
+        raise LinkError("pulse-port", Text("{path} cannot be written: {error}", path=path, error=error)) from error
     begin = file.read(len(MAGIC))
     if not stat.S_ISREG(os.fstat(file.fileno()).st_mode) or begin not in (b"", MAGIC):
         file.close()
         advice = "name a new file, or one that pulses were recorded in"
-        raise LinkError("pulse-port", f"{path} is no recording of pulses, and is not written over", advice=advice)
+        raise LinkError(
+            "pulse-port", Text("{path} is no recording of pulses, and is not written over", path=path), advice=advice
+        )
     file.seek(0)
     file.truncate()
     return file
@@ -131,4 +133,6 @@ def _recording(path: Path) -> BinaryIO:
 def no_port(path: Path, error: OSError) -> LinkError:
     """Return the refusal of a parallel port that the system does not let us have."""
     advice = "load the module ppdev, and let your user use the device"
-    return LinkError("pulse-port", f"{path} is no parallel port that can be had: {error}", advice=advice)
+    return LinkError(
+        "pulse-port", Text("{path} is no parallel port that can be had: {error}", path=path, error=error), advice=advice
+    )

@@ -20,7 +20,7 @@ from CNCStepper.control.processes.python_finder import command, environment
 from CNCStepper.control.pulses.pacing import HOME, NS_PER_S, TRIAL_S, Jitter
 from CNCStepper.control.pulses.ports import FIELDS
 from CNCStepper.control.session.status import error_from_json
-from CNCStepper.errors import CNCStepperError, LinkError
+from CNCStepper.errors import CNCStepperError, LinkError, Text
 from CNCStepper.motion.signals.parallel_port import PortChunk
 
 AHEAD = 8  # chunks that are made before the first pulse
@@ -102,7 +102,9 @@ def _next(blocks: Iterator[np.ndarray]) -> np.ndarray:
     try:
         return next(filter(len, blocks), NOTHING)
     except CNCStepperError as error:
-        raise LinkError("pulses-stopped", f"the pulses were stopped on the way: {error}", advice=HOME) from error
+        raise LinkError(
+            "pulses-stopped", Text("the pulses were stopped on the way: {error}", error=error), advice=HOME
+        ) from error
 
 
 def _records(chunk: PortChunk, ticks_per_s: int) -> np.ndarray:

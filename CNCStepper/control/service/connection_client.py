@@ -26,7 +26,7 @@ from CNCStepper.control.session.local_socket import Address
 from CNCStepper.control.session.nonblocking_socket import LineSocket
 from CNCStepper.control.session.status import Outcome, SenderStatus, error_from_json, take_refusal
 from CNCStepper.control.session.unreachable import closed, garbled, silent, unreadable
-from CNCStepper.errors import CNCStepperError, LinkError
+from CNCStepper.errors import CNCStepperError, LinkError, Text
 
 __all__ = ["DeskClient", "running_desks"]
 
@@ -299,7 +299,7 @@ class DeskClient:
             return unreadable(path, str(error))
         return LinkError(
             "desk-lost",
-            f"the desk of {self.port} is not there, or was killed",
+            Text("the desk of {port} is not there, or was killed", port=self.port),
             advice="if it was cutting, the position is unknown: look at the machine, then see " + self._log(),
         )
 

@@ -13,7 +13,7 @@ from CNCStepper.control.processes.python_finder import find_python
 from CNCStepper.control.service.port_of_job import check_no_job
 from CNCStepper.control.session.detached_process import start
 from CNCStepper.control.session.files import DESK, desk_at, new_session, session_folder
-from CNCStepper.errors import CNCStepperError, LinkError
+from CNCStepper.errors import CNCStepperError, LinkError, Text
 
 WORKER = "CNCStepper.workers.connection_service"
 YIELD_S = 0.005  # the thread of the window goes on first
@@ -37,7 +37,9 @@ def launch(port: str, baud: int, folder: Path | None) -> Future[Launched]:
             answer.set_exception(error)
             return
         except Exception as error:  # the disk is full, the folder is gone: the window is to say so
-            answer.set_exception(LinkError("desk-start", f"the desk cannot be started: {error}", advice="try again"))
+            answer.set_exception(
+                LinkError("desk-start", Text("the desk cannot be started: {error}", error=error), advice="try again")
+            )
             return
         answer.set_result((path, process))
         if process:

@@ -262,7 +262,7 @@ class Desk:
             job = self._copied(Path(file), own | consents)
         except CNCStepperError as error:
             known = idle.position_known is not False
-            self._ended(Outcome(REFUSED, str(error), known, replace(self.status(), phase=REFUSED), error))
+            self._ended(Outcome(REFUSED, error.text, known, replace(self.status(), phase=REFUSED), error))
             return
         self._run_job(idle, job)
 

@@ -26,7 +26,7 @@ from CNCStepper.control.stream.job_run import Refuse, Tell
 from CNCStepper.control.stream.overrides import override_byte
 from CNCStepper.control.stream.position_trust import Belief, met
 from CNCStepper.control.stream.status_snapshot import moment
-from CNCStepper.errors import CNCStepperError, LinkError, MachineRefusal
+from CNCStepper.errors import CNCStepperError, LinkError, MachineRefusal, Text
 
 PHASES = {"Idle": "idle", "Jog": "jogging", "Home": "homing", "Hold": "held", "Tool": "held", "Door": "door"}
 MOVING = ("Run", "Jog", "Home")
@@ -232,7 +232,7 @@ class Idle:
         self._zeroed |= set(axes.upper())
         if self._zeroed == set(actions.AXES):
             self.position_known = True
-        self._tell("message", f"zero of {axes.upper()} set in {system}")
+        self._tell("message", Text("zero of {axes} set in {system}", axes=axes.upper(), system=system))
 
     def _unlock(self) -> None:
         self.check_at_rest()
@@ -285,7 +285,9 @@ class Idle:
             self._homing_since_s = None
             firmware = self._driver.firmware
             code = firmware.error(answer.error)
-            words = f"the machine does not home: {code.meaning} (error:{answer.error})"
+            words = Text(
+                "the machine does not home: {meaning} (error:{error})", meaning=code.meaning, error=answer.error
+            )
             refusal = MachineRefusal(f"{firmware.key}-error-{answer.error}", words, advice=code.advice)
             self._refuse(Command("home"), refusal)
         else:

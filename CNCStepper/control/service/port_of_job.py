@@ -9,7 +9,7 @@ from CNCStepper.control.processes.process_file import is_alive
 from CNCStepper.control.session.client import SessionClient
 from CNCStepper.control.session.files import session_near
 from CNCStepper.control.session.status import SenderStatus
-from CNCStepper.errors import LinkError, MachineRefusal
+from CNCStepper.errors import LinkError, MachineRefusal, Text
 
 
 def check_no_job(port: str, folder: Path | None = None) -> None:
@@ -28,7 +28,7 @@ def check_no_job(port: str, folder: Path | None = None) -> None:
 def check_over(file: Path, port: str, error: LinkError) -> None:
     """Raise MachineRefusal where the process that could not be reached lives: then it has the port."""
     if is_alive(file):
-        what = f"{port} is held by a process of yours that does not answer"
+        what = Text("{port} is held by a process of yours that does not answer", port=port)
         raise MachineRefusal("port-held", what, advice=error.advice) from error
 
 
@@ -36,6 +36,13 @@ def held_by_job(file: Path, port: str, status: SenderStatus) -> MachineRefusal:
     """Return the refusal of a port that a job has, by the file of its session or desk."""
     return MachineRefusal(
         "port-held",
-        f"{port} is held by a job of yours, {status.file or 'a program'}, which is {status.phase}",
-        advice=f"go on with it or stop it where it was started, or with: cncstepper back --session {file.stem}",
+        Text(
+            "{port} is held by a job of yours, {status_file}, which is {phase}",
+            port=port,
+            status_file=status.file or "a program",
+            phase=status.phase,
+        ),
+        advice=Text(
+            "go on with it or stop it where it was started, or with: cncstepper back --session {file}", file=file.stem
+        ),
     )

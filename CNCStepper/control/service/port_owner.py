@@ -15,7 +15,7 @@ from CNCStepper.control.service.connection_session import DeskSession
 from CNCStepper.control.service.port_of_job import check_no_job, check_over, held_by_job
 from CNCStepper.control.session.files import closed_files, desk_near
 from CNCStepper.control.session.unreachable import closed
-from CNCStepper.errors import LinkError, MachineRefusal
+from CNCStepper.errors import LinkError, MachineRefusal, Text
 
 
 def check_free(port: str, folder: Path | None = None) -> None:
@@ -42,6 +42,6 @@ def _check_desk(desk: Path, port: str) -> None:
         raise held_by_job(desk, port, status)
     raise MachineRefusal(
         "port-held",
-        f"{port} is held by a window or a console of yours",
+        Text("{port} is held by a window or a console of yours", port=port),
         advice="disconnect there first, or send the job from there",
     )

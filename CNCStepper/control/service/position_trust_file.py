@@ -24,7 +24,7 @@ from CNCStepper.control.processes.process_file import is_closed, owner
 from CNCStepper.control.session.files import read_private, write_durably
 from CNCStepper.control.stream.position_trust import LOST, NOTHING_AGAINST, Belief
 from CNCStepper.control.transport.port_identity import PortIdentity, address_names, identify, other_names, read_identity
-from CNCStepper.errors import JobError
+from CNCStepper.errors import JobError, Text
 
 POSITION = ".position"
 LONGEST_NAME = 40
@@ -79,7 +79,7 @@ class BeliefFile:
         try:
             self.keep(belief)
         except JobError as error:
-            tell("warning", str(error))
+            tell("warning", error.text)
 
     # --- inside --------------------------------------------------------------------------------
 
@@ -228,15 +228,15 @@ def _closed(path: Path) -> JobError:
     user = owner(path)
     return JobError(
         "position-closed",
-        f"a file that calls this machine's position unknown belongs to {user} and cannot be opened",
+        Text("a file that calls this machine's position unknown belongs to {user} and cannot be opened", user=user),
         value=str(path),
-        advice=f"remove it as {user}; until then the position is unknown again at each connection",
+        advice=Text("remove it as {user}; until then the position is unknown again at each connection", user=user),
     )
 
 
 def _unwritable(path: Path, error: OSError) -> JobError:
     return JobError(
         "position-unwritable",
-        f"what is known of the machine's position cannot be kept: {error.strerror or error}",
-        advice=f"make room on the disk of {path.parent}, and see that you may write there",
+        Text("what is known of the machine's position cannot be kept: {error}", error=error.strerror or error),
+        advice=Text("make room on the disk of {parent}, and see that you may write there", parent=path.parent),
     )

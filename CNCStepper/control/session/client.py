@@ -12,6 +12,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+from CNCStepper import text_json
 from CNCStepper.control.processes.process_file import is_alive, is_closed
 from CNCStepper.control.processes.python_finder import find_python
 from CNCStepper.control.program.send_job import SendJob, write_job
@@ -20,7 +21,7 @@ from CNCStepper.control.session.files import LOG, OUTCOME, WIRE, new_session, re
 from CNCStepper.control.session.local_socket import Address, close_in_order
 from CNCStepper.control.session.status import Outcome, SenderStatus, take_refusal
 from CNCStepper.control.session.unreachable import GARBLED, closed, garbled, lost, silent, unreadable
-from CNCStepper.errors import LinkError
+from CNCStepper.errors import LinkError, Text
 
 WORKER = "CNCStepper.workers.sender"
 START_LIMIT_S = 30.0
@@ -214,7 +215,7 @@ class SessionClient:
         self._tail += data
         *lines, self._tail = self._tail.split(b"\n")
         try:
-            events = [json.loads(line) for line in lines]
+            events = [text_json.loads(line) for line in lines]
             for event in events:
                 self._take(event)
         except (ValueError, TypeError, KeyError, RecursionError) as error:
@@ -252,7 +253,9 @@ class SessionClient:
             self.outcome = Outcome.from_json(event["outcome"])
             self._status = self.outcome.status
         elif event["event"] == "refused" and "command" not in event:
-            raise LinkError("session-refused", f"the session refused {event['text']}", advice="attach to it again")
+            raise LinkError(
+                "session-refused", Text("the session refused {text}", text=event["text"]), advice="attach to it again"
+            )
         elif event["event"] == "refused":
             take_refusal(event)
 

@@ -11,6 +11,7 @@ from queue import SimpleQueue
 from typing import Any
 
 from CNCStepper.control.transport.link import Link
+from CNCStepper.errors import Text
 
 STOPS = ("stop", "end")
 _NUMBER = (int, float)
@@ -63,14 +64,14 @@ def read_command(request: Mapping[str, Any], known: tuple[str, ...]) -> Command:
     """Return the command of a client's request; raises ValueError with words when it is none of `known`."""
     name = str(request["command"])
     if name not in known:
-        raise ValueError(f"there is no command '{name[:40]}'")
+        raise ValueError(Text("there is no command '{name}'", name=name[:40]))
     return Command(name, {key: _value(request.get(key), kind, key) for key, kind in VALUES[name].items()})
 
 
 def _value(value: Any, kind: Any, key: str) -> Any:
     boolean = isinstance(value, bool)
     if not isinstance(value, kind) or boolean != (kind is bool) or not _is_number(value):
-        raise ValueError(f"'{key}' cannot be {str(value)[:40]!r}")
+        raise ValueError(Text("'{key}' cannot be {value!r}", key=key, value=str(value)[:40]))
     return value
 
 

@@ -12,7 +12,7 @@ from typing import Any
 
 from CNCStepper.control.processes.python_finder import command, environment
 from CNCStepper.control.session.files import LOG
-from CNCStepper.errors import LinkError
+from CNCStepper.errors import LinkError, Text
 
 
 def start(python: str, module: str, session_file: Path, *arguments: str) -> subprocess.Popen:
@@ -35,7 +35,11 @@ def start(python: str, module: str, session_file: Path, *arguments: str) -> subp
             **apart,
         )
     except OSError as error:
-        raise LinkError("sender-start", f"{python} cannot be started: {error}", advice="choose another") from error
+        raise LinkError(
+            "sender-start",
+            Text("{python} cannot be started: {error}", python=python, error=error),
+            advice="choose another",
+        ) from error
     finally:
         os.close(log)
 

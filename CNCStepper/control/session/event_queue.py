@@ -8,12 +8,13 @@ displaced by texts: a controller that floods its messages hides neither a phase 
 
 from __future__ import annotations
 
-import json
 import threading
 from collections import deque
 from collections.abc import Mapping
 from typing import Any, NamedTuple
 
+from CNCStepper import text_json
+from CNCStepper.errors import Text
 from CNCStepper.safe_text import printable
 
 LIMIT_COUNT = 500  # of texts, and of all else
@@ -34,7 +35,7 @@ def line_of(event: Mapping[str, Any]) -> bytes:
     """Return an event as a client reads it; a long text is cut."""
     if event["event"] in TEXTS and len(event["text"]) > TEXT_LIMIT:
         event = {**event, "text": printable(event["text"], TEXT_LIMIT)}
-    return json.dumps(event).encode("ascii") + b"\n"
+    return text_json.dumps(event).encode("ascii") + b"\n"
 
 
 class Backlog:
@@ -71,7 +72,7 @@ class Backlog:
         """Return the oldest lines, removed from here: so many bytes and the rest of a line, or all there are."""
         lines, size = [], 0
         if self.left_out:
-            what = f"{self.left_out} messages were left out: more came than could be read"
+            what = Text("{left_out} messages were left out: more came than could be read", left_out=self.left_out)
             lines.append(line_of({"event": "warning", "text": what}))
             self.left_out = 0
         while size < least_bytes and (entry := self._oldest()):

@@ -24,7 +24,7 @@ from typing import Any, TextIO
 from CNCStepper.control.processes.process_file import LOOK_EVERY_S, OwnFile, is_alive, is_closed
 from CNCStepper.control.session.local_socket import is_abandoned, make_private, socket_paths
 from CNCStepper.control.transport.port_identity import PortIdentity, identify, read_identity
-from CNCStepper.errors import JobError, LinkError, MissingPackage
+from CNCStepper.errors import JobError, LinkError, MissingPackage, Text
 
 KEPT = 20  # sessions whose outcome and log are kept
 RECENT_S = 600.0  # what is younger is kept in any case: somebody may be about to read it
@@ -54,7 +54,7 @@ def session_folder() -> Path:
     except OSError as error:
         raise JobError(
             "session-folder",
-            f"the folder of sessions cannot be used: {error.strerror or error}",
+            Text("the folder of sessions cannot be used: {error}", error=error.strerror or error),
             value=str(folder),
             advice="see that it is a folder, that it is yours, and that you may write there",
         ) from error
@@ -177,7 +177,7 @@ def _read_regular(path: Path) -> bytes:
     finally:
         os.close(descriptor)
     if len(text) > LARGEST_BYTES:
-        raise ValueError(f"larger than {LARGEST_BYTES // 1_000_000} MB")
+        raise ValueError(Text("larger than {largest_bytes} MB", largest_bytes=LARGEST_BYTES // 1000000))
     return text
 
 
@@ -212,7 +212,11 @@ def _address_in(path: Path) -> Mapping[str, Any]:
             if time.monotonic() > end_s:
                 raise LinkError(
                     "session-damaged",
-                    f"a process of ours has a machine's port, but its file {path.name} cannot be read: {error}",
+                    Text(
+                        "a process of ours has a machine's port, but its file {path} cannot be read: {error}",
+                        path=path.name,
+                        error=error,
+                    ),
                     advice="look which machine moves, and stop it there",
                 ) from error
         time.sleep(MEND_LIMIT_S / 100)

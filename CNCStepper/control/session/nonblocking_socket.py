@@ -3,12 +3,12 @@
 
 from __future__ import annotations
 
-import json
 import select
 import socket
 from collections.abc import Mapping
 from typing import Any
 
+from CNCStepper import text_json
 from CNCStepper.control.session.local_socket import Address, close_in_order, is_own_peer
 
 READ_BYTES = 262_144  # in one look, so that a flood does not keep the window
@@ -33,7 +33,7 @@ class LineSocket:
 
     def send(self, content: Mapping[str, Any]) -> None:
         """Send a line now, or as soon as the other side takes it."""
-        self._outbox += json.dumps(content).encode("ascii") + b"\n"
+        self._outbox += text_json.dumps(content).encode("ascii") + b"\n"
         self._write()
 
     def receive(self) -> list[dict[str, Any]]:
@@ -51,7 +51,7 @@ class LineSocket:
             self.close()
         self._tail += data
         *lines, self._tail = self._tail.split(b"\n")
-        return [json.loads(line) for line in lines]
+        return [text_json.loads(line) for line in lines]
 
     def close(self) -> None:
         """Close it; what was written before still arrives."""

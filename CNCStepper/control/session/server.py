@@ -38,7 +38,7 @@ from CNCStepper.control.session.command import Command, read_command
 from CNCStepper.control.session.event_queue import Backlog, News, line_of
 from CNCStepper.control.session.local_socket import Listener
 from CNCStepper.control.session.status import Outcome, SenderStatus, error_to_json
-from CNCStepper.errors import CNCStepperError
+from CNCStepper.errors import CNCStepperError, Text
 
 STATUS_EVERY_S = 0.1
 LOOK_AT_STATUS_S = 0.02
@@ -136,7 +136,7 @@ class SessionServer:
 
     def refuse(self, command: Command, error: CNCStepperError) -> None:
         """Pass on why a command was not obeyed; never blocks."""
-        why = {"text": str(error), "error": error_to_json(error)}
+        why = {"text": error.text, "error": error_to_json(error)}
         self._news.put({"event": "refused", "command": command.name, **why})
 
     def tell_outcome(self, outcome: Outcome) -> None:
@@ -234,7 +234,7 @@ class SessionServer:
         if not hmac.compare_digest(token.encode("utf-8", "replace"), self._token.encode("utf-8")):
             why = "a request without the session's token"
         elif not peer.known and len(self._peers) - self._strangers() >= KNOWN_LIMIT:
-            why = f"one more client beside {KNOWN_LIMIT}"
+            why = Text("one more client beside {known_limit}", known_limit=KNOWN_LIMIT)
         peer.known = not why
         if why:
             with suppress(OSError):  # it does not even read that

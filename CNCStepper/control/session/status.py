@@ -8,7 +8,8 @@ from typing import Any
 
 from CNCStepper import errors
 from CNCStepper.control.protocol.grbl.report import Vector
-from CNCStepper.errors import CNCStepperError, LinkError, Place
+from CNCStepper.errors import CNCStepperError, LinkError, Place, Text
+from CNCStepper.text_json import restored, with_texts
 
 TUPLES = ("mpos_mm", "wpos_mm", "overrides", "buffer")
 DONE, STOPPED, REFUSED, FAILED = "done", "stopped", "refused", "failed"
@@ -80,10 +81,12 @@ class SenderStatus:
             named = {str(name): _vector(offset) for name, offset in offsets.items()} if offsets else None
             status = cls(**(content | vectors | {"work_offsets_mm": named}))
         except (TypeError, KeyError, AttributeError) as error:
-            raise ValueError(f"not a status: {error}") from error
+            raise ValueError(Text("not a status: {error}", error=error)) from error
         for name, kinds in _KINDS.items():
             if type(getattr(status, name)) not in kinds:
-                raise ValueError(f"not a status: its {name} is no {kinds[0].__name__}")
+                raise ValueError(
+                    Text("not a status: its {name} is no {kind_name}", name=name, kind_name=kinds[0].__name__)
+                )
         return status
 
 
@@ -133,42 +136,47 @@ class Outcome:
 
     def to_json(self) -> dict[str, Any]:
         """Return it as plain values."""
-        return {
+        content = {
             "kind": self.kind,
             "text": self.text,
             "position_known": self.position_known,
             "status": self.status.to_json(),
             "error": error_to_json(self.error) if self.error else None,
         }
+        return with_texts(content)
+        return with_texts(content)
 
     @classmethod
     def from_json(cls, content: dict[str, Any]) -> Outcome:
         """Return the outcome of `to_json`; raises ValueError for what is none."""
+        content = restored(content)
+        content = restored(content)
         try:
             kind, text, known = content["kind"], content["text"], content["position_known"]
             status, error = content["status"], content["error"]
         except (TypeError, KeyError) as fault:
-            raise ValueError(f"not an outcome: {fault}") from fault
+            raise ValueError(Text("not an outcome: {fault}", fault=fault)) from fault
         if kind not in ENDS or not isinstance(text, str) or not isinstance(known, bool):
             raise ValueError("not an outcome: it does not say how it ended")
         return cls(kind, text, known, SenderStatus.from_json(status), error_from_json(error) if error else None)
 
 
 def error_to_json(error: CNCStepperError) -> dict[str, Any]:
-    """Return an error of ours as plain values."""
+    """Return an error of ours as plain values, with the templates of its texts."""
     place = asdict(error.place) if error.place else None
     words = {name: getattr(error, name) for name in WORDS}
-    return {"type": type(error).__name__, "place": place, **words}
+    return with_texts({"type": type(error).__name__, "place": place, **words})
 
 
 def error_from_json(content: dict[str, Any]) -> CNCStepperError:
     """Return the error of `error_to_json`, of the same class; raises ValueError for what is none."""
     try:
+        content = restored(content)
         kind = getattr(errors, content["type"], None)
         place = Place(**content["place"]) if content["place"] else None
         words = [content[name] for name in WORDS]
     except (TypeError, KeyError) as error:
-        raise ValueError(f"not an error: {error}") from error
+        raise ValueError(Text("not an error: {error}", error=error)) from error
     if not all(isinstance(word, str) for word in words):
         raise ValueError("not an error: its words are none")
     if not (isinstance(kind, type) and issubclass(kind, CNCStepperError)):

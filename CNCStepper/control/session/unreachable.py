@@ -9,7 +9,7 @@ from pathlib import Path
 from CNCStepper.control.processes.process_file import is_alive, owner
 from CNCStepper.control.session.files import DESK, LOG, read_private
 from CNCStepper.control.session.local_socket import Address
-from CNCStepper.errors import LinkError
+from CNCStepper.errors import LinkError, Text
 from CNCStepper.safe_text import printable
 
 SILENT, GARBLED, CLOSED = "session-silent", "session-garbled", "session-closed"
@@ -25,7 +25,9 @@ def silent(session_file: Path, why: str = "") -> LinkError:
 def lost(session_file: Path) -> LinkError:
     """Return the error for a session that left no word of its end."""
     return LinkError(
-        "session-lost", f"the session {session_file.stem} is not there, or was killed", advice=_unknown(session_file)
+        "session-lost",
+        Text("the session {session_file} is not there, or was killed", session_file=session_file.stem),
+        advice=_unknown(session_file),
     )
 
 
@@ -33,7 +35,11 @@ def unreadable(session_file: Path, why: str) -> LinkError:
     """Return the error for a session that has ended, and of which the outcome cannot be read."""
     return LinkError(
         "session-end",
-        f"the session {session_file.stem} has ended, and its outcome cannot be read: {printable(why)}",
+        Text(
+            "the session {session_file} has ended, and its outcome cannot be read: {why}",
+            session_file=session_file.stem,
+            why=printable(why),
+        ),
         advice=_unknown(session_file),
     )
 
@@ -42,7 +48,9 @@ def garbled(session_file: Path) -> LinkError:
     """Return the error for a session of which this program does not understand the answers."""
     return LinkError(
         GARBLED,
-        f"the session {session_file.stem} answers what this program does not understand",
+        Text(
+            "the session {session_file} answers what this program does not understand", session_file=session_file.stem
+        ),
         advice="; ".join(("use the version of CNCStepper that started it", *_what_to_do(session_file))),
     )
 
@@ -51,12 +59,12 @@ def closed(session_file: Path) -> LinkError:
     """Return the error for a session whose file this user may not open: it may have any port, or none any more."""
     user = owner(session_file)
     if is_alive(session_file):
-        advice = f"end that session as {user}, or remove the file as {user} where none runs any more"
+        advice = Text("end that session as {user}, or remove the file as {user} where none runs any more", user=user)
     else:
-        advice = f"no process has it any more: remove the file as {user}"
+        advice = Text("no process has it any more: remove the file as {user}", user=user)
     return LinkError(
         CLOSED,
-        f"a session's file belongs to {user} and cannot be opened, so that nobody can tell its port",
+        Text("a session's file belongs to {user} and cannot be opened, so that nobody can tell its port", user=user),
         value=str(session_file),
         advice=advice,
     )
@@ -64,8 +72,10 @@ def closed(session_file: Path) -> LinkError:
 
 def _silence(session_file: Path) -> str:
     if session_file.suffix == DESK:
-        return f"the connection {session_file.stem} is open, but its process does not answer"
-    return f"the session {session_file.stem} runs, but its process does not answer"
+        return Text(
+            "the connection {session_file} is open, but its process does not answer", session_file=session_file.stem
+        )
+    return Text("the session {session_file} runs, but its process does not answer", session_file=session_file.stem)
 
 
 def _what_to_do(session_file: Path) -> list[str]:
@@ -74,14 +84,17 @@ def _what_to_do(session_file: Path) -> list[str]:
     if os.name == "nt":
         signal = NO_SIGNAL
     elif process:
-        signal = f"`kill {process}` (SIGTERM) lets its process stop the machine safely"
+        signal = Text("`kill {process}` (SIGTERM) lets its process stop the machine safely", process=process)
     else:
         signal = "SIGTERM lets its process stop the machine safely"
     return [AT_THE_MACHINE, signal, f"see {log}"]
 
 
 def _unknown(session_file: Path) -> str:
-    return f"if it was cutting, the position is unknown: look at the machine, then see {session_file.with_suffix(LOG)}"
+    return Text(
+        "if it was cutting, the position is unknown: look at the machine, then see {session_file}",
+        session_file=session_file.with_suffix(LOG),
+    )
 
 
 def _process(session_file: Path) -> int:

@@ -14,7 +14,7 @@ from CNCStepper.control.program.certificate import CHECK_AGAIN
 from CNCStepper.control.program.send_job import SendJob
 from CNCStepper.control.protocol.grbl.report import Vector
 from CNCStepper.control.stream.return_path import THERE_MM, Axes, back_over_gaps
-from CNCStepper.errors import JobError
+from CNCStepper.errors import JobError, Text
 from CNCStepper.state import ZERO3
 
 if TYPE_CHECKING:
@@ -82,7 +82,7 @@ def gaps_of(job: SendJob) -> Gaps | None:
     try:
         machine = Machine.model_validate(profile)
     except ValidationError as error:
-        what = f"the job's machine profile cannot be read: {error}"
+        what = Text("the job's machine profile cannot be read: {error}", error=error)
         raise JobError("machine-profile", what, advice=CHECK_AGAIN) from error
     play = play_of(machine, job.dialect or machine.controller)
     return Gaps(play) if play else None

@@ -9,7 +9,7 @@ from CNCStepper.control.protocol.grbl.driver import Answered, Grbl
 from CNCStepper.control.protocol.grbl.firmware import Firmware
 from CNCStepper.control.stream.journal_protocol import Keeping, NoJournal
 from CNCStepper.control.stream.tool_power import ToolPower
-from CNCStepper.errors import MachineRefusal, Place, ProgramError
+from CNCStepper.errors import MachineRefusal, Place, ProgramError, Text
 
 
 class Feeder:
@@ -83,7 +83,12 @@ class Feeder:
         code = firmware.error(answered.error)
         return MachineRefusal(
             f"{firmware.key}-error-{answered.error}",
-            f"the controller refused '{answered.sent.text}': {code.meaning} (error:{answered.error})",
+            Text(
+                "the controller refused '{sent}': {meaning} (error:{error})",
+                sent=answered.sent.text,
+                meaning=code.meaning,
+                error=answered.error,
+            ),
             advice=code.advice,
             place=self.job.place(answered.sent.index),
         )
@@ -105,7 +110,7 @@ class Feeder:
         text = self.job.lines[self.sent]
         if only_pauses(text):
             return self.job.messages.get(self.sent, self._message)
-        return f"next is line {self.job.place(self.sent).line}: {text}"
+        return Text("next is line {line}: {text}", line=self.job.place(self.sent).line, text=text)
 
     def leave_stand(self) -> None:
         """Go on with the line that was waited before, as soon as the journal allows it."""

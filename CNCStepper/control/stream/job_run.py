@@ -48,7 +48,7 @@ from CNCStepper.control.stream.position_trust import counts_steps
 from CNCStepper.control.stream.remaining_time import Remaining
 from CNCStepper.control.stream.status_snapshot import moment
 from CNCStepper.control.stream.tool_power import power_of
-from CNCStepper.errors import CNCStepperError, LinkError, MachineRefusal
+from CNCStepper.errors import CNCStepperError, LinkError, MachineRefusal, Text
 
 MAY_HAVE_RESTARTED = (connect.RESTARTED, ANSWER_MISSING)  # errors; behind a restart the place is another one
 IDLE_REPORTS = 2  # one alone may come between the last answer and the start of its motion
@@ -192,7 +192,7 @@ class JobRun:
             return self._outcome(STOPPED, "stopped before the first line was sent", known)
         except CNCStepperError as error:
             known = self._stands(found) and error.code not in (UNKNOWN, *MAY_HAVE_RESTARTED)
-            return self._outcome(REFUSED, str(error), known, error)
+            return self._outcome(REFUSED, error.text, known, error)
         self._phases.set("running")
         return None
 
@@ -217,7 +217,9 @@ class JobRun:
         except BaseException:  # whatever went wrong here, the machine must not go on alone
             self._rest(self.driver)
             raise
-        return self._outcome(DONE, f"all {self.status().total} lines are cut, the machine is idle", True)
+        return self._outcome(
+            DONE, Text("all {total} lines are cut, the machine is idle", total=self.status().total), True
+        )
 
     def _turn(self, driver: Grbl) -> None:
         """Feed, ask, listen and obey once; at most until the next `?` is due."""
@@ -399,8 +401,17 @@ class JobRun:
         at_rest, broken = self._rest(driver)
         known = at_rest and not restarted and not (self._path and self._path.restarted)
         error = error or broken or (self._path.excursion if self._path else None)
-        why = str(error) if error else f"stopped as asked after {self.status().acknowledged} lines"
-        return self._outcome(FAILED if error else STOPPED, f"{why}. Now {KEPT if known else LOST}", known, error)
+        why = (
+            error.text
+            if error
+            else Text("stopped as asked after {acknowledged} lines", acknowledged=self.status().acknowledged)
+        )
+        return self._outcome(
+            FAILED if error else STOPPED,
+            Text("{why}. Now {state}", why=why, state=KEPT if known else LOST),
+            known,
+            error,
+        )
 
     def _may_have_restarted(self, error: CNCStepperError | None) -> bool:
         """Return whether an answer is missing, perhaps since the controller restarted unheard."""

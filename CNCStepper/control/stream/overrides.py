@@ -12,7 +12,7 @@ from collections.abc import Iterator, Sequence
 from CNCStepper.control.operator.actions import fresh_status
 from CNCStepper.control.protocol.grbl.driver import Grbl
 from CNCStepper.control.protocol.grbl.timeouts import Timing
-from CNCStepper.errors import MachineRefusal
+from CNCStepper.errors import MachineRefusal, Text
 
 NORMAL = (100, 100, 100)  # feed, rapid, spindle: after every reset
 TOLD_STATUSES = 30  # within which a controller tells its overrides; grbl does in every tenth or so
@@ -34,8 +34,8 @@ def override_byte(kind: str, step: str) -> bytes:
         return BYTES[kind][step]
     except KeyError as error:
         there = ", ".join(f"{name} {' '.join(steps)}" for name, steps in BYTES.items())
-        what = f"there is no override {kind} {step}"
-        raise MachineRefusal("override", what, advice=f"use one of: {there}") from error
+        what = Text("there is no override {kind} {step}", kind=kind, step=step)
+        raise MachineRefusal("override", what, advice=Text("use one of: {there}", there=there)) from error
 
 
 def restore(driver: Grbl, percents: Sequence[int], timing: Timing) -> None:

@@ -40,7 +40,7 @@ from CNCStepper.control.protocol.grbl.timeouts import Timing
 from CNCStepper.control.stream import stop_sequence
 from CNCStepper.control.stream.feeder import Feeder
 from CNCStepper.control.stream.phases import RETREATED
-from CNCStepper.errors import CNCStepperError, JobError, LinkError, MachineRefusal
+from CNCStepper.errors import CNCStepperError, JobError, LinkError, MachineRefusal, Text
 from CNCStepper.state import WORK_SYSTEMS
 
 STANDS = ("held", "paused", RETREATED)  # the phases in which a leg may begin
@@ -160,7 +160,7 @@ class Retrace:
         except CNCStepperError:
             raise
         except (OSError, ValueError, KeyError, TypeError, AttributeError) as error:
-            what = f"the way back cannot be read: {error}"
+            what = Text("the way back cannot be read: {error}", error=error)
             raise JobError("retreat-file", what, advice="ask for it again") from error
 
     def start(self, leg: Leg) -> None:
@@ -260,7 +260,7 @@ def check_place(driver: Grbl, leg: Leg) -> None:
         raise MachineRefusal(
             "retreat-moved",
             "the machine does not stand where the way back begins",
-            value=f"{far_mm:.3f} mm away",
+            value=Text("{far_mm:.3f} mm away", far_mm=far_mm),
             limit=f"{SAME_PLACE_MM:g} mm",
             advice="ask for the way back again",
         )

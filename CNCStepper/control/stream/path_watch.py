@@ -21,7 +21,7 @@ from CNCStepper.control.protocol.grbl.report import Status, Vector
 from CNCStepper.control.stream.backlash_side import Gaps
 from CNCStepper.control.stream.executed_lines import SEGMENTS, finished_lines, longest_step_mm
 from CNCStepper.control.stream.work_offset_watch import OffsetWatch, zero_changed
-from CNCStepper.errors import MachineRefusal, Place
+from CNCStepper.errors import MachineRefusal, Place, Text
 from CNCStepper.state import WORK_SYSTEMS, Start
 
 if TYPE_CHECKING:
@@ -149,7 +149,7 @@ class PathWatch:
             self._warn(str(path.refused.at(self._job.place(path.lost_at))))
 
     def _warn(self, why: str) -> None:
-        self._tell("warning", f"positions are not compared with the path any more: {why}")
+        self._tell("warning", Text("positions are not compared with the path any more: {why}", why=why))
 
     def _leave(self, place: Vector | None, sent: int) -> MachineRefusal:
         self.restarted = self.may_have_restarted(sent)

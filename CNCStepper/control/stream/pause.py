@@ -29,7 +29,7 @@ from CNCStepper.control.protocol.grbl.timeouts import Timing
 from CNCStepper.control.session.command import Command
 from CNCStepper.control.stream.backlash_side import UP, Gaps
 from CNCStepper.control.stream.return_path import THERE_MM, Axes, over
-from CNCStepper.errors import CNCStepperError, MachineRefusal
+from CNCStepper.errors import CNCStepperError, MachineRefusal, Text
 
 TOOL_ENDS_S = 0.5  # from a cycle start until the state tells of it
 AT_REST = ("Idle", TOOL)
@@ -212,7 +212,7 @@ class Stand:
         self.is_off_path = self._zero_set = True
         system = actions.set_zero(driver, axes, self._timing)
         self._changed_s = driver.clock()
-        self._tell("message", f"zero of {axes.upper()} set in {system}")
+        self._tell("message", Text("zero of {axes} set in {system}", axes=axes.upper(), system=system))
 
     def _cancel(self, driver: Grbl, jogger: Jogger) -> None:
         self._resume_asked = self._going_back = False
@@ -247,5 +247,5 @@ def _tool_awaited() -> MachineRefusal:
 
 
 def _power_refused(answer: Answered) -> MachineRefusal:
-    what = f"the controller refused '{answer.sent.text}' (error:{answer.error})"
+    what = Text("the controller refused '{sent}' (error:{error})", sent=answer.sent.text, error=answer.error)
     return MachineRefusal("power-refused", what, advice="look that the tool is off, and start the job again")

@@ -23,7 +23,7 @@ from CNCStepper.control.protocol.grbl.readiness import CHECK, state_refusal
 from CNCStepper.control.protocol.grbl.report import Alarm, Status
 from CNCStepper.control.stream.feeder import Feeder
 from CNCStepper.control.stream.pause_id import StandCount
-from CNCStepper.errors import MachineRefusal
+from CNCStepper.errors import MachineRefusal, Text
 
 CHANGE_TOOL = "change the tool, then resume"
 STANDING = ("held", "paused", "door")
@@ -61,7 +61,7 @@ class Phases:
         if name != self.name:
             self.name, self.message = name, message
             self._stands.enter(name)
-            self._tell("phase", f"{name}: {message}" if message else name)
+            self._tell("phase", Text("{name}: {message}", name=name, message=message) if message else name)
 
     def run_anew(self) -> None:
         """Begin with other lines at a machine that was reset: no wish of before counts."""
@@ -135,7 +135,10 @@ class Phases:
             return
         if self._resume_asked:  # never kept: closing the door must not start the machine
             self._resume_asked = False
-            self._tell("warning", f"the safety door is open or the machine is parking ({status.name}): resume later")
+            self._tell(
+                "warning",
+                Text("the safety door is open or the machine is parking ({status}): resume later", status=status.name),
+            )
         self.set("door", "close the safety door, then resume")
 
     def _at_tool_change(self, driver: Grbl, feeder: Feeder) -> None:

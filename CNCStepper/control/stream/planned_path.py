@@ -15,7 +15,7 @@ import numpy as np
 
 from CNCStepper.control.program.wire_line import ARCS
 from CNCStepper.control.stream.backlash_side import Gaps
-from CNCStepper.errors import ProgramError
+from CNCStepper.errors import ProgramError, Text
 from CNCStepper.gcode.interpreter.line_interpreter import Interpreter
 from CNCStepper.state import Start, States
 from CNCStepper.toolpath import ARC_CW, PLANE_AXES, Chunk
@@ -143,7 +143,7 @@ class PlannedPath:
         table = self._interpreter.table
         try:
             if text.startswith("$"):
-                raise ProgramError("path-unknown", f"'{text}' moves as only the controller knows")
+                raise ProgramError("path-unknown", Text("'{text}' moves as only the controller knows", text=text))
             self._interpreter.line(text)
         except ProgramError as error:
             self._lose(error)

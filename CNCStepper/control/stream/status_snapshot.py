@@ -8,6 +8,7 @@ from collections.abc import Callable, Iterable
 from CNCStepper.control.protocol.grbl.driver import Grbl, Received
 from CNCStepper.control.protocol.grbl.report import Damaged, Feedback, Unknown
 from CNCStepper.control.session.status import SenderStatus
+from CNCStepper.errors import Text
 
 HOMING = 22  # the setting that switches homing on
 
@@ -39,6 +40,9 @@ def tell_words(received: Iterable[Received], tell: Callable[[str, str], None]) -
         if isinstance(report, Feedback) and report.tag in ("MSG", "echo"):
             tell("message", report.text)
         elif isinstance(report, Damaged):
-            tell("warning", f"a report of the controller is damaged and was not believed: {report.text}")
+            tell(
+                "warning",
+                Text("a report of the controller is damaged and was not believed: {report}", report=report.text),
+            )
         elif isinstance(report, Unknown):
-            tell("warning", f"the controller said: {report.text}")
+            tell("warning", Text("the controller said: {report}", report=report.text))

@@ -19,7 +19,7 @@ from typing import Any
 
 from CNCStepper.control.transport.output_queue import WireQueue
 from CNCStepper.control.transport.telnet import TelnetPort, socket_url
-from CNCStepper.errors import CNCStepperError, LinkError, MissingPackage
+from CNCStepper.errors import CNCStepperError, LinkError, MissingPackage, Text
 from CNCStepper.safe_text import printable
 
 READ_BYTES = 4096
@@ -88,7 +88,9 @@ class Link:
         except (OSError, ValueError) as error:
             raise self._lost(error) from error
         if written is not None and written != len(data):
-            raise self._lost(OSError(f"only {written} of {len(data)} bytes were taken"))
+            raise self._lost(
+                OSError(Text("only {written} of {data} bytes were taken", written=written, data=len(data)))
+            )
 
     def wake(self) -> None:
         """End a `read` that waits; may be called from any thread and from a signal handler."""
@@ -142,7 +144,7 @@ class Link:
         self._is_lost = True
         return LinkError(
             "link-lost",
-            f"the link to {self.name} broke: {printable(str(error))}",
+            Text("the link to {name} broke: {error}", name=self.name, error=printable(str(error))),
             advice="check cable and power; home the machine or set its zero again before the next cut",
         )
 
@@ -210,18 +212,34 @@ def _refusal(name: str, error: Exception) -> CNCStepperError:
     """Return what to do about a port that could not be opened."""
     number, text = _error_number(error), str(error)
     if name.startswith(("socket://", "rfc2217://")) and not re.match(r"\w+://[^/:]+:\d+", name):
-        return LinkError("port-name", f"'{name}' names no port number", advice="write socket://host:port")
+        return LinkError(
+            "port-name", Text("'{name}' names no port number", name=name), advice="write socket://host:port"
+        )
     if name.startswith(NETWORK):
-        return LinkError("port-silent", f"nothing answers at {name}: {text}", advice="start it, or correct the URL")
+        return LinkError(
+            "port-silent",
+            Text("nothing answers at {name}: {text}", name=name, text=text),
+            advice="start it, or correct the URL",
+        )
     if "://" in name:
-        return LinkError("port-name", f"{name} is no port: {text}", advice="give a device name or socket://host:port")
+        return LinkError(
+            "port-name",
+            Text("{name} is no port: {text}", name=name, text=text),
+            advice="give a device name or socket://host:port",
+        )
     if number == errno.ENOENT or "FileNotFoundError" in text:
-        return LinkError("port-missing", f"there is no port {name}", advice=_plug_in())
+        return LinkError("port-missing", Text("there is no port {name}", name=name), advice=_plug_in())
     if number in FORBIDDEN and os.name == "posix":
-        return LinkError("port-forbidden", f"{name} may not be opened by this user", advice=_permission())
+        return LinkError(
+            "port-forbidden", Text("{name} may not be opened by this user", name=name), advice=_permission()
+        )
     if number in BUSY or "exclusively lock" in text or "PermissionError" in text:
-        return LinkError("port-busy", f"{name} is in use", advice="close the other program that holds it")
-    return LinkError("port-unusable", f"{name} cannot be used as a serial port: {text}", advice=_plug_in())
+        return LinkError(
+            "port-busy", Text("{name} is in use", name=name), advice="close the other program that holds it"
+        )
+    return LinkError(
+        "port-unusable", Text("{name} cannot be used as a serial port: {text}", name=name, text=text), advice=_plug_in()
+    )
 
 
 def _error_number(error: BaseException | None) -> int | None:
@@ -235,7 +253,7 @@ def _error_number(error: BaseException | None) -> int | None:
 
 def _plug_in() -> str:
     names = ", ".join(device for device, _ in port_names()) or "none"
-    return f"plug the controller in, or give one of the ports that are there: {names}"
+    return Text("plug the controller in, or give one of the ports that are there: {names}", names=names)
 
 
 def _permission() -> str:

@@ -25,6 +25,8 @@ from dataclasses import asdict, dataclass
 from typing import Any, TypeVar
 from urllib.parse import urlsplit
 
+from CNCStepper.errors import Text
+
 LOOK_UP_S = 1.0
 DEFAULT_PORTS = {"telnet": 23}
 NETWORK = ("socket", "telnet", "rfc2217")
@@ -116,7 +118,7 @@ class PortIdentity:
         """Return the identity of `to_json`; raises ValueError, KeyError or TypeError where it is none."""
         tcp_port, names = content["tcp_port"], content["names"]
         if not names or not isinstance(names, list) or not isinstance(tcp_port, (int, type(None))):
-            raise ValueError(f"no identity of a port: {str(content)[:80]}")
+            raise ValueError(Text("no identity of a port: {content}", content=str(content)[:80]))
         board, serial, location = (str(content[name]) for name in ("board", "serial", "location"))
         unsure = content.get("unsure") is True  # earlier versions do not say it
         return cls(frozenset(map(str, names)), tcp_port, board, serial, location, unsure)

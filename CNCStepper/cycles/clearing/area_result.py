@@ -14,6 +14,7 @@ from CNCStepper.cycles.clearing.reachable_regions import Rooms
 from CNCStepper.cycles.clearing.region_stages import Part
 from CNCStepper.cycles.contours.neighbour_parts import open_edge_warnings
 from CNCStepper.cycles.cycle import Answer, Removal, RestCorner, Setup
+from CNCStepper.errors import Text, joined
 
 TOLD = 12  # corners in a warning's text, of those that the tool does not reach into
 
@@ -76,19 +77,36 @@ class AreaAnswer(Answer):
         others = [kind for kind in kinds if kind != self._keys.entry]
         if not others:
             return []
-        asked = f"there is no room for a {self._keys.entry} at {len(others)} of {len(kinds)} places"
-        return [f"{asked}; a {others[0]} is used"]
+        asked = Text(
+            "there is no room for a {entry} at {others} of {kinds} places",
+            entry=self._keys.entry,
+            others=len(others),
+            kinds=len(kinds),
+        )
+        return [Text("{asked}; a {other} is used", asked=asked, other=others[0])]
 
 
 def _corner_warnings(corners: Sequence[RestCorner]) -> list[str]:
     if not corners:
         return []
-    told = "; ".join(_corner_words(corner) for corner in corners[:TOLD])
+    told = [_corner_words(corner) for corner in corners[:TOLD]]
     if len(corners) > TOLD:
-        told += f"; and {len(corners) - TOLD} smaller ones"
-    return [f"the tool does not reach into {len(corners)} corners or narrow places; what stays there: {told}"]
+        told.append(Text("and {corners} smaller ones", corners=len(corners) - TOLD))
+    return [
+        Text(
+            "the tool does not reach into {corners} corners or narrow places; what stays there: {told}",
+            corners=len(corners),
+            told=joined("; ", told),
+        )
+    ]
 
 
 def _corner_words(corner: RestCorner) -> str:
     (x, y) = corner.place_mm
-    return f"{corner.thick_mm:.3f} mm ({corner.area_mm2:.3f} mm²) at X{x:.2f} Y{y:.2f}"
+    return Text(
+        "{thick_mm:.3f} mm ({area_mm2:.3f} mm²) at X{x:.2f} Y{y:.2f}",
+        thick_mm=corner.thick_mm,
+        area_mm2=corner.area_mm2,
+        x=x,
+        y=y,
+    )

@@ -23,7 +23,7 @@ import numpy as np
 from CNCStepper.cycles.clearing.pattern import Opening
 from CNCStepper.cycles.clearing.straight_links import Ground
 from CNCStepper.cycles.moves import Moves, Point, point_of
-from CNCStepper.errors import CycleError
+from CNCStepper.errors import CycleError, Text
 from CNCStepper.geometry.curve import Curve
 from CNCStepper.machine.tools.tool import Tool
 
@@ -122,7 +122,9 @@ def entry_for(kind: str, ground: Ground, first: Curve, tool: Tool, angle_deg: fl
         raise CycleError(
             "entry-room",
             "there is no room for a helix or ramp, and the tool does not cut over its centre",
-            value=f"{first.length_mm:.3f} mm to ramp on" if kind != "plunge" else 'entry "plunge"',
+            value=Text("{length_mm:.3f} mm to ramp on", length_mm=first.length_mm)
+            if kind != "plunge"
+            else 'entry "plunge"',
             advice="use a smaller tool or one that plunges" if kind != "plunge" else 'use entry "helix" or "ramp"',
         )
     return Plunge(point_of(first.xy[0]))

@@ -21,7 +21,7 @@ from shapely.geometry.base import BaseGeometry
 
 from CNCStepper.cycles.clearing.pattern import Area
 from CNCStepper.cycles.passes import MOST_PASSES, require_few_blocks
-from CNCStepper.errors import CycleError
+from CNCStepper.errors import CycleError, Text
 from CNCStepper.geometry.curve import Curve
 from CNCStepper.geometry.region import Region
 from CNCStepper.geometry.shapely_polygons import polygons_of
@@ -71,7 +71,7 @@ def _require_few_rings(rings: list[Ring], area: Area) -> None:
     if any(not ring.region.offset(-far_mm, SLACK * area.tolerance_mm).empty for ring in rings):
         raise CycleError(
             "passes-many",
-            f"stepover_mm asks for more than {MOST_PASSES} passes",
+            Text("stepover_mm asks for more than {most_passes} passes", most_passes=MOST_PASSES),
             value=f"{area.stepover_mm:g} mm",
             advice="make stepover_mm larger",
         )

@@ -20,7 +20,7 @@ import shapely
 from shapely.geometry.base import BaseGeometry
 
 from CNCStepper.cycles.cycle import RestCorner
-from CNCStepper.errors import CycleError
+from CNCStepper.errors import CycleError, Text
 from CNCStepper.geometry.curve import Curve
 from CNCStepper.geometry.fitting.point_fit import refitted
 from CNCStepper.geometry.region import Region
@@ -162,5 +162,5 @@ def _too_narrow(region: Region, tool_mm: float, slack_mm: float) -> CycleError:
         "the tool is wider than the pocket",
         value=f"{2.0 * tool_mm:g} mm",
         limit=f"{widest:.3f} mm",
-        advice=f"choose a tool of at most {widest:.3f} mm diameter",
+        advice=Text("choose a tool of at most {widest:.3f} mm diameter", widest=widest),
     )

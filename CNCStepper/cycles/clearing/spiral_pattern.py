@@ -25,7 +25,7 @@ from shapely import LineString, Polygon
 
 from CNCStepper.cycles.clearing.pattern import Area, Pass, Run
 from CNCStepper.cycles.passes import MOST_PASSES
-from CNCStepper.errors import CycleError
+from CNCStepper.errors import CycleError, Text
 from CNCStepper.geometry.curve import Curve, from_points
 from CNCStepper.geometry.fitting.point_fit import refitted
 
@@ -143,9 +143,9 @@ def _turns(rays: _Rays, area: Area, lag: float) -> int:
     if rays.depth_mm > MOST_PASSES * apart_mm:
         raise CycleError(
             "passes-many",
-            f"stepover_mm asks for more than {MOST_PASSES} turns",
+            Text("stepover_mm asks for more than {most_passes} turns", most_passes=MOST_PASSES),
             value=f"{area.stepover_mm:g} mm",
-            limit=f"at least {rays.depth_mm / MOST_PASSES:.3g} mm",
+            limit=Text("at least {depth_mm:.3g} mm", depth_mm=rays.depth_mm / MOST_PASSES),
             advice="make stepover_mm larger",
         )
     return max(math.ceil(rays.depth_mm / apart_mm), 1)

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import math
 
-from CNCStepper.errors import CycleError
+from CNCStepper.errors import CycleError, Text
 from CNCStepper.machine.tools.tool import Tool
 from CNCStepper.machine.tools.tool_point import cone_of
 from CNCStepper.machine.tools.tool_shapes import BEAMS
@@ -48,6 +48,10 @@ def require_kerf(tool: Tool, kerf_mm: float, depth_mm: float) -> None:
         "kerf-far",
         "kerf_mm is not what this tool cuts",
         value=f"{kerf_mm:g} mm",
-        limit=f"{(1.0 - KERF_SHARE) * wide_mm:.4g} to {(1.0 + KERF_SHARE) * wide_mm:.4g} mm",
+        limit=Text(
+            "{kerf_share:.4g} to {kerf_share2:.4g} mm",
+            kerf_share=(1.0 - KERF_SHARE) * wide_mm,
+            kerf_share2=(1.0 + KERF_SHARE) * wide_mm,
+        ),
         advice="measure the width of its cut, or leave kerf_mm out",
     )

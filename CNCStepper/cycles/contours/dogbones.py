@@ -157,8 +157,14 @@ def _sharp_warnings(corners: Sequence[Corner], boned: bool) -> list[str]:
     more = "more than" if most.why_not else "up to"
     told = "a dog-bone would be too long" if boned else "dog-bones or a smaller tool take it away"
     return [
-        f"{more} {most.rest_mm:.3f} mm of material stays in {len(corners)} inside corner(s) that are sharper "
-        f"than the tool; {told}"
+        Text(
+            "{more} {rest_mm:.3f} mm of material stays in {corners} inside corner(s) that are "
+            "sharper than the tool; {told}",
+            more=more,
+            rest_mm=most.rest_mm,
+            corners=len(corners),
+            told=told,
+        )
     ]
 
 
@@ -168,8 +174,13 @@ def _gap_warnings(corners: Sequence[Corner]) -> list[str]:
         return []
     x, y = max(gaps, key=lambda corner: corner.rest_mm).place
     return [
-        f"material stays in {len(gaps)} gap(s) between walls that are narrower than the tool, the deepest one before "
-        f"X{x:.3f} Y{y:.3f}; a smaller tool takes it away"
+        Text(
+            "material stays in {gaps} gap(s) between walls that are narrower than the tool, the "
+            "deepest one before X{x:.3f} Y{y:.3f}; a smaller tool takes it away",
+            gaps=len(gaps),
+            x=x,
+            y=y,
+        )
     ]
 
 

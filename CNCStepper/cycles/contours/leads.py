@@ -201,8 +201,13 @@ def _no_room(fitted: Fitted, walls: Walls) -> CycleError:
     name, far_mm, need_mm, (x, y) = walls.nearest(worst)
     return CycleError(
         "lead-room",
-        f"the leads fit nowhere in the scrap; the closest obstacle is {name} at X{x:.3f} Y{y:.3f}",
-        value=f"{far_mm:.3f} mm from the tool's centre",
-        limit=f"at least {need_mm:.3f} mm",
+        Text(
+            "the leads fit nowhere in the scrap; the closest obstacle is {name} at X{x:.3f} Y{y:.3f}",
+            name=name,
+            x=x,
+            y=y,
+        ),
+        value=Text("{far_mm:.3f} mm from the tool's centre", far_mm=far_mm),
+        limit=Text("at least {need_mm:.3f} mm", need_mm=need_mm),
         advice="make the leads or the tool smaller, move the parts apart, or do without leads",
     )

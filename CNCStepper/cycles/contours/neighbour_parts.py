@@ -16,7 +16,7 @@ import shapely
 from shapely.geometry.base import BaseGeometry
 
 from CNCStepper.cycles.contours.sides import Sides, enclosed
-from CNCStepper.errors import CycleError
+from CNCStepper.errors import CycleError, Text
 from CNCStepper.geometry.curve import Curve
 from CNCStepper.geometry.shapely_polygons import polygons_of
 
@@ -37,8 +37,8 @@ def require_apart(sides: Sides, paths: Sequence[Curve], parts: Sequence[Sequence
         if deep_mm > tolerance_mm:
             raise CycleError(
                 "part-cut",
-                f"the cut goes into the part of another contour at X{x:.3f} Y{y:.3f}",
-                value=f"{deep_mm:.3f} mm deep",
+                Text("the cut goes into the part of another contour at X{x:.3f} Y{y:.3f}", x=x, y=y),
+                value=Text("{deep_mm:.3f} mm deep", deep_mm=deep_mm),
                 limit=f"{tolerance_mm:g} mm",
                 advice="cut both in one operation, which leaves the gap standing, or use a smaller tool",
             )
@@ -56,20 +56,28 @@ def hurt_warnings(paths: Sequence[Curve], radius_mm: float, keep: Sequence[Curve
     nearest = hurt[shapely.distance(hurt, lines).argmin()]
     x, y = shapely.get_coordinates(shapely.shortest_line(nearest, lines))[0]
     return [
-        f"the cut goes into {len(hurt)} outline(s) that other contours leave standing, most at X{x:.3f} Y{y:.3f}, by "
-        f"{radius_mm - shapely.distance(nearest, lines):.3f} mm"
+        Text(
+            "the cut goes into {hurt} outline(s) that other contours leave standing, most at "
+            "X{x:.3f} Y{y:.3f}, by {radius_mm:.3f} mm",
+            hurt=len(hurt),
+            x=x,
+            y=y,
+            radius_mm=radius_mm - shapely.distance(nearest, lines),
+        )
     ]
 
 
 def open_edge_warnings(cut: BaseGeometry, parts: Sequence[Sequence[Curve]], tolerance_mm: float) -> list[str]:
     """Return a warning for each part through whose edge a cleared area leads, and where."""
-    told = []
+    told: list[str] = []
     for outlines in parts:
         part = polygons_of(enclosed(outlines))
         if min(cut.intersection(part).area, cut.difference(part).area) > tolerance_mm * cut.length:
             place = part.boundary.intersection(cut).representative_point()
             where = f"at X{place.x:.3f} Y{place.y:.3f}"
-            told.append(f"the cut leads through the edge of a part that a contour leaves standing, {where}")
+            told.append(
+                Text("the cut leads through the edge of a part that a contour leaves standing, {where}", where=where)
+            )
     return told
 
 

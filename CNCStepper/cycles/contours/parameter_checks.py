@@ -7,7 +7,7 @@ from CNCStepper.cycles.contours.contour_model import ContourModel
 from CNCStepper.cycles.contours.cutting_width import require_contour_tool, require_kerf
 from CNCStepper.cycles.cycle import Setup
 from CNCStepper.cycles.moves import require_setup
-from CNCStepper.errors import CycleError
+from CNCStepper.errors import CycleError, Text
 from CNCStepper.machine.tools.tool_shapes import BEAMS
 
 
@@ -19,14 +19,16 @@ def require_cuttable(cycle: ContourModel, setup: Setup) -> None:
     require_kerf(tool, cycle.kerf_mm, cycle.depth_mm)
     if tool.shape in BEAMS and (cycle.tabs or cycle.ramp_deg):
         raise CycleError(
-            "beam-height", f"a {tool.shape} cuts through at any height: no tabs, no ramp", advice="leave them out"
+            "beam-height",
+            Text("a {tool_shape} cuts through at any height: no tabs, no ramp", tool_shape=tool.shape),
+            advice="leave them out",
         )
     if cycle.tabs and cycle.tabs.height_mm >= cycle.depth_mm:
         raise CycleError(
             "tab-high",
             "the tabs are as high as the contour is deep",
             value=f"{cycle.tabs.height_mm:g} mm",
-            limit=f"below {cycle.depth_mm:g} mm",
+            limit=Text("below {depth_mm:g} mm", depth_mm=cycle.depth_mm),
             advice="make them lower",
         )
     if cycle.side == "on" and (cycle.lead_in.kind != "none" or cycle.lead_out.kind != "none"):
@@ -38,7 +40,7 @@ def require_cuttable(cycle: ContourModel, setup: Setup) -> None:
         raise CycleError(
             "tool-core",
             "the mill does not cut over its centre: it can neither plunge nor come down beside a tab",
-            value=f"ramp {cycle.ramp_deg:g} deg",
-            limit=f"above 0, at most {tool.ramp_max_deg:g} deg, no tabs",
+            value=Text("ramp {ramp_deg:g} deg", ramp_deg=cycle.ramp_deg),
+            limit=Text("above 0, at most {ramp_max_deg:g} deg, no tabs", ramp_max_deg=tool.ramp_max_deg),
             advice="set ramp_deg and no tabs, or use a mill that cuts over its centre",
         )

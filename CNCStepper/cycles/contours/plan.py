@@ -22,7 +22,7 @@ from CNCStepper.cycles.contours.sides import require_followed, sides_of
 from CNCStepper.cycles.contours.tabs import Ground, stretches, tab_area, tab_places, tabs_wanted
 from CNCStepper.cycles.cycle import Answer, Setup
 from CNCStepper.cycles.passes import deep_pass_warnings, whole_passes
-from CNCStepper.errors import CycleError
+from CNCStepper.errors import CycleError, Text
 from CNCStepper.geometry.curve import Curve
 from CNCStepper.geometry.cut_order.cut_order import Stop, inside_before_outside, ordered
 from CNCStepper.geometry.fitting.point_fit import fit_points
@@ -119,7 +119,7 @@ class _Planner:
                 "overcut-long",
                 "the overcut is longer than the contour",
                 value=f"{cycle.overcut_mm:g} mm",
-                limit=f"below {curve.length_mm:.3f} mm",
+                limit=Text("below {length_mm:.3f} mm", length_mm=curve.length_mm),
                 advice="make it shorter",
             )
         return _Way(track, curve, fitted, corners, finishing, 0.0 if finishing else cycle.finish_stepover_mm)
@@ -141,15 +141,21 @@ class _Planner:
             if len(places) < wanted:
                 x, y = way.curve.xy[0]
                 self.warnings.append(
-                    f"{len(places)} of {wanted} tabs fit on the contour that begins at X{x:.3f} Y{y:.3f}; "
-                    f"make them narrower to have more"
+                    Text(
+                        "{places} of {wanted} tabs fit on the contour that begins at X{x:.3f} Y{y:.3f}; make "
+                        "them narrower to have more",
+                        places=len(places),
+                        wanted=wanted,
+                        x=x,
+                        y=y,
+                    )
                 )
             areas += [tab_area(way.curve, place, cycle.tabs, ground) for place in places]
         if not areas:
             raise CycleError(
                 "tab-room",
                 "no tab fits on any contour",
-                value=f"{cycle.tabs.width_mm:g} mm wide",
+                value=Text("{width_mm:g} mm wide", width_mm=cycle.tabs.width_mm),
                 advice="make the tabs narrower or the tool smaller, or cut without tabs",
             )
         return areas
@@ -220,8 +226,13 @@ class _Planner:
         if hanging := self.sides.hanging([way.exact for way in ways]):
             x, y = self.sides.tightest()
             self.warnings.append(
-                f"{hanging} piece(s) stay joined to others, for the tool does not fit between them; the tightest place "
-                f"is at X{x:.3f} Y{y:.3f}"
+                Text(
+                    "{hanging} piece(s) stay joined to others, for the tool does not fit between them; "
+                    "the tightest place is at X{x:.3f} Y{y:.3f}",
+                    hanging=hanging,
+                    x=x,
+                    y=y,
+                )
             )
         keep = self.setup.keep
         self.warnings += hurt_warnings([way.exact for way in ways], self.radius_mm, keep, cycle.tolerance_mm)
@@ -230,15 +241,22 @@ class _Planner:
         smallest = min(way.fitted.size for way in ways)
         if smallest < 1.0:
             self.warnings.append(
-                f"leads had to be made smaller to stay in the scrap, down to {smallest:.0%} of their size"
+                Text(
+                    "leads had to be made smaller to stay in the scrap, down to {smallest:.0%} of their size",
+                    smallest=smallest,
+                )
             )
         through = thick_mm is not None and cycle.depth_mm >= thick_mm
         if through and not tabs and self.tool.shape not in BEAMS and any(way.curve.closed for way in ways):
             self.warnings.append("the contour goes through the stock and sets a piece free that no tab holds")
         if cycle.kerf_mm and abs(cycle.kerf_mm - self.tool.diameter_mm) > cycle.tolerance_mm:
             self.warnings.append(
-                f"the cut is taken to be {cycle.kerf_mm:g} mm wide, the simulation cuts with the tool's "
-                f"{self.tool.diameter_mm:g} mm"
+                Text(
+                    "the cut is taken to be {kerf_mm:g} mm wide, the simulation cuts with the tool's "
+                    "{diameter_mm:g} mm",
+                    kerf_mm=cycle.kerf_mm,
+                    diameter_mm=self.tool.diameter_mm,
+                )
             )
 
 

@@ -138,8 +138,10 @@ def require_followed(sides: Sides, tracks: Sequence[Curve]) -> None:
         x, y = curve.xy[0]
         raise CycleError(
             "tool-wide",
-            f"the tool fits nowhere along curve {number}, which begins at X{x:.3f} Y{y:.3f}",
-            value=f"{2.0 * sides.clear_mm:g} mm with the stock to leave",
+            Text(
+                "the tool fits nowhere along curve {number}, which begins at X{x:.3f} Y{y:.3f}", number=number, x=x, y=y
+            ),
+            value=Text("{clear_mm:g} mm with the stock to leave", clear_mm=2.0 * sides.clear_mm),
             advice="choose a smaller tool or less stock to leave",
         )
 
@@ -149,7 +151,7 @@ def _require_kind(curves: Sequence[Curve], side: Side) -> None:
         if not curve.length_mm > FOLLOWED_MM:
             raise CycleError(
                 "curve-length",
-                f"curve {number} has no length",
+                Text("curve {number} has no length", number=number),
                 value=f"{curve.length_mm:g} mm",
                 advice="draw it larger, or leave it out",
             )
@@ -157,14 +159,14 @@ def _require_kind(curves: Sequence[Curve], side: Side) -> None:
             gap_mm = float(np.hypot(*(curve.xy[-1] - curve.xy[0])))
             raise CycleError(
                 "curve-open",
-                f"curve {number} is open, it has no {side}",
-                value=f"gap {gap_mm:.3g} mm",
+                Text("curve {number} is open, it has no {side}", number=number, side=side),
+                value=Text("gap {gap_mm:.3g} mm", gap_mm=gap_mm),
                 advice='close it, or use side "left", "right" or "on"',
             )
         if side in ("left", "right") and curve.closed:
             raise CycleError(
                 "curve-closed",
-                f"curve {number} is closed, it has no {side}",
+                Text("curve {number} is closed, it has no {side}", number=number, side=side),
                 advice='use side "inside", "outside" or "on"',
             )
 

@@ -56,9 +56,9 @@ def tabs_wanted(path: Curve, tabs: Tabs) -> int:
     if path.length_mm > MOST_TABS * tabs.spacing_mm > 0.0:
         raise CycleError(
             "tabs-many",
-            f"spacing_mm asks for more than {MOST_TABS} tabs on one contour",
+            Text("spacing_mm asks for more than {most_tabs} tabs on one contour", most_tabs=MOST_TABS),
             value=f"{tabs.spacing_mm:g} mm",
-            limit=f"at least {path.length_mm / MOST_TABS:.3g} mm",
+            limit=Text("at least {length_mm:.3g} mm", length_mm=path.length_mm / MOST_TABS),
             advice="make spacing_mm larger",
         )
     return tabs.count or max(math.ceil(path.length_mm / tabs.spacing_mm), 1)

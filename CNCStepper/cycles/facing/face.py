@@ -32,7 +32,7 @@ from CNCStepper.cycles.moves import Moves, Point, point_of, require_setup
 from CNCStepper.cycles.parameter_types import CurveField
 from CNCStepper.cycles.passes import require_few_blocks, whole_passes
 from CNCStepper.cycles.tool_requirements import require_flat, require_stepover
-from CNCStepper.errors import CycleError
+from CNCStepper.errors import CycleError, Text
 from CNCStepper.geometry.curve import Curve
 from CNCStepper.geometry.cut_order.cut_order import Stop, ordered
 from CNCStepper.geometry.fitting.point_fit import refitted
@@ -163,8 +163,13 @@ class Face(FaceParameters, BaseModel):
         figures = {"ap_mm": -plan.floors_mm[0], "levels": len(plan.floors_mm), "ae_mm": plan.apart_mm}
         figures |= {"passes": len(plan.runs), "entries_from_the_side": len(plan.runs) - len(inside)}
         removal = Removal(plan.allowed, 0.0, -self.depth_mm, self.tolerance_mm, plan.wanted)
-        told = [
-            f"{len(inside)} of {len(plan.runs)} runs cannot be entered from the side; a {kind} is used"
+        told: list[str] = [
+            Text(
+                "{inside} of {runs} runs cannot be entered from the side; a {kind} is used",
+                inside=len(inside),
+                runs=len(plan.runs),
+                kind=kind,
+            )
             for kind in inside
         ]
         return Answer([removal], figures, told[:1])

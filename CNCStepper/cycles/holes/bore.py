@@ -20,7 +20,7 @@ from CNCStepper.cycles.holes.hole_patterns import Hole, Pattern, placed
 from CNCStepper.cycles.moves import Moves, require_setup
 from CNCStepper.cycles.passes import require_few_blocks, whole_steps
 from CNCStepper.cycles.tool_requirements import require_flat, require_stepover
-from CNCStepper.errors import CycleError
+from CNCStepper.errors import CycleError, Text
 from CNCStepper.machine.tools.tool import Tool
 from CNCStepper.toolpath import TableBuilder
 
@@ -111,7 +111,10 @@ class Bore(BoreParameters, BaseModel):
                 "tool-wide",
                 "the bore leaves the tool no room for a helix",
                 value=f"{tool.diameter_mm:g} mm",
-                limit=f"at most {min(narrowest_mm / (1.0 + LEAST_ROOM), narrowest_mm - 2.0 * NARROWEST_MM):.3f} mm",
+                limit=Text(
+                    "at most {narrowest_mm:.3f} mm",
+                    narrowest_mm=min(narrowest_mm / (1.0 + LEAST_ROOM), narrowest_mm - 2.0 * NARROWEST_MM),
+                ),
                 advice="choose a smaller tool, or drill",
             )
         require_stepover(self.stepover_mm, tool)
@@ -129,7 +132,11 @@ def _least_mm(tool_mm: float) -> float:
 
 
 def _lowered(pitch_mm: float, most_deg: float) -> str:
-    return f"pitch_mm is lowered to {pitch_mm:.3f} mm, for the helix must not fall by more than {most_deg:g}°"
+    return Text(
+        "pitch_mm is lowered to {pitch_mm:.3f} mm, for the helix must not fall by more than {most_deg:g}°",
+        pitch_mm=pitch_mm,
+        most_deg=most_deg,
+    )
 
 
 def _widest(radii_mm: list[list[float]]) -> float:

@@ -20,7 +20,7 @@ from CNCStepper.cycles.holes.hole_parameters import DrillParameters
 from CNCStepper.cycles.holes.hole_patterns import Pattern, placed
 from CNCStepper.cycles.moves import Point, require_feed
 from CNCStepper.cycles.passes import require_few_blocks
-from CNCStepper.errors import CycleError
+from CNCStepper.errors import CycleError, Text
 from CNCStepper.machine.tools.tool import Tool
 from CNCStepper.machine.tools.tool_point import Cone, cone_of
 from CNCStepper.toolpath import TableBuilder
@@ -53,7 +53,11 @@ class Drill(DrillParameters, BaseModel):
     def _check(self, setup: Setup) -> None:
         tool = setup.tool
         if tool.shape not in SHAPES:
-            raise CycleError("tool-shape", f"a {tool.shape} tool does not drill", advice="use a drill or a flat mill")
+            raise CycleError(
+                "tool-shape",
+                Text("a {tool_shape} tool does not drill", tool_shape=tool.shape),
+                advice="use a drill or a flat mill",
+            )
         require_feed(tool, "plunge_mm_min")
         self._check_own_word()
 
@@ -61,16 +65,30 @@ class Drill(DrillParameters, BaseModel):
         """Refuse a style without the key that it lives on, and a key that the style would pass over in silence."""
         word = OWN_WORD[self.style]
         if word == "Q" and not self.peck_mm:
-            what, advice = f"{self.style} drills in pecks and needs peck_mm", "give peck_mm, or use G81"
+            what, advice = (
+                Text("{style} drills in pecks and needs peck_mm", style=self.style),
+                "give peck_mm, or use G81",
+            )
             raise CycleError("peck-missing", what, value=f"{self.peck_mm:g} mm", limit="above 0 mm", advice=advice)
         if word == "P" and not self.dwell_s:
-            what, advice = f"{self.style} waits at the bottom and needs dwell_s", "give dwell_s, or use G81"
+            what, advice = (
+                Text("{style} waits at the bottom and needs dwell_s", style=self.style),
+                "give dwell_s, or use G81",
+            )
             raise CycleError("dwell-missing", what, value=f"{self.dwell_s:g} s", limit="above 0 s", advice=advice)
         if word != "Q" and self.peck_mm:
-            what, advice = f"{self.style} does not drill in pecks", "use G83 or G73, or leave peck_mm out"
-            raise CycleError("peck-idle", what, value=f"peck_mm {self.peck_mm:g} mm", advice=advice)
+            what, advice = (
+                Text("{style} does not drill in pecks", style=self.style),
+                "use G83 or G73, or leave peck_mm out",
+            )
+            raise CycleError(
+                "peck-idle", what, value=Text("peck_mm {peck_mm:g} mm", peck_mm=self.peck_mm), advice=advice
+            )
         if word != "P" and self.dwell_s:
-            what, advice = f"{self.style} does not wait at the bottom", "use G82, or leave dwell_s out"
+            what, advice = (
+                Text("{style} does not wait at the bottom", style=self.style),
+                "use G82, or leave dwell_s out",
+            )
             raise CycleError("dwell-idle", what, value=f"dwell_s {self.dwell_s:g} s", advice=advice)
 
 
@@ -95,4 +113,9 @@ def removals(places: list[Point], bottom_mm: float, cone: Cone) -> list[Removal]
 def _core_warning(tool: Tool) -> list[str]:
     if not tool.core_diameter_mm:
         return []
-    return [f"the {tool.words} tool does not cut over its centre: it must not go straight down into full material"]
+    return [
+        Text(
+            "the {tool} tool does not cut over its centre: it must not go straight down into full material",
+            tool=tool.words,
+        )
+    ]

@@ -13,7 +13,7 @@ from CNCStepper.canned_drilling import DWELL, FEED, OWN_WORD, Canned
 from CNCStepper.cycles.cycle import Setup
 from CNCStepper.cycles.holes.hole_patterns import Hole
 from CNCStepper.cycles.moves import Point
-from CNCStepper.errors import CycleError
+from CNCStepper.errors import CycleError, Text
 from CNCStepper.toolpath import TableBuilder
 
 ROUND_ERROR_MM = 0.0002  # of the polygons that stand for circles
@@ -50,8 +50,8 @@ def widened(holes: Sequence[Hole], diameter_mm: float, key: str) -> list[Hole]:
     if any(not hole.diameter_mm for hole in holes):
         raise CycleError(
             "diameter-missing",
-            f"{key} is missing, and only the circles of a drawing have one of their own",
-            advice=f"give {key}, or a pattern of circles",
+            Text("{key} is missing, and only the circles of a drawing have one of their own", key=key),
+            advice=Text("give {key}, or a pattern of circles", key=key),
         )
     return list(holes)
 

@@ -29,7 +29,7 @@ from CNCStepper.cycles.holes.hole_parameters import (
     PointsParameters,
 )
 from CNCStepper.cycles.parameter_types import CurveField
-from CNCStepper.errors import CycleError
+from CNCStepper.errors import CycleError, Text
 from CNCStepper.geometry.curve import Curve
 from CNCStepper.geometry.cut_order.cut_order import Stop, ordered
 
@@ -123,7 +123,11 @@ def placed(
     drawn = [Hole(x + offset_mm[0], y + offset_mm[1], diameter) for x, y, diameter in pattern.holes()]
     holes = _once(drawn, own_diameters)
     twice = len(drawn) - len(holes)
-    warnings = [f"{twice} of the {len(drawn)} holes stand where others do and are made once"] if twice else []
+    warnings: list[str] = (
+        [Text("{twice} of the {drawn} holes stand where others do and are made once", twice=twice, drawn=len(drawn))]
+        if twice
+        else []
+    )
     if order == "short":
         visits = ordered([Stop.at_point(hole.x_mm, hole.y_mm) for hole in holes])
         holes = [holes[visit.item] for visit in visits]

@@ -28,7 +28,7 @@ from CNCStepper.cycles.holes.hole_parameters import ThreadParameters
 from CNCStepper.cycles.holes.hole_patterns import Hole, Pattern, placed
 from CNCStepper.cycles.moves import Moves, require_setup
 from CNCStepper.cycles.passes import require_few_blocks, whole_steps
-from CNCStepper.errors import CycleError
+from CNCStepper.errors import CycleError, Text
 from CNCStepper.geometry.curve import Curve
 from CNCStepper.machine.tools.tool_point import cone_of
 from CNCStepper.toolpath import TableBuilder
@@ -128,11 +128,16 @@ class Thread(ThreadParameters, BaseModel):
         tool, minor_mm = setup.tool, self.minor_mm(hole)
         if tool.shape not in SHAPES:
             advice = "use a thread mill, given as an engraver or as flat"
-            raise CycleError("tool-shape", f"a {tool.shape} tool mills no thread", advice=advice)
+            raise CycleError(
+                "tool-shape", Text("a {tool_shape} tool mills no thread", tool_shape=tool.shape), advice=advice
+            )
         if cone_of(tool).height_mm > self.pitch_mm:
             raise CycleError(
                 "tooth-high",
-                f"the largest disc of the {tool.words} tool stands more than a pitch above its tip: it cuts no thread",
+                Text(
+                    "the largest disc of the {tool} tool stands more than a pitch above its tip: it cuts no thread",
+                    tool=tool.words,
+                ),
                 value=f"{cone_of(tool).height_mm:.3f} mm",
                 limit=f"{self.pitch_mm:g} mm",
                 advice="use a thread mill with one tooth, given as an engraver with a large tip_diameter_mm or as flat",
@@ -142,7 +147,7 @@ class Thread(ThreadParameters, BaseModel):
                 "thread-depth",
                 "the minor diameter does not fit the major one and the pitch",
                 value=f"{minor_mm:.3f} mm",
-                limit=f"above 0, below {hole.diameter_mm:g} mm",
+                limit=Text("above 0, below {diameter_mm:g} mm", diameter_mm=hole.diameter_mm),
                 advice="correct the diameters or pitch_mm",
             )
         if self.inside and tool.diameter_mm > minor_mm - 2.0 * NARROWEST_MM:
@@ -150,7 +155,7 @@ class Thread(ThreadParameters, BaseModel):
                 "tool-wide",
                 "the tool does not go into the drilled hole",
                 value=f"{tool.diameter_mm:g} mm",
-                limit=f"below {minor_mm:.3f} mm",
+                limit=Text("below {minor_mm:.3f} mm", minor_mm=minor_mm),
                 advice="choose a smaller tool",
             )
 

@@ -35,7 +35,7 @@ from CNCStepper.cycles.pockets.elliptical_rings import (
 from CNCStepper.cycles.pockets.pocket_entry import Entry, entry_of
 from CNCStepper.cycles.pockets.pocket_parameters import EllipticalPocketParameters
 from CNCStepper.cycles.tool_requirements import require_flat, require_stepover
-from CNCStepper.errors import CycleError
+from CNCStepper.errors import CycleError, Text
 from CNCStepper.geometry.curve import Curve
 from CNCStepper.geometry.shapes.ellipse import Ellipse
 from CNCStepper.toolpath import TableBuilder
@@ -73,16 +73,23 @@ class EllipticalPocket(EllipticalPocketParameters, BaseModel):
     def _inexact_warnings(self, plan: _Plan, left: bool) -> list[str]:
         if self.method == "dda" and plan.promise_mm > self.tolerance_mm:
             return [
-                f"the wall may be up to {plan.promise_mm:.3f} mm off: an ellipse is no offset of an ellipse, and the "
-                f'resolution adds to it; method "tolerance" keeps to tolerance_mm'
+                Text(
+                    "the wall may be up to {promise_mm:.3f} mm off: an ellipse is no offset of an "
+                    'ellipse, and the resolution adds to it; method "tolerance" keeps to tolerance_mm',
+                    promise_mm=plan.promise_mm,
+                )
             ]
         if not left:
             return []
         long_mm, short_mm = sorted((self.radius_x_mm, self.radius_y_mm), reverse=True)
         return [
-            f"{plan.figures['unreachable_mm']:.3f} mm of material stays at each end of the long axis, where the "
-            f"ellipse is tighter than the tool; a tool of at most {2.0 * short_mm**2 / long_mm:.3g} mm diameter "
-            f"reaches it"
+            Text(
+                "{unreachable_mm:.3f} mm of material stays at each end of the long axis, where the "
+                "ellipse is tighter than the tool; a tool of at most {short_mm:.3g} mm diameter "
+                "reaches it",
+                unreachable_mm=plan.figures["unreachable_mm"],
+                short_mm=2.0 * short_mm**2 / long_mm,
+            )
         ]
 
     def _level(
@@ -125,7 +132,7 @@ class EllipticalPocket(EllipticalPocketParameters, BaseModel):
                 "tool-wide",
                 "the tool is wider than the pocket",
                 value=f"{tool.diameter_mm:g} mm",
-                limit=f"below {narrowest_mm:g} mm",
+                limit=Text("below {narrowest_mm:g} mm", narrowest_mm=narrowest_mm),
                 advice="choose a smaller tool",
             )
         require_stepover(self.stepover_mm, tool)
@@ -156,7 +163,7 @@ class EllipticalPocket(EllipticalPocketParameters, BaseModel):
             raise CycleError(
                 "dda-tight",
                 "the ellipse's ends are tighter than the tool, where similar ellipses would cut into the wall",
-                value=f"{wall_mm:g} mm radius",
+                value=Text("{wall_mm:g} mm radius", wall_mm=wall_mm),
                 limit=f"{tightest_mm:.3f} mm",
                 advice='use method "tolerance" or a smaller tool',
             )

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from CNCStepper.cycles.moves import Moves, point_of
-from CNCStepper.errors import CycleError
+from CNCStepper.errors import CycleError, Text
 from CNCStepper.geometry.curve import Curve
 from CNCStepper.geometry.shapes.ellipse import Ellipse
 
@@ -112,7 +112,7 @@ def _begin(moves: Moves, xy: tuple[float, float], feed_mm_min: float) -> None:
 def _no_room(entry: str, value_mm: float, limit_mm: float, advice: str) -> CycleError:
     return CycleError(
         "entry-room",
-        f"the pocket is too narrow for a {entry}",
+        Text("the pocket is too narrow for a {entry}", entry=entry),
         value=f"{value_mm:.3f} mm",
         limit=f"{limit_mm:.3f} mm",
         advice=advice,

@@ -17,7 +17,7 @@ from typing import Any
 import numpy as np
 
 from CNCStepper.cancellation import checkpoint
-from CNCStepper.errors import GeometryError, JobError
+from CNCStepper.errors import GeometryError, JobError, Text
 from CNCStepper.geometry.curve import COINCIDENT_MM, Curve, joined
 from CNCStepper.geometry.fitting.parametric_curves import Function, fit_arcs, fit_curve
 from CNCStepper.safe_text import printable
@@ -89,7 +89,7 @@ def curve_of(entity: Any, fits: Fits) -> Curve:
         raise
     except BROKEN as error:  # of ezdxf and numpy, on numbers that make no curve
         why = printable(str(error), MOST_WORDS) or type(error).__name__
-        raise GeometryError("dxf-broken", f"its numbers make no curve: {why}") from error
+        raise GeometryError("dxf-broken", Text("its numbers make no curve: {why}", why=why)) from error
     if curve.length_mm <= COINCIDENT_MM:
         raise GeometryError("curve-short", "the curve has no length")
     return curve
@@ -99,7 +99,9 @@ def _require_numbers(entity: Any) -> None:
     """Raise GeometryError for an attribute that is no number, or too large a one."""
     for name, value in entity.dxfattribs().items():
         if not _within(value):
-            raise GeometryError("dxf-number", f"its {name} is no number in bounds", limit=f"{LARGEST:g}")
+            raise GeometryError(
+                "dxf-number", Text("its {name} is no number in bounds", name=name), limit=f"{LARGEST:g}"
+            )
 
 
 def _within(value: Any) -> bool:
@@ -222,7 +224,7 @@ def _require_spline(entity: Any) -> None:
         raise GeometryError("dxf-spline", "the degree of the spline is out of bounds", value=f"{degree}", limit=limit)
     for name, values in (("points", [*points, *entity.fit_points]), ("knots", knots), ("weights", entity.weights)):
         if not (np.abs(np.array(values, float)) <= LARGEST).all():
-            raise GeometryError("dxf-spline", f"its {name} are no numbers in bounds")
+            raise GeometryError("dxf-spline", Text("its {name} are no numbers in bounds", name=name))
     if len(knots) and len(points) and len(knots) != len(points) + degree + 1:
         value, limit = f"{len(knots)} knots", f"{len(points) + degree + 1}"
         raise GeometryError("dxf-spline", "its knots and points do not belong together", value=value, limit=limit)

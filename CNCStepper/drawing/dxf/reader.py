@@ -17,7 +17,7 @@ from CNCStepper.cancellation import checkpoint
 from CNCStepper.drawing.dxf.entities import BROKEN, Fits, curve_of
 from CNCStepper.drawing.dxf.log_messages import collected_log
 from CNCStepper.drawing.dxf.size_limits import DEEPEST, MOST_BYTES, require_readable, require_small
-from CNCStepper.errors import GeometryError, JobError, Place, placed
+from CNCStepper.errors import GeometryError, JobError, Place, Text, placed
 from CNCStepper.geometry.chain_joining import NEAR_MM, SAME_MM, Gap, chained
 from CNCStepper.geometry.curve import Curve
 from CNCStepper.input_file import read_input
@@ -68,7 +68,11 @@ class Drawing:
             if layer.name.casefold() == name.casefold():
                 return layer
         names = ", ".join(f"'{layer.name}'" for layer in self.layers)
-        raise JobError("dxf-layer", f"the drawing has no curves on a layer '{name}'", advice=f"it has them on {names}")
+        raise JobError(
+            "dxf-layer",
+            Text("the drawing has no curves on a layer '{name}'", name=name),
+            advice=Text("it has them on {names}", names=names),
+        )
 
 
 Share = Callable[[float], None]
@@ -109,7 +113,7 @@ def read_dxf(
         raise JobError(
             "dxf-empty",
             "the drawing holds no curves",
-            value=f"{len(skipped)} other things" if skipped else "",
+            value=Text("{skipped} other things", skipped=len(skipped)) if skipped else "",
             advice="draw lines, arcs, circles, polylines, ellipses or splines in its model space, on visible layers",
             place=Place(str(path)),
         )
@@ -172,7 +176,9 @@ def _document(path: Path) -> tuple[Any, str]:
 
 def _no_dxf(path: Path, why: str) -> JobError:
     advice = "save it as DXF again, as R2000 or newer"
-    return JobError("dxf-file", f"not a DXF file: {printable(why, MOST_WORDS)}", advice=advice, place=Place(str(path)))
+    return JobError(
+        "dxf-file", Text("not a DXF file: {why}", why=printable(why, MOST_WORDS)), advice=advice, place=Place(str(path))
+    )
 
 
 def _unit_mm(document: Any) -> float:

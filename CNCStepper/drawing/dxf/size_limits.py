@@ -14,7 +14,7 @@ import re
 from collections import Counter
 from typing import Any
 
-from CNCStepper.errors import JobError, Place
+from CNCStepper.errors import JobError, Place, Text
 
 MOST_BYTES = 100_000_000
 MOST_ENTITIES = 100_000
@@ -49,15 +49,18 @@ def require_small(document: Any, place: Place) -> int:
     """
     entities, points = _Count(document).of(document.modelspace(), DEEPEST)
     _require("entities with its blocks taken apart", entities, MOST_ENTITIES, place)
-    splines = f"those of splines count {SPLINE_WEIGHT} times"
-    _require(f"points with its blocks taken apart ({splines})", points, MOST_POINTS, place)
+    splines = Text("those of splines count {spline_weight} times", spline_weight=SPLINE_WEIGHT)
+    _require(Text("points with its blocks taken apart ({splines})", splines=splines), points, MOST_POINTS, place)
     return entities
 
 
 def _require(of_what: str, count: int, most: int, place: Place) -> None:
     if count > most:
         value = f"{count}" if count < 10**12 else "more than a million million"
-        what, advice = f"the drawing has too many {of_what}", "draw polylines in place of single lines, or split it"
+        what, advice = (
+            Text("the drawing has too many {of_what}", of_what=of_what),
+            "draw polylines in place of single lines, or split it",
+        )
         raise JobError("dxf-large", what, value=value, limit=f"{most}", advice=advice, place=place)
 
 

@@ -11,7 +11,7 @@ from collections.abc import Iterator
 from functools import partial
 
 from CNCStepper.canned_drilling import DWELL, FEED, OWN_WORD, PECK_BACK_MM, RAPID, Canned, Place, Stroke
-from CNCStepper.errors import ProgramError
+from CNCStepper.errors import ProgramError, Text
 from CNCStepper.gcode.canned import tapping_and_boring
 from CNCStepper.gcode.canned.sticky_words import Run
 from CNCStepper.gcode.canned.tapping_and_boring import OWN, SENSE, SpindleCycle
@@ -176,7 +176,12 @@ def _own(block: Block, name: str, sticky: Run | None) -> float:
         return block.value("P") if "P" in block.plan.slots else _last_dwell(block)
     own = _word(block, letter, sticky and sticky.own, name)
     if own < 0 or (letter == "Q" and own == 0):
-        what = f"{letter} of {name} must be {'above' if letter == 'Q' else 'at least'} 0"
+        what = Text(
+            "{letter} of {name} must be {word} 0",
+            letter=letter,
+            name=name,
+            word="above" if letter == "Q" else "at least",
+        )
         raise ProgramError("bad-value", what, value=letter, advice=f"correct {letter}")
     return own
 
@@ -186,7 +191,7 @@ def _word(block: Block, letter: str, sticky: float | None, name: str) -> float:
     if letter in block.plan.slots:
         return block.value(letter)
     if sticky is None:
-        what = f"{name} needs a {letter} word: none is in force"
+        what = Text("{name} needs a {letter} word: none is in force", name=name, letter=letter)
         raise ProgramError("missing-word", what, value=name, advice=f"add {letter}")
     return sticky
 
@@ -211,9 +216,15 @@ def _check_block(block: Block, name: str) -> None:
     for letter in ALL_AXES[3:6]:
         if letter in block.plan.slots:
             what = "a canned cycle moves X, Y and Z only"
-            raise ProgramError("unused-word", what, value=letter, advice=f"move {letter} on a line of its own")
+            raise ProgramError(
+                "unused-word", what, value=letter, advice=Text("move {letter} on a line of its own", letter=letter)
+            )
     if name in ("G74", "G84") and block.model.plane_code != "G17":  # LinuxCNC 2.9 feeds to another place then
-        what = f"{name} is read in the plane XY only: LinuxCNC moves along the wrong axes in {block.model.plane_code}"
+        what = Text(
+            "{name} is read in the plane XY only: LinuxCNC moves along the wrong axes in {plane_code}",
+            name=name,
+            plane_code=block.model.plane_code,
+        )
         raise ProgramError("plane", what, value=name, advice="write G17 before, or tap with G33.1")
     _check_feed(block, name)
     block.turning = need_turning(block, name, SENSE[name]) if name in SENSE else "off"
@@ -225,20 +236,26 @@ def _check_feed(block: Block, name: str) -> None:
         advice = "write G94 before"
         raise ProgramError("feed-mode", "a canned cycle takes no inverse time feed", value=name, advice=advice)
     if (state.feed_mm_turn if state.feed_mode == "per_turn" else state.feed_mm_min) <= 0:
-        raise ProgramError("no-feed", f"{name} has no feed", value=name, advice="write an F word above 0 before")
+        raise ProgramError(
+            "no-feed", Text("{name} has no feed", name=name), value=name, advice="write an F word above 0 before"
+        )
 
 
 def _check_heights(cycle: Canned, normal: str) -> None:
     if cycle.r < cycle.z:
-        limit = f"at least {cycle.z:g}"
+        limit = Text("at least {z:g}", z=cycle.z)
         raise ProgramError(
-            "retract-low", f"R lies below {normal}", value="R", limit=limit, advice=f"correct R or {normal}"
+            "retract-low",
+            Text("R lies below {normal}", normal=normal),
+            value="R",
+            limit=limit,
+            advice=Text("correct R or {normal}", normal=normal),
         )
 
 
 def _check_strokes(cycle: Canned, count: int) -> None:
     if cycle.pecks * count * 4.0 > MOST_STROKES:
-        limit = f"{MOST_STROKES} moves in one block"
+        limit = Text("{most_strokes} moves in one block", most_strokes=MOST_STROKES)
         raise ProgramError("pecks-many", "Q asks for too many pecks", value="Q", limit=limit, advice="make Q larger")
 
 

@@ -16,7 +16,7 @@ from typing import Any
 
 import numpy as np
 
-from CNCStepper.errors import Place, ProgramError
+from CNCStepper.errors import Place, ProgramError, Text
 from CNCStepper.gcode.conversion.program_equivalence import require_same_work
 from CNCStepper.gcode.dialects import Dialect, dialect_named
 from CNCStepper.gcode.interpreter.interpret import interpret
@@ -138,7 +138,7 @@ def _notes(path: Toolpath, codes: dict[str, list[int]], target: Dialect) -> Iter
     ]
     for name in dict.fromkeys(span.name for span in cycles):
         own = [span for span in cycles if span.name == name]
-        yield Note(f"{name} became plain moves", len(own), int(lines[own[0].first]))
+        yield Note(Text("{name} became plain moves", name=name), len(own), int(lines[own[0].first]))
     if (lines[1:] < lines[:-1]).any():
         yield Note("subroutines and loops were written out", 1)
     for event in path.events:
@@ -171,7 +171,11 @@ def _axes_left_out(text: str, codes: dict[str, list[int]], target: Dialect) -> I
             found.setdefault(letter.upper(), []).append(number)
     for letter, lines in sorted(found.items()):
         if letter not in target.letters:
-            yield Note(f"left out: {letter}, which never moves; that axis stands at 0", len(lines), lines[0])
+            yield Note(
+                Text("left out: {letter}, which never moves; that axis stands at 0", letter=letter),
+                len(lines),
+                lines[0],
+            )
 
 
 def _notes_of_states(path: Toolpath, codes: dict[str, list[int]]) -> Iterator[Note]:
@@ -216,8 +220,9 @@ def _lines_of_codes(text: str) -> dict[str, list[int]]:
 
 def _said(codes: dict[str, list[int]], source: Dialect) -> Iterator[Note]:
     """Yield what only the text tells: codes that are nothing but moves in the table, and switches at the machine."""
-    deleted = (
-        f"lines with / are {'left out' if source.skips_deleted else 'cut always'}: no switch deletes them any more"
+    deleted = Text(
+        "lines with / are {word}: no switch deletes them any more",
+        word="left out" if source.skips_deleted else "cut always",
     )
     notes = []
     for names, what in (*_SAID, ({"/"}, deleted)):

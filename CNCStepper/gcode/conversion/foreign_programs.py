@@ -10,7 +10,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from typing import Any
 
-from CNCStepper.errors import Place, ProgramError
+from CNCStepper.errors import Place, ProgramError, Text
 from CNCStepper.gcode.conversion.convert import Converted, convert
 from CNCStepper.gcode.dialects import dialect_named
 from CNCStepper.gcode.edit.edit_result import Edited
@@ -91,7 +91,11 @@ def converted(
     try:
         found = conversion_of(text, dialect, start, file, tool_change, tool_length)
     except ProgramError as error:
-        what = f"no conversion makes this a program for {dialect_named(dialect).title}: {error.sentence}"
+        what = Text(
+            "no conversion makes this a program for {dialect_named}: {error}",
+            dialect_named=dialect_named(dialect).title,
+            error=error.sentence,
+        )
         raise ProgramError("not-convertible", what, place=error.place or Place(file)) from error
     lines = program_lines(text)
     made = text if found is None else found.made.text

@@ -9,7 +9,7 @@ from dataclasses import replace
 from functools import lru_cache
 from types import MappingProxyType
 
-from CNCStepper.errors import ProgramError
+from CNCStepper.errors import ProgramError, Text
 from CNCStepper.gcode.dialects.definition import ArcRule, Dialect, Writing
 from CNCStepper.gcode.dialects.fluidnc import FLUIDNC
 from CNCStepper.gcode.dialects.grbl import GRBL
@@ -55,8 +55,12 @@ def _changed(
 def _named(name: str) -> Dialect:
     base, _, settings = name.partition(":")
     if base not in _DIALECTS:
-        what = f"there is no dialect '{base}'"
-        raise ProgramError("unknown-dialect", what, advice=f"use one of: {', '.join(dialect_names())}")
+        what = Text("there is no dialect '{base}'", base=base)
+        raise ProgramError(
+            "unknown-dialect",
+            what,
+            advice=Text("use one of: {dialect_names}", dialect_names=", ".join(dialect_names())),
+        )
     return _with_settings(_DIALECTS[base], settings, name)
 
 
@@ -68,7 +72,9 @@ def _with_settings(plain: Dialect, settings: str, name: str) -> Dialect:
         values = plain.settings.get(key, {})
         if value not in values:
             known = [f"{key}={value}" for key, values in plain.settings.items() for value in values]
-            what = f"{plain.title} has no setting '{setting}'"
-            raise ProgramError("unknown-dialect", what, advice=f"use one of: {', '.join(known) or 'none'}")
+            what = Text("{plain} has no setting '{setting}'", plain=plain.title, setting=setting)
+            raise ProgramError(
+                "unknown-dialect", what, advice=Text("use one of: {known}", known=", ".join(known) or "none")
+            )
         chosen = _changed(chosen, **values[value])
     return replace(chosen, name=name) if settings else plain

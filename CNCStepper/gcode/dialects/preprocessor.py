@@ -17,7 +17,7 @@ from decimal import Decimal
 from functools import reduce
 from operator import xor
 
-from CNCStepper.errors import Place, ProgramError
+from CNCStepper.errors import Place, ProgramError, Text
 from CNCStepper.gcode.dialects import Dialect
 
 TEN_THOUSANDTH = Decimal("0.0001")
@@ -147,7 +147,9 @@ def checksum(piece: Piece) -> Iterator[Piece]:
         return
     summed = reduce(xor, piece.text[: match.start()].encode("utf-8"), 0)
     if int(match[1]) != summed:
-        raise piece.refused("checksum", "the checksum is wrong", match.start(), match[0], f"it should be *{summed}")
+        raise piece.refused(
+            "checksum", "the checksum is wrong", match.start(), match[0], Text("it should be *{summed}", summed=summed)
+        )
     yield piece.cut(0, match.start())
 
 

@@ -7,6 +7,7 @@ import math
 
 import numpy as np
 
+from CNCStepper.errors import Text
 from CNCStepper.gcode.dialects.codes import AXES
 from CNCStepper.gcode.edit.line_words import LineWords
 from CNCStepper.gcode.edit.word_values import Value
@@ -28,7 +29,7 @@ class ArcWords(LineWords):
             return
         in_plane = self.where.in_plane(self.meaning.plane)
         if in_plane is None:
-            what = f"an arc in the plane {self.meaning.plane} would be no arc any more"
+            what = Text("an arc in the plane {plane} would be no arc any more", plane=self.meaning.plane)
             advice = "scale all axes alike" if self.where.is_diagonal else "only arcs of G17 can be turned about Z"
             raise self.refused("edit-arc", what, self.tokens[-1], advice)
         if "R" in self.words:

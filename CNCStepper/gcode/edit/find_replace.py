@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable
 
-from CNCStepper.errors import ProgramError
+from CNCStepper.errors import ProgramError, Text
 from CNCStepper.gcode.dialects import Dialect
 from CNCStepper.gcode.edit.edit_result import Edited, Lines
 from CNCStepper.gcode.edit.line_tokens import comment_spans
@@ -39,7 +39,9 @@ def replace(
     try:
         lines = [_line(line, search, put, comments) for line in source.lines]
     except (re.error, IndexError) as error:
-        raise ProgramError("edit-pattern", f"the replacement cannot be made: {error}", value=new[:40]) from None
+        raise ProgramError(
+            "edit-pattern", Text("the replacement cannot be made: {error}", error=error), value=new[:40]
+        ) from None
     if lines == source.lines:
         advice = "look at its case, or look in comments too"
         raise ProgramError(
@@ -67,7 +69,9 @@ def _search(find: str, pattern: bool, code_only: bool, ignore_case: bool) -> re.
     try:
         return re.compile(expression, re.IGNORECASE if ignore_case else 0)
     except re.error as error:
-        raise ProgramError("edit-pattern", f"the pattern cannot be read: {error}", value=find[:40]) from None
+        raise ProgramError(
+            "edit-pattern", Text("the pattern cannot be read: {error}", error=error), value=find[:40]
+        ) from None
 
 
 def _line(line: str, search: re.Pattern[str], put: str | Callable, comments: bool) -> str:

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from CNCStepper.errors import Text
 from CNCStepper.gcode.dialects.codes import AXES, UNIT_CODES
 from CNCStepper.gcode.edit.arc_words import ArcWords
 from CNCStepper.gcode.edit.line_tokens import Edit, Token
@@ -25,7 +26,9 @@ class Line(ArcWords):
         found = kinds(self.tokens, self.meaning.motion)
         lengths = [letter for letter in (found or {}) if letter in self.words]
         if found is None and any(token.letter in "XYZIJKRQPDEUVW@^" for token in self.tokens):
-            raise self.refused("edit-code", f"the words of {self._codes()} are not edited", self.tokens[0])
+            raise self.refused(
+                "edit-code", Text("the words of {codes} are not edited", codes=self._codes()), self.tokens[0]
+            )
         self._check_axes()
         by_kind: dict[str, list[str]] = {}
         for letter in lengths:
@@ -46,7 +49,11 @@ class Line(ArcWords):
         self._check_relative(axes, absolute)
         coupled = self.coupled(axes)
         if self.owner in ("G28", "G30") and set(coupled) != set(axes):
-            raise self.refused("edit-home", f"{self.owner} by way of a place cannot be turned", self.words[letters[0]])
+            raise self.refused(
+                "edit-home",
+                Text("{owner} by way of a place cannot be turned", owner=self.owner),
+                self.words[letters[0]],
+            )
         values = {axis: self.value(AXES[axis], axis if absolute else -1) for axis in self.needed(axes)}
         for axis in coupled:
             terms = [(self.where.rows[axis][other], values[other]) for other in values]
@@ -98,7 +105,9 @@ class Line(ArcWords):
         axis = AXES.find(letter)
         if axis >= 0 and not self.state.free[axis]:
             if not self.where.moves_only:
-                what = f"{self.owner} sets the zero from where the tool stands after moves of the path"
+                what = Text(
+                    "{owner} sets the zero from where the tool stands after moves of the path", owner=self.owner
+                )
                 raise self.refused("edit-zero", what, self.words[letter], "set the zero with G10 L2 instead")
             value = value.plus(float(self.where.shift[axis]))
         self.put(letter, value, -1)
@@ -139,7 +148,9 @@ class Line(ArcWords):
     def _check_axes(self) -> None:
         other = next((token for token in self.tokens if token.letter in OTHER_AXES), None)
         if other is not None and not self.where.units:
-            raise self.refused("edit-axis", f"only X, Y and Z are edited, not {other.letter}", other)
+            raise self.refused(
+                "edit-axis", Text("only X, Y and Z are edited, not {letter}", letter=other.letter), other
+            )
 
     def _codes(self) -> str:
         names = [token.name or token.letter + token.written for token in self.tokens if token.letter in "GM"]

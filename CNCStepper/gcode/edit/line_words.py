@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import math
 
-from CNCStepper.errors import ProgramError
+from CNCStepper.errors import ProgramError, Text
 from CNCStepper.gcode.edit.executed_lines import Meaning
 from CNCStepper.gcode.edit.line_tokens import Edit, Token
 from CNCStepper.gcode.edit.transform_state import TransformState
@@ -53,8 +53,11 @@ class LineWords:
         if axis < 0:
             return Value(0.0)
         if math.isnan(self.meaning.begin[axis]) or self.meaning.compensated:
-            what = f"where the tool stands along {letter} is not known here, and turning needs both coordinates"
-            raise self.refused("edit-place", what, self.tokens[-1], f"add {letter} to the line")
+            what = Text(
+                "where the tool stands along {letter} is not known here, and turning needs both coordinates",
+                letter=letter,
+            )
+            raise self.refused("edit-place", what, self.tokens[-1], Text("add {letter} to the line", letter=letter))
         return Value(self.meaning.begin[axis])
 
     def put(self, letter: str, value: Value, axis: int, add_carry: bool = False) -> None:

@@ -16,7 +16,7 @@ from math import isnan
 
 import numpy as np
 
-from CNCStepper.errors import Place, ProgramError
+from CNCStepper.errors import Place, ProgramError, Text
 from CNCStepper.gcode.dialects import Dialect, dialect_named
 from CNCStepper.gcode.dialects.codes import CODE_OF_PLANE, MOTION_NAMES, UNIT_CODES
 from CNCStepper.gcode.edit.edit_result import Lines
@@ -145,7 +145,7 @@ def _check(change: _Change, whole: Toolpath, lines: list[str], file: str) -> Non
     highest_cut = np.nanmax(heights[whole.table().kind != RAPID], initial=-np.inf)
     if change.place[2] <= highest_cut and change.place[2] < np.nanmax(heights):
         what = "the tool is down while it is changed"
-        limit = f"above {highest_cut:g} mm"
+        limit = Text("above {highest_cut:g} mm", highest_cut=highest_cut)
         raise ProgramError("split-height", what, value=f"Z {change.place[2]:g} mm", limit=limit, place=place)
 
 
@@ -179,7 +179,7 @@ class _Part:
         own = list(lines[self.first : self.last])
         if self.change is not None:
             own = [*self._head(self.change, relies), *self._with_tool(own, self.change)]
-        title = f"(program {number} of {count}, tool {self.tool})"
+        title = Text("(program {number} of {count}, tool {tool})", number=number, count=count, tool=self.tool)
         own.insert(1 if marked and self.change is None else 0, title)
         if marked and self.change is not None:
             own.insert(0, "%")

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from CNCStepper.errors import CNCStepperError, Place, ProgramError
+from CNCStepper.errors import CNCStepperError, Place, ProgramError, Text
 from CNCStepper.gcode.dialects import Dialect, dialect_named
 from CNCStepper.gcode.dialects.codes import UNIT_CODES
 from CNCStepper.gcode.edit import path_transforms
@@ -82,7 +82,7 @@ def convert_units(
     """
     language = dialect_named(dialect)
     if UNIT_CODES[units] not in language.codes:
-        what = f"programs of {language.title} are in one unit only"
+        what = Text("programs of {language} are in one unit only", language=language.title)
         raise ProgramError("edit-units", what, value=UNIT_CODES[units])
     source = Source(text, language, start, file)
     at = _place_of_unit_word(source)

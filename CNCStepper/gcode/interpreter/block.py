@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterable
 from math import isnan
 from typing import Protocol
 
-from CNCStepper.errors import ProgramError
+from CNCStepper.errors import ProgramError, Text
 from CNCStepper.gcode.dialects import Dialect
 from CNCStepper.gcode.dialects.codes import ALL_AXES
 from CNCStepper.gcode.interpreter.canonical_output import SET_FEED, Canon, Telling
@@ -62,7 +62,7 @@ class Block(Telling, ABC):
         """Return a word's whole number; raises ProgramError when it is none or out of range."""
         value = self.value(letter)
         if value != int(value) or not least <= value <= most:
-            what = f"{letter} must be a whole number"
+            what = Text("{letter} must be a whole number", letter=letter)
             raise ProgramError(code, what, value=letter, limit=f"{least} to {most}", advice=f"correct {letter}")
         return int(value)
 
@@ -70,7 +70,12 @@ class Block(Telling, ABC):
         """Return a word's number; raises ProgramError when it is below 0."""
         value = self.value(letter)
         if value < 0:
-            raise ProgramError("bad-value", f"{letter} may not be negative", value=letter, advice=f"correct {letter}")
+            raise ProgramError(
+                "bad-value",
+                Text("{letter} may not be negative", letter=letter),
+                value=letter,
+                advice=f"correct {letter}",
+            )
         return value
 
     def known(self, axis: int) -> float:
@@ -78,7 +83,7 @@ class Block(Telling, ABC):
         position = (*self.model.position, *(self.model.further or NO_FURTHER))[axis]
         if isnan(position):
             name = ALL_AXES[axis]
-            what = f"the position along {name} is not known here"
+            what = Text("the position along {name} is not known here", name=name)
             raise ProgramError("unknown-position", what, value=name, advice="move there with G90 first")
         return position
 
@@ -86,14 +91,19 @@ class Block(Telling, ABC):
         """Return a word's number; raises ProgramError when it is out of range."""
         value = self.value(letter)
         if not least <= value <= most:
-            what, limit = f"{letter} is out of range", f"{least:g} to {most:g}"
+            what, limit = Text("{letter} is out of range", letter=letter), f"{least:g} to {most:g}"
             raise ProgramError("bad-value", what, value=letter, limit=limit, advice=f"correct {letter}")
         return value
 
     def must_have(self, letter: str, name: str) -> None:
         """Refuse a code without one of its words."""
         if letter not in self.plan.slots:
-            raise ProgramError("missing-word", f"{name} needs a {letter} word", value=name, advice=f"add {letter}")
+            raise ProgramError(
+                "missing-word",
+                Text("{name} needs a {letter} word", name=name, letter=letter),
+                value=name,
+                advice=f"add {letter}",
+            )
 
     def axis_words(self) -> dict[int, float]:
         """Return the axis words by axis, mm and degrees."""
@@ -113,7 +123,7 @@ class Block(Telling, ABC):
     def uncompensated(self, what: str, value: str) -> None:
         """Refuse something while the radius of the tool is compensated."""
         if self.model.compensation:
-            what = f"{what} while the tool is compensated"
+            what = Text("{what} while the tool is compensated", what=what)
             raise ProgramError("compensation", what, value=value, advice="write G40 before")
 
     def known_position(self, axes: Iterable[int]) -> Point:

@@ -7,7 +7,7 @@ words -> Plan (line_grammar.py) -> Execution on a copy -> all good: the copy is 
 
 from __future__ import annotations
 
-from CNCStepper.errors import ProgramError
+from CNCStepper.errors import ProgramError, Text
 from CNCStepper.gcode.dialects.codes import ANY_PLANE, MOTION_NAMES, NO_MOTION, Code
 from CNCStepper.gcode.interpreter.block import Block
 from CNCStepper.gcode.interpreter.cutter_compensation import compensation_codes
@@ -62,10 +62,10 @@ class Execution(Block):
         """Refuse what lies in a plane of U, V and W."""
         name = MOTION_NAMES[motion]
         if motion not in ANY_PLANE:
-            what = f"{name} is not read in {plane}, a plane of the axes U, V and W"
+            what = Text("{name} is not read in {plane}, a plane of the axes U, V and W", name=name, plane=plane)
             raise ProgramError("plane", what, value=name, advice="write G17, G18 or G19 before")
         if compensation_codes.active(self):
-            self.uncompensated(f"nothing moves in the plane {plane}", name)
+            self.uncompensated(Text("nothing moves in the plane {plane}", plane=plane), name)
 
     def _set(self, code: Code) -> bool:
         """Set the code's fields of the modal state; whether that changed any."""

@@ -15,6 +15,7 @@ from collections.abc import Iterable, Sequence
 from types import TracebackType
 from typing import overload
 
+from CNCStepper.errors import Text
 from CNCStepper.gcode.syntax.words import program_lines
 
 BLOCK = 256  # lines that are read at once
@@ -72,7 +73,7 @@ class LineStore(Sequence[str]):
             return [self[place] for place in range(*index.indices(self._count))]
         place = index + self._count if index < 0 else index
         if not 0 <= place < self._count:
-            raise IndexError(f"there are {self._count} lines, none at {index}")
+            raise IndexError(Text("there are {count} lines, none at {index}", count=self._count, index=index))
         number, line = divmod(place, BLOCK)
         block = self._blocks.get(number)
         return (self._read(number) if block is None else block)[line]

@@ -10,7 +10,7 @@ import re
 from collections.abc import Callable
 from typing import Protocol
 
-from CNCStepper.errors import Place, ProgramError
+from CNCStepper.errors import Place, ProgramError, Text
 from CNCStepper.gcode.dialects import Dialect
 from CNCStepper.gcode.dialects.preprocessor import Piece, pieces
 from CNCStepper.gcode.interpreter.state.model import Model
@@ -74,5 +74,7 @@ def _after_record(reader: Reader, piece: Piece) -> None:
     axes = [axis for axis in "XZ" if axis in code]
     if len(axes) == 1 and reader.model.absolute:
         absent = "XZ".replace(axes[0], "")
-        what = f"{absent} is absent: the axis stays here, but the published control would drive it to 0"
+        what = Text(
+            "{absent} is absent: the axis stays here, but the published control would drive it to 0", absent=absent
+        )
         reader.table.event("warning", text=what, line=reader.line_number)

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from math import sqrt
 
-from CNCStepper.errors import ProgramError
+from CNCStepper.errors import ProgramError, Text
 from CNCStepper.gcode.dialects.codes import MOTION_NAMES
 from CNCStepper.gcode.interpreter.block import Block
 from CNCStepper.gcode.interpreter.motion.lines_and_arcs import arc, straight
@@ -40,7 +40,7 @@ def run_profile(block: Block, motion: int, before: int) -> None:
     tool.rapid(complex(words.get("Z", here.real), words.get("X", here.imag)))
     reader = _Reader(begin, model.motion, incremental, centres == "incremental")
     if block.read_profile is None:
-        what = f"{name} needs the whole program: the profile is a subroutine"
+        what = Text("{name} needs the whole program: the profile is a subroutine", name=name)
         raise ProgramError("no-subroutine", what, value=name, advice="read the program as a whole")
     block.read_profile(round(words["Q"]), model, reader.block)
     model.position = started
@@ -53,11 +53,15 @@ def run_profile(block: Block, motion: int, before: int) -> None:
 def _check(block: Block, name: str) -> None:
     block.must_have("Q", name)
     block.known_position(range(3))
-    block.uncompensated(f"{name} may not be used", name)  # LinuxCNC 2.9 takes G70 then, and cuts elsewhere
+    block.uncompensated(
+        Text("{name} may not be used", name=name), name
+    )  # LinuxCNC 2.9 takes G70 then, and cuts elsewhere
     if block.model.state.plane != "ZX":
-        raise ProgramError("plane", f"{name} works in the plane ZX", value=name, advice="write G18 before")
+        raise ProgramError(
+            "plane", Text("{name} works in the plane ZX", name=name), value=name, advice="write G18 before"
+        )
     if "I" in block.plan.slots and block.value("I") <= 0:
-        raise ProgramError("bad-value", f"I of {name} must be above 0", value="I", advice="correct I")
+        raise ProgramError("bad-value", Text("I of {name} must be above 0", name=name), value="I", advice="correct I")
 
 
 def _place(block: Block) -> complex:
@@ -108,8 +112,12 @@ class _Reader:
         z, x = (0.0, 0.0) if self.incremental else (self.end.real, self.end.imag)
         for letter, other in ("UX", "WZ"):
             if letter in given and (self.incremental or other in given):
-                what = f"{letter} goes on from the point before: neither with {other} nor under G91"
-                raise ProgramError("profile", what, value=letter, advice=f"write {other} alone")
+                what = Text(
+                    "{letter} goes on from the point before: neither with {other} nor under G91",
+                    letter=letter,
+                    other=other,
+                )
+                raise ProgramError("profile", what, value=letter, advice=Text("write {other} alone", other=other))
         end = complex(given.get("Z", z + given.get("W", 0.0)), given.get("X", x + given.get("U", 0.0)))
         return end + self.end if self.incremental else end
 

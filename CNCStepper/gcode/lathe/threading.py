@@ -15,7 +15,7 @@ from __future__ import annotations
 from math import hypot, radians, tan
 from typing import NamedTuple
 
-from CNCStepper.errors import ProgramError
+from CNCStepper.errors import ProgramError, Text
 from CNCStepper.gcode.dialects.codes import MOTION_NAMES
 from CNCStepper.gcode.interpreter.block import Block
 from CNCStepper.gcode.interpreter.functions.spindle import check_spindle, need_turning
@@ -62,9 +62,9 @@ def _begin(block: Block, motion: int) -> str:
         block.must_have(letter, name)
     check_spindle(block)
     if block.model.compensation and block.model.compensation.radius:
-        block.uncompensated(f"{name} may not be used", name)
+        block.uncompensated(Text("{name} may not be used", name=name), name)
     if name != "G76" and "F" in block.plan.slots:
-        what = f"{name} takes no F: the spindle drives it"
+        what = Text("{name} takes no F: the spindle drives it", name=name)
         raise ProgramError("unused-word", what, value="F", advice="write F on a line of its own")
     return need_turning(block, name)
 
@@ -84,7 +84,7 @@ def _feed(block: Block, pitch: float, end: Point) -> float:
     feed = abs(pitch) * block.model.scale * rpm_at(block.model, end)
     if feed <= 0 and not block.model.bare:
         name = MOTION_NAMES[block.plan.motion]
-        what = f"{name} moves with the spindle, whose speed is not set"
+        what = Text("{name} moves with the spindle, whose speed is not set", name=name)
         raise ProgramError("no-speed", what, value=name, advice="write S before")
     return feed
 

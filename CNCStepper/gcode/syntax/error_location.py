@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from CNCStepper.errors import Place, ProgramError
+from CNCStepper.errors import Place, ProgramError, Text, joined
 from CNCStepper.gcode.dialects import Dialect
 from CNCStepper.gcode.dialects.codes import ARC_WORDS, AXES
 from CNCStepper.gcode.syntax.words import Word
@@ -16,11 +16,11 @@ def blamed(error: ProgramError, words: list[Word], dialect: Dialect, at: Callabl
     column = error.place.column if error.place else 0
     word = _word(error.value, words)
     answer = dialect.errors.get(error.code)
-    answers = f"{dialect.title} answers {answer}" if answer else ""
+    answers = Text("{dialect} answers {answer}", dialect=dialect.title, answer=answer) if answer else ""
     return ProgramError(
         error.code,
         error.what,
-        advice="; ".join(part for part in (error.advice, answers) if part),
+        advice=joined("; ", filter(None, (error.advice, answers))),
         value=word.text if word and column == 0 else error.value,
         limit=error.limit,
         place=at(column or (word.column if word else 1)),

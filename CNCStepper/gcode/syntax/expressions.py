@@ -16,7 +16,7 @@ import re
 from collections.abc import Callable
 from typing import Protocol
 
-from CNCStepper.errors import Place, ProgramError
+from CNCStepper.errors import Place, ProgramError, Text
 from CNCStepper.gcode.syntax.words import small_letters
 
 _NUMBER = re.compile(r"[+-]?[0-9.]+")
@@ -98,7 +98,9 @@ class Scanner:
         value = self.value()
         whole = math.floor(value + 0.5)
         if abs(value - whole) > _WHOLE:
-            raise self.error("not-whole", f"{value:g} stands where a whole number must", "use ROUND[...]", begin)
+            raise self.error(
+                "not-whole", Text("{value:g} stands where a whole number must", value=value), "use ROUND[...]", begin
+            )
         return whole
 
     def name(self) -> str:
@@ -147,7 +149,7 @@ class Scanner:
         except ValueError:
             value = math.nan
         if match is None or math.isnan(value):
-            what = f"{match[0]} is no number" if match else "a value is missing"
+            what = Text("{match} is no number", match=match[0]) if match else "a value is missing"
             raise self.error("bad-number", what, "write a number, #parameter or [expression]")
         self.position = match.end()
         return value
@@ -184,7 +186,7 @@ class Scanner:
         except ZeroDivisionError:
             raise self.error("divided-by-zero", "the expression divides by 0", "", begin) from None
         except (ValueError, OverflowError):
-            what = f"{left:g} {operator} {right:g} is no finite number"
+            what = Text("{left:g} {operator} {right:g} is no finite number", left=left, operator=operator, right=right)
             raise self.error("not-finite", what, "correct the expression", begin) from None
 
     def _function(self) -> float:
@@ -192,7 +194,12 @@ class Scanner:
         match = _NAME.match(self.packed, begin)
         name = match[0] if match else self.next
         if name not in ("ATAN", "EXISTS", *_FUNCTIONS):
-            raise self.error("function", f"there is no function {name}", f"use {', '.join(_FUNCTIONS)} or ATAN", begin)
+            raise self.error(
+                "function",
+                Text("there is no function {name}", name=name),
+                Text("use {functions} or ATAN", functions=", ".join(_FUNCTIONS)),
+                begin,
+            )
         self.position = begin + len(name)
         if name == "EXISTS":
             return self._exists()
@@ -204,7 +211,7 @@ class Scanner:
         try:
             return float(_FUNCTIONS[name](argument))
         except (ValueError, OverflowError):
-            what = f"{name} has no value for {argument:g}"
+            what = Text("{name} has no value for {argument:g}", name=name, argument=argument)
             raise self.error("domain", what, "correct the expression", begin) from None
 
     def _exists(self) -> float:

@@ -11,7 +11,7 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass, replace
 
-from CNCStepper.errors import ProgramError
+from CNCStepper.errors import ProgramError, Text
 from CNCStepper.gcode.dialects import Dialect
 from CNCStepper.gcode.dialects.codes import (
     ALL_AXES,
@@ -120,9 +120,15 @@ class Grammar:
             if word.letter in "GM":
                 continue
             if word.letter not in self.dialect.letters:
-                raise self._refused(word.letter, f"{self.dialect.title} has no word {word.letter}", "unknown-word")
+                raise self._refused(
+                    word.letter,
+                    Text("{dialect} has no word {letter}", dialect=self.dialect.title, letter=word.letter),
+                    "unknown-word",
+                )
             if word.letter in slots:
-                raise ProgramError("repeated-word", f"{word.letter} stands twice on the line", value=word.letter)
+                raise ProgramError(
+                    "repeated-word", Text("{letter} stands twice on the line", letter=word.letter), value=word.letter
+                )
             if word.letter == "N" and self.dialect.line_number_first and position:
                 raise ProgramError("line-number", "the N word must be the first of its line", value="N")
             slots[word.letter] = len(slots)
@@ -139,7 +145,11 @@ class Grammar:
                 if self.dialect.cancel_yields and NO_MOTION in (code.motion, codes[code.group].motion):
                     codes[code.group] = code if code.motion != NO_MOTION else codes[code.group]
                     continue
-                what = f"{codes[code.group].name} and {code.name} may not share a line: they set the same mode"
+                what = Text(
+                    "{code} and {code2} may not share a line: they set the same mode",
+                    code=codes[code.group].name,
+                    code2=code.name,
+                )
                 raise ProgramError("modal-conflict", what, value=word.name, advice="write them on two lines")
             codes[code.group] = code
         self._check_together([code.name for code in codes.values()])
@@ -149,19 +159,21 @@ class Grammar:
         """Refuse too many M codes, and codes that use a word in two ways."""
         most, count = self.dialect.most_m_codes, sum(name.startswith("M") for name in names)
         if most and count > most:
-            what = f"a line holds {count} M codes"
+            what = Text("a line holds {count} M codes", count=count)
             raise ProgramError("m-codes-many", what, limit=str(most), advice="write them on two lines")
         for name in names:
             for other in self.dialect.conflicts.get(name, ()):
                 if other in names:
-                    what = f"{name} and {other} may not share a line: they use the same word"
+                    what = Text(
+                        "{name} and {other} may not share a line: they use the same word", name=name, other=other
+                    )
                     raise ProgramError("modal-conflict", what, value=name, advice="write them on two lines")
 
     def _unknown(self, name: str) -> Code:
         """Say why a code is refused."""
         if name in FLOW and name not in self.dialect.refused:
             raise ProgramError("not-supported", f"{name} {FLOW[name]}", value=name, advice="expand it into plain moves")
-        what = f"{self.dialect.title} does not accept {name}"
+        what = Text("{dialect} does not accept {name}", dialect=self.dialect.title, name=name)
         raise self._refused(name, what, "refused-code" if name in RS274 else "unknown-code")
 
     def _refused(self, name: str, what: str, code: str) -> ProgramError:
@@ -172,7 +184,9 @@ class Grammar:
         """Return the codes with the motion that the axis words belong to, its kind, and whether it moves."""
         users = [code for code in codes if code.axes]
         if len(users) > 1:
-            what = f"{users[0].name} and {users[1].name} would both use the axis words"
+            what: str = Text(
+                "{user} and {user2} would both use the axis words", user=users[0].name, user2=users[1].name
+            )
             raise ProgramError("axis-conflict", what, value=users[1].name, advice="write them on two lines")
         explicit = next((code for code in codes if code.motion is not None), None)
         has_axes = any(axis in slots for axis in ALL_AXES + POLAR)
@@ -182,7 +196,11 @@ class Grammar:
                 what = "a line with G80 takes no axis words, nor those of G43.1"
                 raise ProgramError("axis-unused", what, value=_first_axis(slots), advice="write them on two lines")
             if has_axes and self.dialect.axes_need_motion and (explicit or modal == NO_MOTION):
-                what = f"while G80 is in force {self.dialect.title} takes no axis words, nor those of {users[0].name}"
+                what = Text(
+                    "while G80 is in force {dialect} takes no axis words, nor those of {user}",
+                    dialect=self.dialect.title,
+                    user=users[0].name,
+                )
                 raise ProgramError("axis-unused", what, value=_first_axis(slots), advice="write a line G0 before it")
             return codes, NO_MOTION, False
         if users:
@@ -205,7 +223,7 @@ class Grammar:
             what = "there is no motion that the coordinates could belong to"
             raise ProgramError("no-motion", what, value=_first_axis(slots), advice="write G0, G1, G2 or G3")
         if modal not in self.dialect.repeats:
-            what = f"coordinates alone may not follow {MOTION_NAMES[modal]}"
+            what = Text("coordinates alone may not follow {motion_name}", motion_name=MOTION_NAMES[modal])
             raise ProgramError("no-motion", what, value=_first_axis(slots), advice="write the motion word again")
         return replace(code, sets={}, needs="")  # only the word itself, not its repetition, sets modes
 
@@ -216,12 +234,16 @@ class Grammar:
             allowed |= set(code.takes) | _axis_letters(code)
             for letter in code.needs:
                 if letter not in slots:
-                    raise ProgramError("missing-word", f"{code.name} needs a {letter} word", value=code.name)
+                    raise ProgramError(
+                        "missing-word",
+                        Text("{code} needs a {letter} word", code=code.name, letter=letter),
+                        value=code.name,
+                    )
             if code.axes == "must" and not any(axis in slots for axis in ALL_AXES + POLAR):
-                raise ProgramError("missing-axis", f"{code.name} needs X, Y or Z", value=code.name)
+                raise ProgramError("missing-axis", Text("{code} needs X, Y or Z", code=code.name), value=code.name)
         for letter in slots:
             if letter not in allowed:
-                what = f"no code on this line uses the word {letter}"
+                what = Text("no code on this line uses the word {letter}", letter=letter)
                 raise ProgramError("unused-word", what, value=letter, advice="take it out or add its code")
 
 

@@ -11,7 +11,7 @@ import re
 from string import ascii_lowercase, ascii_uppercase
 from typing import NamedTuple
 
-from CNCStepper.errors import Place, ProgramError
+from CNCStepper.errors import Place, ProgramError, Text
 
 NUMBER = r"[+-]?(?:[0-9]{1,15}(?:\.[0-9]*)?|\.[0-9]+)(?![0-9])"
 SIGNS = "@^$"  # polar distance and angle, and the number of a spindle, are words too
@@ -205,7 +205,7 @@ def not_a_word(packed: str, position: int, columns: list[int]) -> ProgramError:
     if letter in _MISPLACED:
         return _error("misplaced", _MISPLACED[letter], columns[position], run)
     if letter.isascii() and letter.isalpha():
-        what = f"the word {letter} has no number that can be read"
+        what = Text("the word {letter} has no number that can be read", letter=letter)
         return _error("bad-number", what, columns[position], run, "write a decimal number after the letter")
     if letter in "+-.0123456789":
         return _error("bad-number", "a number that no letter begins", columns[position], run, "correct the word before")

@@ -23,7 +23,7 @@ from math import isnan
 
 import numpy as np
 
-from CNCStepper.errors import Place, ProgramError
+from CNCStepper.errors import Place, ProgramError, Text
 from CNCStepper.gcode.dialects import Dialect, dialect_named
 from CNCStepper.gcode.dialects.codes import MOTION_NAMES
 from CNCStepper.gcode.interpreter.line_interpreter import Interpreter
@@ -55,7 +55,7 @@ class TakeUp:
 
     def __init__(self, play: Play, dialect: Dialect, start: Start | None, file: str):
         if "records" in dialect.front:
-            what = f"in the language of {dialect.title} no play can be taken up"
+            what = Text("in the language of {dialect} no play can be taken up", dialect=dialect.title)
             advice = "set backlash_mm to 0 in the machine profile"
             raise ProgramError("take-up", what, advice=advice, place=Place(file))
         self._play = play

@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from CNCStepper.errors import Place, ProgramError
+from CNCStepper.errors import Place, ProgramError, Text
 from CNCStepper.gcode.dialects import Dialect, dialect_named
 from CNCStepper.gcode.wire.wire_lines import WireLines
 
@@ -47,7 +47,7 @@ def check_wire_line(line: str, dialect: str | Dialect = "grbl", place: Place | N
     if language.line_limit and len(line) >= language.line_limit:
         limit = f"{language.line_limit - 1} characters"
         value = f"{len(line)} characters"
-        what = f"the line does not fit the buffer of {language.title}"
+        what: str = Text("the line does not fit the buffer of {language}", language=language.title)
         raise ProgramError("line-too-long", what, value=value, limit=limit, advice="write it as two", place=place)
     acting = sorted(REALTIME.intersection(line.encode("utf-8")))
     if acting or not line.isprintable():

@@ -6,7 +6,7 @@ It knows what the machine holds after each line: position in counts of the last 
 
 from __future__ import annotations
 
-from CNCStepper.errors import ProgramError
+from CNCStepper.errors import ProgramError, Text
 from CNCStepper.gcode.dialects import Dialect, Writing
 from CNCStepper.gcode.dialects.codes import AXES, MOTION_NAMES, PLANE_CODES
 from CNCStepper.gcode.writer.ascii_comments import COMMENT_WIDTH, ascii_text, comment_lines
@@ -184,7 +184,7 @@ class Page:
     def _axis(self, axis: int, count: int) -> str:
         letter = AXES[axis]
         if letter not in self.dialect.letters:
-            what = f"{self.dialect.title} has no axis {letter}"
+            what = Text("{dialect} has no axis {letter}", dialect=self.dialect.title, letter=letter)
             value = f"{letter}{self.grid.text(count)}"
             raise ProgramError("axes", what, value=value, advice="lay the work in its axes")
         return f"{letter}{self.grid.text(count)}"
@@ -215,7 +215,9 @@ class Page:
         """Return a feed as a word; raises ProgramError for none, and for one that the digits cannot hold."""
         number = self.grid.short(feed_mm_min / self.dialect.feed_unit_mm_min)
         if number in ("", "0") or not feed_mm_min > 0:
-            raise ProgramError("no-feed", "a cutting move has no feed", value=f"{feed_mm_min:g} mm/min")
+            raise ProgramError(
+                "no-feed", "a cutting move has no feed", value=Text("{feed_mm_min:g} mm/min", feed_mm_min=feed_mm_min)
+            )
         self._check_feed(float(number) * self.grid.unit_mm * self.dialect.feed_unit_mm_min, feed_mm_min)
         word = self._feeds[feed_mm_min] = f"F{number}" + "." * (self.writing.pointed and "." not in number)
         return word
@@ -223,10 +225,20 @@ class Page:
     def _check_feed(self, written_mm_min: float, feed_mm_min: float) -> None:
         """Raise ProgramError where the digits that the dialect has make another feed."""
         if abs(written_mm_min - feed_mm_min) > MOST_FEED_ERROR * feed_mm_min:
-            what = f"the digits of {self.dialect.title} cannot hold this feed: F would be {written_mm_min:.4g} mm/min"
+            what = Text(
+                "the digits of {dialect} cannot hold this feed: F would be {written_mm_min:.4g} mm/min",
+                dialect=self.dialect.title,
+                written_mm_min=written_mm_min,
+            )
             limit = f"{100 * MOST_FEED_ERROR:g} % off"
             advice = "write the program in mm, or choose a higher feed"
-            raise ProgramError("feed-digits", what, value=f"{feed_mm_min:g} mm/min", limit=limit, advice=advice)
+            raise ProgramError(
+                "feed-digits",
+                what,
+                value=Text("{feed_mm_min:g} mm/min", feed_mm_min=feed_mm_min),
+                limit=limit,
+                advice=advice,
+            )
 
     def _arrive(self, end: Counts) -> None:
         self.at = [count if count is not None else at for count, at in zip(end, self.at, strict=True)]

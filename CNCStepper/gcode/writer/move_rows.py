@@ -9,7 +9,7 @@ from math import isnan
 
 import numpy as np
 
-from CNCStepper.errors import Place, ProgramError
+from CNCStepper.errors import Place, ProgramError, Text
 from CNCStepper.gcode.dialects import Dialect
 from CNCStepper.gcode.dialects.codes import AXES
 from CNCStepper.gcode.interpreter.motion.moves import FULL_TURN
@@ -160,7 +160,10 @@ class RowWriter:
         elif rises and not self.page.writing.helices:
             lacks = "helices"
         if lacks:
-            self._note(row, f"{lacks} became lines, at most {self.options.chord_mm:g} mm away")
+            self._note(
+                row,
+                Text("{lacks} became lines, at most {chord_mm:g} mm away", lacks=lacks, chord_mm=self.options.chord_mm),
+            )
         return bool(lacks)
 
     def _turns(self, row: int, clockwise: bool, limits: Limits) -> Iterator[tuple[TrueArc, float, float, int]]:
@@ -227,7 +230,7 @@ class RowWriter:
     def _check_known(self, row: int) -> None:
         for axis in range(3):
             if isnan(self._ends[row][axis]) and not isnan(self._begins[row][axis]):
-                raise self._refusal(row, f"the row leads to an unknown place along {AXES[axis]}")
+                raise self._refusal(row, Text("the row leads to an unknown place along {axis}", axis=AXES[axis]))
 
     def _refusal(self, row: int, what: str) -> ProgramError:
         line = int(self.table.line[row])

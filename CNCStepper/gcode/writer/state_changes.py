@@ -13,7 +13,7 @@ A tool change is never a bare T. By the options, after the retract:
 
 from __future__ import annotations
 
-from CNCStepper.errors import ProgramError
+from CNCStepper.errors import ProgramError, Text
 from CNCStepper.gcode.dialects import Dialect
 from CNCStepper.gcode.writer.ascii_comments import comment_lines
 from CNCStepper.gcode.writer.block_emitter import Page
@@ -76,7 +76,7 @@ class Switches:
             self.work_system = name
             return True
         if name not in systems:
-            what = f"{self.dialect.title} has no work offset {name}"
+            what = Text("{dialect} has no work offset {name}", dialect=self.dialect.title, name=name)
             advice = f"use {', '.join(systems)}" if systems else "use one work offset"
             raise ProgramError("work-system", what, value=name, advice=advice)
         self.work_system = name
@@ -86,7 +86,7 @@ class Switches:
     def load(self, tool: int, message: str, length_mm: float, first: bool) -> None:
         """Change to `tool`; the `first` one is named only, for later ones the operator is asked."""
         if tool > self.dialect.largest_tool:
-            limit = f"at most {self.dialect.largest_tool}"
+            limit = Text("at most {largest_tool}", largest_tool=self.dialect.largest_tool)
             raise ProgramError("tool-number", "the tool number is too large", value=f"T{tool}", limit=limit)
         description = self.options.tools.get(tool, "")
         by_m6 = self.options.tool_change == "m6" or not self.dialect.tool_word_changes
@@ -139,7 +139,7 @@ class Switches:
         if by_table:
             return "G43", f"H{tool}"
         if length_mm is None or "G43.1" not in codes:
-            what = f"the length offset of tool {tool} is not known"
+            what = Text("the length offset of tool {tool} is not known", tool=tool)
             advice = "give the tool a length_offset_mm, or choose another tool_length for the machine"
             raise ProgramError("tool-length", what, value=f"T{tool}", advice=advice)
         grid = self.page.grid
@@ -207,14 +207,14 @@ class Switches:
         """Whether the dialect has these codes; what it lacks may be left out only where the options say so."""
         if all(code in self.dialect.codes for code in codes):
             return True
-        lacks = f"{self.dialect.title} has no {what}"
+        lacks = Text("{dialect} has no {what}", dialect=self.dialect.title, what=what)
         if name not in self.options.leave_out:
-            advice = f"leave '{name}' out, if the machine's operator does it by hand"
+            advice = Text("leave '{name}' out, if the machine's operator does it by hand", name=name)
             raise ProgramError("not-expressible", lacks, value=" ".join(codes), advice=advice)
         if name in LASTING:
-            self.page.notes.once(f"left out: {lacks}")
+            self.page.notes.once(Text("left out: {lacks}", lacks=lacks))
         else:
-            self.page.notes.add(f"left out: {lacks}")
+            self.page.notes.add(Text("left out: {lacks}", lacks=lacks))
         return False
 
 

@@ -19,7 +19,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from CNCStepper.cancellation import checkpoint
-from CNCStepper.errors import Place, ProgramError
+from CNCStepper.errors import Place, ProgramError, Text
 from CNCStepper.gcode.dialects import Dialect, dialect_named
 from CNCStepper.gcode.writer.ascii_comments import ascii_text
 from CNCStepper.gcode.writer.block_emitter import Page
@@ -67,7 +67,9 @@ def written(
         what = "the program needs more than one tool"
         raise ProgramError("tool-change", what, advice="write one program a tool, or pause at tool changes")
     if many and named.writing and options.tool_change not in named.writing.tool_change:
-        what = f"{named.title} cannot change tools by '{options.tool_change}'"
+        what = Text(
+            "{named} cannot change tools by '{tool_change}'", named=named.title, tool_change=options.tool_change
+        )
         raise ProgramError("tool-change", what, advice=f"use {' or '.join(named.writing.tool_change)}")
     writer = _Writer(toolpath, named, options, progress)
     text = writer.program(0, len(toolpath))
@@ -129,10 +131,10 @@ class _Writer:
     ):
         writing = dialect.writing
         if writing is None:
-            what = f"programs are not written in the dialect {dialect.title}"
+            what = Text("programs are not written in the dialect {dialect}", dialect=dialect.title)
             raise ProgramError("dialect", what, advice="write for grbl or linuxcnc")
         if options.units not in writing.units:
-            what = f"{dialect.title} has no programs in {options.units}"
+            what = Text("{dialect} has no programs in {units}", dialect=dialect.title, units=options.units)
             raise ProgramError("units", what, advice=f"use {' or '.join(writing.units)}")
         self.path = toolpath
         self.options = options
@@ -249,7 +251,11 @@ class _Writer:
         elif event.kind == "output" and event.text.partition(" ")[0] in self.page.dialect.codes:
             self.page.line(event.text)
         elif event.kind not in ("tool_select", "tool_change", "warning"):
-            what = f"{self.page.dialect.title} programs are written without '{event.kind}'"
+            what = Text(
+                "{dialect} programs are written without '{event_kind}'",
+                dialect=self.page.dialect.title,
+                event_kind=event.kind,
+            )
             place = Place("", event.line) if event.line else None
             raise ProgramError("event", what, value=event.text, advice="take it out of the program", place=place)
 
@@ -300,8 +306,8 @@ class _Writer:
 
     def _begin(self, names: list[str]) -> None:
         for name in names:
-            self.page.raw(f"begin operation: {name}")
+            self.page.raw(Text("begin operation: {name}", name=name))
 
     def _finish(self, names: list[str]) -> None:
         for name in names:
-            self.page.raw(f"finish operation: {name}")
+            self.page.raw(Text("finish operation: {name}", name=name))

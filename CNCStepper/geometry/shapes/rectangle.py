@@ -7,7 +7,7 @@ import math
 
 import numpy as np
 
-from CNCStepper.errors import GeometryError
+from CNCStepper.errors import GeometryError, Text
 from CNCStepper.geometry.curve import Curve, from_points
 
 QUARTER_BULGE = math.tan(math.pi / 8.0)
@@ -24,7 +24,7 @@ def rectangle(corner_a: tuple[float, float], corner_b: tuple[float, float], corn
         raise GeometryError(
             "rectangle-flat",
             "the corners of a rectangle's diagonal must differ in x and in y",
-            value=f"{high[0] - low[0]:g} by {high[1] - low[1]:g} mm",
+            value=Text("{high:g} by {high2:g} mm", high=high[0] - low[0], high2=high[1] - low[1]),
             limit="above 0 mm",
             advice="move one of the corners",
         )

@@ -16,7 +16,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from CNCStepper.errors import Place, ProgramError
+from CNCStepper.errors import Place, ProgramError, Text
 from CNCStepper.gcode.dialects import dialect_named
 from CNCStepper.gcode.interpreter.fast_path.compiled_reader import PlainReader
 from CNCStepper.gcode.interpreter.flow.o_words import has_profile, is_plain
@@ -223,7 +223,7 @@ class _Refusals:
         place = error.place
         if place is None or place.file == self._file:
             return error
-        what = f"{place}: {error.what}"
+        what = Text("{place}: {error}", place=place, error=error.what)
         here = Place(self._file, self._reader.line_number, 1)
         words = {"advice": error.advice, "value": error.value, "limit": error.limit}
         return ProgramError(error.code, what, place=here, **words)

@@ -7,7 +7,7 @@ import json
 from pathlib import Path
 from typing import Any
 
-from CNCStepper.errors import JobError, Place
+from CNCStepper.errors import JobError, Place, Text
 from CNCStepper.input_file import MOST_TEXT_BYTES, read_input
 from CNCStepper.safe_text import printable
 
@@ -22,7 +22,9 @@ def read_json(path: Path, most_bytes: int = MOST_TEXT_BYTES) -> dict[str, Any]:
     except ValueError as error:  # no JSON, no UTF-8, or a number of thousands of digits
         if isinstance(error, JobError):
             raise
-        raise JobError("json", f"not a JSON file: {printable(str(error), 300)}", place=place) from error
+        raise JobError(
+            "json", Text("not a JSON file: {error}", error=printable(str(error), 300)), place=place
+        ) from error
     if not isinstance(content, dict):
         raise JobError("json", "the file holds no object", place=place)
     return content

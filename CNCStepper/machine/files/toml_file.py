@@ -8,7 +8,7 @@ import tomllib
 from pathlib import Path
 from typing import Any
 
-from CNCStepper.errors import JobError, Place
+from CNCStepper.errors import JobError, Place, Text
 from CNCStepper.input_file import read_input
 from CNCStepper.safe_text import printable
 
@@ -32,7 +32,9 @@ def read_toml(path: Path) -> dict[str, Any]:
     except ValueError as error:  # no TOML, no UTF-8, or a number of thousands of digits
         if isinstance(error, JobError):
             raise
-        raise JobError("toml", f"not a TOML file: {printable(str(error), 300)}", place=place) from error
+        raise JobError(
+            "toml", Text("not a TOML file: {error}", error=printable(str(error), 300)), place=place
+        ) from error
 
 
 def _too_deep(place: Place) -> JobError:

@@ -11,7 +11,7 @@ from pydantic import BaseModel, ValidationError
 from pydantic.fields import FieldInfo
 from pydantic_core import ErrorDetails
 
-from CNCStepper.errors import JobError, Place
+from CNCStepper.errors import JobError, Place, Text
 from CNCStepper.quantities import ERROR_TYPE, Bounds, shown, with_unit
 from CNCStepper.safe_text import printable
 
@@ -28,24 +28,43 @@ def refusal_of(model: type[BaseModel], error: ValidationError, file: str) -> Job
     owner, table = _owner(model, first["loc"])
     if unknown:
         known = ", ".join(sorted(owner.model_fields))
-        advice = f"correct its spelling or take it out; known {f'in {table} ' if table else ''}are: {known}"
-        return JobError("bad-value", f"there is no key {key}", advice=advice, place=place)
+        advice = Text(
+            "correct its spelling or take it out; known {table}are: {known}",
+            table=f"in {table} " if table else "",
+            known=known,
+        )
+        return JobError("bad-value", Text("there is no key {key}", key=key), advice=advice, place=place)
     if first["type"] == "missing" and isinstance(first["loc"][-1], int):
         key = ".".join(str(part) for part in first["loc"][:-1])
-        return JobError("bad-value", f"{key} has too few values", advice="give all of them", place=place)
+        return JobError("bad-value", Text("{key} has too few values", key=key), advice="give all of them", place=place)
     if first["type"] == "missing":
         name = str(first["loc"][-1])
-        what = f"the key {name} is missing" + (f" in {table}" if table else "")
+        what = Text("the key {name} is missing", name=name)
+        what = Text("{problem} in {table}", problem=what, table=table) if table else what
         words = _words(owner.model_fields[name]) if name in owner.model_fields else "a value"
         return JobError("bad-value", what, advice=f"add {name} = {words}", place=place)
     if first["type"] == ERROR_TYPE:
         return _out_of_bounds(key, first, place)
     if first["type"] == "too_long":
         return _too_long(key, first, place)
-    what = printable(first["msg"].removeprefix("Value error, "))
+    wrong = message_of(first)
     if not key:
-        return JobError("bad-value", what, advice="correct that", place=place)
-    return JobError("bad-value", f"{key}: {what}", value=shown(first["input"]), advice="correct that key", place=place)
+        return JobError("bad-value", wrong, advice="correct that", place=place)
+    return JobError(
+        "bad-value",
+        Text("{key}: {what}", key=key, what=wrong),
+        value=shown(first["input"]),
+        advice="correct that key",
+        place=place,
+    )
+
+
+def message_of(problem: ErrorDetails) -> str:
+    """Return what is wrong; a text of a model's own check keeps its values."""
+    raised = problem.get("ctx", {}).get("error")
+    if isinstance(raised, ValueError) and raised.args and isinstance(raised.args[0], str):
+        return raised.args[0]
+    return printable(problem["msg"].removeprefix("Value error, "))
 
 
 def _out_of_bounds(key: str, problem: ErrorDetails, place: Place) -> JobError:
@@ -53,7 +72,7 @@ def _out_of_bounds(key: str, problem: ErrorDetails, place: Place) -> JobError:
     given, told = problem["input"], problem["ctx"]
     is_number = isinstance(given, int | float) and not isinstance(given, bool)
     value = with_unit(given, told["unit"]) if is_number else shown(given)
-    what = f"{key} must be {told['number']} within its bounds"
+    what = Text("{key} must be {number} within its bounds", key=key, number=told["number"])
     return JobError("bad-value", what, value=value, limit=told["bounds"], advice=told["advice"], place=place)
 
 
@@ -61,7 +80,9 @@ def _too_long(key: str, problem: ErrorDetails, place: Place) -> JobError:
     most = problem["ctx"]["max_length"]
     value = f"{len(problem['input'])}" if hasattr(problem["input"], "__len__") else ""
     advice = "make the list shorter"
-    return JobError("bad-value", f"{key} is too long", value=value, limit=f"{most}", advice=advice, place=place)
+    return JobError(
+        "bad-value", Text("{key} is too long", key=key), value=value, limit=f"{most}", advice=advice, place=place
+    )
 
 
 def _owner(model: type[BaseModel], loc: Sequence[int | str]) -> tuple[type[BaseModel], str]:

@@ -16,7 +16,7 @@ from pathlib import Path
 from typing import Any
 
 from CNCStepper.atomic_file import write_whole
-from CNCStepper.errors import JobError, Place
+from CNCStepper.errors import JobError, Place, Text
 from CNCStepper.input_file import is_there
 from CNCStepper.machine.files.json_file import read_json
 from CNCStepper.machine.tools.stored_tool import StoredTool, given_keys, tool_or_note
@@ -74,10 +74,16 @@ def read_bit(path: Path, number: int = 1) -> StoredTool:
         raise JobError("tool-bit", "not a tool bit: it has no shape or no parameter", place=Place(str(path)))
     for key in ("attribute", OURS):
         if not isinstance(content.get(key) or {}, dict):
-            raise JobError("tool-bit", f"not a tool bit: its {key} is no object", place=Place(str(path)))
+            raise JobError("tool-bit", Text("not a tool bit: its {key} is no object", key=key), place=Place(str(path)))
     name, kind = _text(content.get("name", path.stem)), _shape_of(content)
     if kind not in SHAPES:
-        return StoredTool(number, name, None, content, (f"its shape '{kind}' is none of {', '.join(SHAPES)}",))
+        return StoredTool(
+            number,
+            name,
+            None,
+            content,
+            (Text("its shape '{kind}' is none of {shapes}", kind=kind, shapes=", ".join(SHAPES)),),
+        )
     try:
         keys = _keys(content, SHAPES[kind])
     except ValueError as error:
@@ -127,7 +133,7 @@ def quantity(text: Any, units: dict[str, float]) -> float:
     words = text if isinstance(text, str) else shown(text)
     match = QUANTITY.fullmatch(words) if plain and len(words) <= LONGEST_NUMBER else None
     if match is None or match[2] not in units:
-        raise ValueError(f"'{printable(words, LONGEST_NUMBER)}' is no length or angle that is known")
+        raise ValueError(Text("'{words}' is no length or angle that is known", words=printable(words, LONGEST_NUMBER)))
     return float(match[1].replace(",", ".")) * units[match[2]]
 
 
@@ -172,7 +178,9 @@ def _bit(stored: StoredTool) -> dict[str, Any]:
         return content
     tool = stored.tool
     if tool.shape not in WRITTEN:
-        raise JobError("tool-shape", f"FreeCAD has no tool bit for a {tool.shape}", value=stored.name)
+        raise JobError(
+            "tool-shape", Text("FreeCAD has no tool bit for a {tool_shape}", tool_shape=tool.shape), value=stored.name
+        )
     if not raw:
         shape, kind = WRITTEN[tool.shape]
         content |= {"shape": f"{shape}.fcstd", "shape-type": kind}
@@ -212,7 +220,7 @@ def _listed(entry: Any, library: Path) -> StoredTool:
     for folder in (library.parent, library.parent.parent / "Bit"):
         if is_there(folder / name):
             return read_bit(folder / name, number)
-    told = f"its file '{_text(name)}' is neither here nor in ../Bit"
+    told = Text("its file '{name}' is neither here nor in ../Bit", name=_text(name))
     return StoredTool(number, _text(Path(name).stem), None, {}, (told,))
 
 

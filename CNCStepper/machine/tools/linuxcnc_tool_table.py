@@ -19,7 +19,7 @@ from pathlib import Path
 from typing import Any
 
 from CNCStepper.atomic_file import write_whole
-from CNCStepper.errors import JobError, Place
+from CNCStepper.errors import JobError, Place, Text
 from CNCStepper.input_file import read_input
 from CNCStepper.machine.tools.stored_tool import StoredTool, given_keys, tool_or_note
 from CNCStepper.machine.tools.tool import Tool
@@ -47,12 +47,14 @@ def read_table(path: Path, unit_mm: float = 1.0) -> list[StoredTool]:
 
 def write_table(tools: list[StoredTool], path: Path, unit_mm: float = 1.0) -> list[str]:
     """Write the tools as a table in units of `unit_mm`; return what of them a table cannot hold."""
-    lines, notes = [], []
+    lines: list[str] = []
+    notes: list[str] = []
     for stored in tools:
         lines.append(_line(stored, unit_mm))
         if stored.tool is not None:
             lost = sorted(set(given_keys(stored.tool)) - WRITTEN_KEYS)
-            notes += [f"tool {stored.number} '{stored.name}': a table has no {', '.join(lost)}"] if lost else []
+            told, names = "tool {number} '{name}': a table has no {lost}", ", ".join(lost)
+            notes += [Text(told, number=stored.number, name=stored.name, lost=names)] if lost else []
     write_whole(path, "".join(f"{line}\n" for line in lines).encode("utf-8"))
     return notes
 
@@ -62,7 +64,9 @@ def _tool(line: str, unit_mm: float, place: Place) -> StoredTool:
     words = {letter.upper(): number for letter, number in WORD.findall(code)}
     if WORD.sub("", code).strip() or set(words) - set(LETTERS) or "T" not in words:
         advice = "write a line such as: T3 P3 D6.0 Z+41.5 ;6 mm end mill"
-        raise JobError("tool-table", f"not a tool of a table: '{line.strip()[:60]}'", advice=advice, place=place)
+        raise JobError(
+            "tool-table", Text("not a tool of a table: '{line}'", line=line.strip()[:60]), advice=advice, place=place
+        )
     name = printable(comment.strip(), MOST_NAME)
     _require_short(words, place)
     number, raw = int(float(words["T"])), {"words": words, "unit_mm": unit_mm}
@@ -70,7 +74,9 @@ def _tool(line: str, unit_mm: float, place: Place) -> StoredTool:
     if diameter_mm <= 0:
         return StoredTool(number, name, None, raw, ("the table gives it no diameter",))
     if number > LARGEST_NUMBER:
-        return StoredTool(number, name, None, raw, (f"its number is above {LARGEST_NUMBER}",))
+        return StoredTool(
+            number, name, None, raw, (Text("its number is above {largest_number}", largest_number=LARGEST_NUMBER),)
+        )
     shape, guess = _shape(name)
     offset = {"length_offset_mm": float(words["Z"]) * unit_mm} if "Z" in words else {}
     tool, notes = tool_or_note({"number": number, "shape": shape, "diameter_mm": diameter_mm, **offset})
@@ -91,7 +97,7 @@ def _shape(name: str) -> tuple[str, tuple[str, ...]]:
     for word, shape in KNOWN_SHAPES:
         if word in name.lower():
             return shape, ()
-    return "flat", (f"taken as a flat mill: '{name}' names no shape that a table's words can tell",)
+    return "flat", (Text("taken as a flat mill: '{name}' names no shape that a table's words can tell", name=name),)
 
 
 def _line(stored: StoredTool, unit_mm: float) -> str:

@@ -8,10 +8,10 @@ from typing import Any
 
 from pydantic import ValidationError
 
-from CNCStepper.errors import JobError, Place
+from CNCStepper.errors import JobError, Place, Text, joined
+from CNCStepper.machine.files.validation_errors import message_of
 from CNCStepper.machine.tools.tool import Tool
 from CNCStepper.quantities import ERROR_TYPE, shown
-from CNCStepper.safe_text import printable
 
 
 @dataclass(frozen=True)
@@ -30,7 +30,12 @@ class StoredTool:
     def required(self, file: str) -> Tool:
         """Return the tool; raises JobError where it is none that cuts here."""
         if self.tool is None:
-            what = f"tool {self.number} '{self.name}' cannot be used: {'; '.join(self.notes)}"
+            what = Text(
+                "tool {number} '{name}' cannot be used: {notes}",
+                number=self.number,
+                name=self.name,
+                notes=joined("; ", self.notes),
+            )
             raise JobError("tool-shape", what, advice="describe it in a [[tool]] table", place=Place(file))
         return self.tool
 
@@ -42,8 +47,13 @@ def tool_or_note(content: dict[str, Any]) -> tuple[Tool | None, tuple[str, ...]]
     except ValidationError as error:
         first = error.errors()[0]
         key = ".".join(map(str, first["loc"]))
-        words = printable(f"{key}: {first['msg'].removeprefix('Value error, ')}".removeprefix(": "))
-        return None, (f"{words}, not {shown(first['input'])}" if first["type"] == ERROR_TYPE else words,)
+        words = Text("{key}: {what}", key=key, what=message_of(first)) if key else message_of(first)
+        words = (
+            Text("{what}, not {value}", what=words, value=shown(first["input"]))
+            if first["type"] == ERROR_TYPE
+            else words
+        )
+        return None, (words,)
 
 
 def given_keys(tool: Tool) -> dict[str, Any]:

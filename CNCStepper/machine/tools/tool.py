@@ -14,7 +14,7 @@ from typing import Annotated, Literal
 
 from pydantic import BaseModel, ConfigDict, model_validator
 
-from CNCStepper.errors import JobError
+from CNCStepper.errors import JobError, Text
 from CNCStepper.machine.tools.tool_shapes import Shape, foreign_keys
 from CNCStepper.quantities import Bounds, ChipLoadOr0, FeedOr0, SpeedOr0, TipAngle, ToolNumber, Width, WidthOr0
 
@@ -59,7 +59,7 @@ class Tool(BaseModel):
     def _keys_fit_the_shape(self) -> Tool:
         for key in sorted(foreign_keys(self.shape)):
             if getattr(self, key) != type(self).model_fields[key].default:
-                raise ValueError(f"a {self.shape} tool has no {key}")
+                raise ValueError(Text("a {shape} tool has no {key}", shape=self.shape, key=key))
         if self.corner_radius_mm is not None and self.corner_radius_mm > self.radius_mm:
             raise ValueError("corner_radius_mm must not exceed half of diameter_mm")
         if self.tip_diameter_mm is not None and self.tip_diameter_mm >= self.diameter_mm:
@@ -92,5 +92,7 @@ def tool_from_text(text: str, number: int = 0) -> Tool:
         return Tool(number=number, shape=shape, diameter_mm=float(diameter))  # type: ignore[arg-type]
     except ValueError as error:
         raise JobError(
-            "tool-text", f"'{text}' is not a tool", advice="write shape:diameter_mm, for example flat:6 or ball:2"
+            "tool-text",
+            Text("'{text}' is not a tool", text=text),
+            advice="write shape:diameter_mm, for example flat:6 or ball:2",
         ) from error

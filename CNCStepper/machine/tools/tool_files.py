@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from CNCStepper.errors import JobError
+from CNCStepper.errors import JobError, Text, joined
 from CNCStepper.machine.tools.freecad_tool_bits import bit_files, read_bit, read_library, write_bit, write_library
 from CNCStepper.machine.tools.linuxcnc_tool_table import read_table, write_table
 from CNCStepper.machine.tools.stored_tool import StoredTool
@@ -30,8 +30,14 @@ def write_tools(tools: list[StoredTool], path: Path, unit_mm: float = 1.0) -> li
     Raises JobError for a file that is none of these, and for several tools in one `.fctb`.
     """
     ending = _ending(path)
-    unknown = [
-        f"tool {each.number} '{each.name}' is left out: {'; '.join(each.notes)}" for each in _foreign(tools, ending)
+    unknown: list[str] = [
+        Text(
+            "tool {each_number} '{each}' is left out: {notes}",
+            each_number=each.number,
+            each=each.name,
+            notes=joined("; ", each.notes),
+        )
+        for each in _foreign(tools, ending)
     ]
     kept = [each for each in tools if each not in _foreign(tools, ending)]
     if ending == ".tbl":
@@ -62,6 +68,6 @@ def _foreign(tools: list[StoredTool], ending: str) -> list[StoredTool]:
 def _ending(path: Path) -> str:
     ending = path.suffix.lower()
     if ending not in ENDINGS:
-        advice = f"give a file that ends in {', '.join(ENDINGS)}"
-        raise JobError("tools-kind", f"'{path.name}' is no tool file that is known", advice=advice)
+        advice = Text("give a file that ends in {endings}", endings=", ".join(ENDINGS))
+        raise JobError("tools-kind", Text("'{path}' is no tool file that is known", path=path.name), advice=advice)
     return ending

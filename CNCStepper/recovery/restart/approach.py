@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from CNCStepper.errors import Text
 from CNCStepper.gcode.interpreter.state.model import Model
 from CNCStepper.recovery.restart.cutting_segments import LEVEL_MM
 from CNCStepper.recovery.restart.entry_point import Entrance
@@ -56,7 +57,7 @@ def _safe_mm(program: Program, row: int, state: State, z_mm: float, options: Opt
     if options.height_mm is not None:
         safe_mm = own_mm + options.height_mm
         if safe_mm < z_mm:
-            value, limit = f"{options.height_mm:g} mm", f"at least {z_mm - own_mm:g} mm"
+            value, limit = f"{options.height_mm:g} mm", Text("at least {z_mm:g} mm", z_mm=z_mm - own_mm)
             what = "the path is entered above the height that is given"
             raise program.refusal("restart-height", what, row, value=value, limit=limit, advice="give a greater height")
         return safe_mm

@@ -8,6 +8,7 @@ from math import isnan
 
 import numpy as np
 
+from CNCStepper.errors import Text
 from CNCStepper.recovery.restart.places import contours
 from CNCStepper.recovery.restart.program import Program
 from CNCStepper.recovery.restart.restart_program import Restart
@@ -20,28 +21,33 @@ def words_of(restart: Restart) -> Iterator[str]:
     program, entrance, approach = restart.program, restart.entrance, restart.approach
     row, line = entrance.row, program.file_line(entrance.row)
     place = program.tips(np.array([approach.at_mm]), np.array([row]))[0]
-    yield f"enters line {line} at {_point(place)}"
+    yield Text("enters line {line} at {place}", line=line, place=_point(place))
     if entrance.share:
-        yield f"with {entrance.share:.0%} of its move done"
-    yield from (f"in the operation {span.name}" for span in program.operations if span.first <= row < span.last)
-    yield from (f"enters there because {note}" for note in entrance.notes)
+        yield Text("with {share:.0%} of its move done", share=entrance.share)
+    yield from (
+        Text("in the operation {span}", span=span.name) for span in program.operations if span.first <= row < span.last
+    )
+    yield from (Text("enters there because {note}", note=note) for note in entrance.notes)
     if entrance.overlap_mm:
-        yield f"cuts {entrance.overlap_mm:.3g} mm before the place again"
+        yield Text("cuts {overlap_mm:.3g} mm before the place again", overlap_mm=entrance.overlap_mm)
     state = approach.state
     if state.tool:
-        yield f"with tool {state.tool} in the spindle"
+        yield Text("with tool {tool} in the spindle", tool=state.tool)
     if not isnan(approach.safe_mm):
         yield (
-            f"goes to Z {height_mm(restart):.3f} first, straight up (it is not sent while the tool stands higher), "
-            "then over the place"
+            Text(
+                "goes to Z {height_mm:.3f} first, straight up (it is not sent while the tool stands "
+                "higher), then over the place",
+                height_mm=height_mm(restart),
+            )
         )
     yield from _switched_on(restart)
     if approach.plunge_mm_min:
-        yield f"goes down at {approach.plunge_mm_min:g} mm/min"
+        yield Text("goes down at {plunge_mm_min:g} mm/min", plunge_mm_min=approach.plunge_mm_min)
     if any(state.g92_mm):
-        yield f"sets G92 as it was: {_point(np.array(state.g92_mm))}"
+        yield Text("sets G92 as it was: {array}", array=_point(np.array(state.g92_mm)))
     own = int((restart.file_lines > 0).sum())
-    yield f"then runs {own} lines of the program as they are; all before them is taken as cut"
+    yield Text("then runs {own} lines of the program as they are; all before them is taken as cut", own=own)
 
 
 def height_mm(restart: Restart) -> float:
@@ -56,13 +62,17 @@ def _switched_on(restart: Restart) -> Iterator[str]:
     if not state.spindle_turns:
         yield "leaves the spindle off, as the program has it there"
     elif approach.is_beam:
-        yield f"switches the beam on at S{state.spindle_rpm:g} once it is down"
+        yield Text("switches the beam on at S{spindle_rpm:g} once it is down", spindle_rpm=state.spindle_rpm)
     else:
-        yield f"starts the spindle at {state.spindle_rpm:g} rpm, {SENSES[state.spindle]}"
+        yield Text(
+            "starts the spindle at {spindle_rpm:g} rpm, {sense}",
+            spindle_rpm=state.spindle_rpm,
+            sense=SENSES[state.spindle],
+        )
     if state.mist or state.flood:
         yield "switches the coolant on"
     if approach.dwell_s:
-        yield f"waits for {approach.dwell_s:g} s"
+        yield Text("waits for {dwell_s:g} s", dwell_s=approach.dwell_s)
 
 
 def proven_against(has_stock: bool, has_shapes: bool) -> str:

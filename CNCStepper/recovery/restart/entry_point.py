@@ -14,6 +14,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from CNCStepper.errors import Text
 from CNCStepper.gcode.dialects.codes import CYCLES
 from CNCStepper.recovery.restart.cutting_segments import entry_of, stretch_of
 from CNCStepper.recovery.restart.places import Place
@@ -79,7 +80,11 @@ def _earlier(program: Program, wanted: Place, overlap_mm: float) -> tuple[Place,
     ends_mm = np.cumsum(program.ways.length_mm[begin : row + 1])
     here_mm = float(ends_mm[-1]) - float(program.ways.length_mm[row]) * (1 - share)
     if here_mm <= overlap_mm:
-        note = f"the overlap is only {here_mm:.3g} mm: the cut begins there" if here_mm < overlap_mm else ""
+        note = (
+            Text("the overlap is only {here_mm:.3g} mm: the cut begins there", here_mm=here_mm)
+            if here_mm < overlap_mm
+            else ""
+        )
         return Place(begin), here_mm, (note,) * bool(note)
     back = int(np.searchsorted(ends_mm, here_mm - overlap_mm, side="right"))
     length_mm = float(program.ways.length_mm[begin + back])
@@ -98,7 +103,7 @@ def _whole_move(program: Program, place: Place) -> tuple[Place, str] | None:
     if length_mm * place.share < LEAST_MM:
         return Place(place.row), ""
     if not _can_be_parted(program, place.row) or length_mm * (1 - place.share) < LEAST_MM:
-        return Place(place.row), f"line {program.file_line(place.row)} is run from its begin"
+        return Place(place.row), Text("line {file_line} is run from its begin", file_line=program.file_line(place.row))
     return None
 
 
@@ -119,7 +124,9 @@ def _whole_line(program: Program, place: Place) -> tuple[Place, str] | None:
         first -= 1
     if first == place.row:
         return None
-    return Place(first), f"line {program.file_line(first)} makes several moves and is run from its begin"
+    return Place(first), Text(
+        "line {file_line} makes several moves and is run from its begin", file_line=program.file_line(first)
+    )
 
 
 def _whole_thread(program: Program, place: Place) -> tuple[Place, str] | None:
@@ -132,7 +139,9 @@ def _whole_thread(program: Program, place: Place) -> tuple[Place, str] | None:
     if place == Place(first) or not (rises & (table.kind[rows] > LINE) & (table.plane[rows] == XY)).any():
         return None
     begin = program.file_line(first)
-    return Place(first), f"it cuts upwards on a helix, as thread mills do, and is entered at its begin, line {begin}"
+    return Place(first), Text(
+        "it cuts upwards on a helix, as thread mills do, and is entered at its begin, line {begin}", begin=begin
+    )
 
 
 def _before_entry(program: Program, place: Place) -> tuple[Place, str] | None:
@@ -142,7 +151,9 @@ def _before_entry(program: Program, place: Place) -> tuple[Place, str] | None:
     entry = entry_of(program, stretch_of(program, place.row), place.row)
     if not entry.first <= place.row < entry.last or place == Place(entry.first):
         return None
-    return Place(entry.first), f"it is within a way into the cut, which begins at line {program.file_line(entry.first)}"
+    return Place(entry.first), Text(
+        "it is within a way into the cut, which begins at line {file_line}", file_line=program.file_line(entry.first)
+    )
 
 
 def _uncompensated(program: Program, place: Place) -> tuple[Place, str] | None:
@@ -152,7 +163,10 @@ def _uncompensated(program: Program, place: Place) -> tuple[Place, str] | None:
         return None
     free = np.flatnonzero(~program.compensated[:line])[-1] + 1  # the line that switches it on
     row = int(np.searchsorted(program.table.line, free))
-    return Place(row), f"the tool's radius is compensated: it begins at line {program.file_line(row)}, with G41 or G42"
+    return Place(row), Text(
+        "the tool's radius is compensated: it begins at line {file_line}, with G41 or G42",
+        file_line=program.file_line(row),
+    )
 
 
 def _whole_cycle(program: Program, place: Place) -> tuple[Place, str] | None:
@@ -165,7 +179,9 @@ def _whole_cycle(program: Program, place: Place) -> tuple[Place, str] | None:
     if model.motion not in CYCLES or model.absolute:
         return None
     row = int(np.searchsorted(program.table.line, begun[-1]))
-    return Place(row), f"the canned cycle is begun anew, at line {program.file_line(row)}: G91 is in force"
+    return Place(row), Text(
+        "the canned cycle is begun anew, at line {file_line}: G91 is in force", file_line=program.file_line(row)
+    )
 
 
 def _in_air(program: Program, place: Place) -> tuple[Place, str] | None:

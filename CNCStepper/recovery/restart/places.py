@@ -10,7 +10,7 @@ from typing import NamedTuple
 import numpy as np
 
 from CNCStepper.errors import Place as FilePlace
-from CNCStepper.errors import ProgramError
+from CNCStepper.errors import ProgramError, Text
 from CNCStepper.recovery.restart.cutting_segments import Stretch, cutting
 from CNCStepper.recovery.restart.program import Program
 from CNCStepper.toolpath import LINE, Span
@@ -63,12 +63,12 @@ def by_line(program: Program, number: int, time: int = 0) -> Place:
     """Return where the first move at or after a line of the file begins."""
     runs = _runs_of(program, number)
     if (len(runs) > 1 or time) and not 1 <= time <= len(runs):
-        what = f"which run of line {number} is meant is not clear"
-        advice, limit = "say which time it is run", f"from 1 to {len(runs)}"
+        what = Text("which run of line {number} is meant is not clear", number=number)
+        advice, limit = "say which time it is run", Text("from 1 to {runs}", runs=len(runs))
         raise ProgramError("restart-time", what, limit=limit, advice=advice, place=_file(program, number))
     row = int(np.searchsorted(program.table.line, runs[max(time, 1) - 1]))
     if row == len(program.table):
-        what = f"nothing moves at line {number} or after it"
+        what = Text("nothing moves at line {number} or after it", number=number)
         raise ProgramError("restart-nothing-left", what, advice="choose an earlier line", place=_file(program, number))
     return Place(row)
 
@@ -90,8 +90,8 @@ def operation_of(program: Program, name: str) -> Span:
     if len(found) == 1:
         return found[0]
     known = ", ".join(f"{number} ({span.name})" for number, span in enumerate(spans, 1))
-    what = f"no operation, or more than one, is called '{name}'"
-    advice = f"its operations are: {known}" if known else "it names no operation: choose a line"
+    what = Text("no operation, or more than one, is called '{name}'", name=name)
+    advice = Text("its operations are: {known}", known=known) if known else "it names no operation: choose a line"
     raise ProgramError("restart-operation", what, advice=advice, place=_file(program))
 
 
@@ -99,8 +99,8 @@ def by_contour(program: Program, number: int, operation: str = "") -> Place:
     """Return where a stretch of cuts between two rapids begins, counted in an operation or in the whole program."""
     found = contours(program, operation_of(program, operation) if operation else None)
     if not 1 <= number <= len(found):
-        what = f"there is no contour {number}"
-        limit = f"from 1 to {len(found)}"
+        what = Text("there is no contour {number}", number=number)
+        limit = Text("from 1 to {found}", found=len(found))
         raise ProgramError("restart-contour", what, limit=limit, advice="choose another", place=_file(program))
     return Place(found[number - 1].first)
 

@@ -21,6 +21,7 @@ from collections.abc import Sequence
 from math import isnan
 from pathlib import PurePath
 
+from CNCStepper.errors import Text
 from CNCStepper.gcode.dialects.codes import AXES, CODE_OF_PLANE, MOTION_NAMES, NO_MOTION, PLANE_CODES, UNIT_CODES
 from CNCStepper.gcode.edit.line_tokens import tokens_of
 from CNCStepper.gcode.edit.number_format import MOST_DECIMALS, dialect_decimals, number_text
@@ -64,11 +65,19 @@ class EntryWriter:
     def _title(self, more: int) -> list[str]:
         """Return the comments before an entry; `more`: the lines that stand before the program's own beside them."""
         program, name = self.program, PurePath(self.program.file).name or "a program"
-        title = comment_lines(f"restart of {name} at line {program.file_line(self.entrance.row)}")
-        operations = [f"begin operation: {name}" for name in self.model.operations]
+        title = comment_lines(
+            Text("restart of {name} at line {file_line}", name=name, file_line=program.file_line(self.entrance.row))
+        )
+        operations = [Text("begin operation: {name}", name=name) for name in self.model.operations]
         if self.entrance.first_line <= len(program.lines):
             own = len(title) + len(operations) + 1 + more + 1
-            title.append(f"line {own} here is its line {program.file_lines[self.entrance.first_line - 1]}")
+            title.append(
+                Text(
+                    "line {own} here is its line {file_line}",
+                    own=own,
+                    file_line=program.file_lines[self.entrance.first_line - 1],
+                )
+            )
         return [f"({text})" for text in (*title, *operations)]
 
     def _modes(self) -> list[str]:

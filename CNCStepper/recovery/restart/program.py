@@ -15,7 +15,7 @@ from functools import cached_property
 
 import numpy as np
 
-from CNCStepper.errors import Place, ProgramError
+from CNCStepper.errors import Place, ProgramError, Text
 from CNCStepper.gcode.dialects import Dialect, dialect_named
 from CNCStepper.gcode.interpreter.flow.o_words import is_plain
 from CNCStepper.gcode.interpreter.flow.program_flow import run_whole
@@ -148,7 +148,7 @@ def read_program(text: str, dialect: str | Dialect = "grbl", start: Start | None
     """Return a program as it runs from `start`; raises ProgramError for one that cannot be read or restarted."""
     language, start = dialect_named(dialect), start or Start()
     if language.front or not language.writing:
-        what = f"a program for {language.title} cannot be restarted in its middle"
+        what = Text("a program for {language} cannot be restarted in its middle", language=language.title)
         advice = "restarts are written for grbl, grblHAL, FluidNC, LinuxCNC and Mach: convert it, or run it whole"
         raise ProgramError("restart-dialect", what, advice=advice, place=Place(file))
     if (language.expressions or language.o_words) and not is_plain(text):

@@ -10,7 +10,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from CNCStepper.errors import ProgramError
+from CNCStepper.errors import ProgramError, Text
 from CNCStepper.gcode.dialects import Dialect
 from CNCStepper.gcode.interpreter.interpret import interpret
 from CNCStepper.gcode.interpreter.state.model import Model
@@ -82,7 +82,7 @@ def _read(text: str, begin: Start, program: Program, entrance: Entrance) -> Tool
     try:
         return interpret(text, begin, program.dialect)
     except ProgramError as error:
-        what = f"entered here, the program does not stand alone: {error.what}"
+        what = Text("entered here, the program does not stand alone: {error}", error=error.what)
         advice = "restart at another place, or send the whole program"
         raise program.refusal("restart-differs", what, entrance.row, value=error.value, advice=advice) from error
 

@@ -11,7 +11,7 @@ from pathlib import Path
 from CNCStepper.control.session.client import SessionClient
 from CNCStepper.control.session.status import SenderStatus
 from CNCStepper.control.stream.path_retract import STANDS
-from CNCStepper.errors import CNCStepperError, LinkError
+from CNCStepper.errors import CNCStepperError, LinkError, Text
 from CNCStepper.recovery.retract.client import WayBack
 
 LOOK_EVERY_S = 0.1
@@ -33,7 +33,7 @@ class Leader(threading.Thread):
                     self._look(client)
                     time.sleep(LOOK_EVERY_S)
         except LinkError as error:
-            self._tell(f"the machine's buttons lead nothing back any more: {error}")
+            self._tell(Text("the machine's buttons lead nothing back any more: {error}", error=error))
 
     def _look(self, client: SessionClient) -> None:
         try:

@@ -82,5 +82,5 @@ class WayBack:
 
     def _check_runs(self) -> None:
         if self._client.outcome is not None:
-            what = f"the job has ended: {self._client.outcome.text}"
+            what = Text("the job has ended: {outcome}", outcome=self._client.outcome.text)
             raise MachineRefusal("session-ended", what, advice="nothing is held any more")

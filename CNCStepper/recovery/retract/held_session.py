@@ -11,7 +11,7 @@ from typing import Any
 from pydantic import ValidationError
 
 from CNCStepper.control.program.send_job import SendJob
-from CNCStepper.errors import JobError
+from CNCStepper.errors import JobError, Text
 from CNCStepper.gcode.interpreter.flow.program_flow import run_whole
 from CNCStepper.gcode.interpreter.flow.subprogram_files import Library
 from CNCStepper.gcode.interpreter.line_interpreter import Interpreter
@@ -87,7 +87,9 @@ def _machine(known: Mapping[str, Any], machine: Machine | None) -> Machine:
     try:
         return Machine.model_validate(known["machine"])
     except ValidationError as error:
-        raise JobError("retreat-machine", f"the job's machine profile cannot be read: {error}") from error
+        raise JobError(
+            "retreat-machine", Text("the job's machine profile cannot be read: {error}", error=error)
+        ) from error
 
 
 def _started(start: Start, origin: Mapping[str, Any]) -> Start:

@@ -14,7 +14,7 @@ from CNCStepper.control.protocol.grbl.firmware import TOOL
 from CNCStepper.control.session.client import SessionClient
 from CNCStepper.control.session.status import SenderStatus
 from CNCStepper.control.stream.path_retract import STANDS
-from CNCStepper.errors import MachineRefusal
+from CNCStepper.errors import MachineRefusal, Text
 from CNCStepper.recovery.retract.client import WayBack
 
 LOOK_EVERY_S = 0.05
@@ -60,5 +60,5 @@ def set_zero(client: SessionClient, axes: str) -> SenderStatus:
                 raise event["error"]
             if event["event"] == "message" and event["text"].startswith("zero of"):
                 return client.status()
-    what = f"the job has ended: {client.outcome.text}"
+    what = Text("the job has ended: {outcome}", outcome=client.outcome.text)
     raise MachineRefusal("session-ended", what, advice="set the zero again")

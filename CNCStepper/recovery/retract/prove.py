@@ -15,7 +15,7 @@ from typing import Any
 
 from CNCStepper.control.stream.path_retract import REST
 from CNCStepper.control.stream.return_path import Axes, landed_mm, over, over_gaps
-from CNCStepper.errors import JobError, ProgramError
+from CNCStepper.errors import JobError, ProgramError, Text
 from CNCStepper.gcode.dialects import dialect_named
 from CNCStepper.gcode.dialects.codes import MOTION_NAMES
 from CNCStepper.gcode.interpreter.state.model import Model
@@ -77,9 +77,11 @@ class Held:
         early, late = self.found
         if early == late:
             return ""
-        return (
-            "which of several passes was cut cannot be told for certain, so the earliest that fits is taken: "
-            f"line {self.file_line(early)}, not {self.file_line(late)}"
+        return Text(
+            "which of several passes was cut cannot be told for certain, so the earliest that "
+            "fits is taken: line {file_line}, not {file_line2}",
+            file_line=self.file_line(early),
+            file_line2=self.file_line(late),
         )
 
     def file_line(self, place: Place) -> int:
@@ -95,9 +97,9 @@ class Held:
         rows = range(self.place.row, self.way.begin_before(self.place) - 1, -1)
         own = [row for row in rows if self.file_line(Place(row, 0.0)) == line]
         if not own:
-            what = f"no move of line {line} lies on the way back"
+            what = Text("no move of line {line} lies on the way back", line=line)
             first = self.file_line(Place(rows[-1], 0.0))
-            limit = f"line {first} to {self.file_line(self.place)}"
+            limit = Text("line {first} to {file_line}", first=first, file_line=self.file_line(self.place))
             raise ProgramError("retreat-line", what, limit=limit, advice="name a line that was cut before this one")
         first_run = next((number for number, row in enumerate(own[1:], 1) if row != own[number - 1] - 1), len(own))
         return Place(own[first_run - 1], 0.0)

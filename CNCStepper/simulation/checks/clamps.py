@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 import shapely
 
-from CNCStepper.errors import JobError
+from CNCStepper.errors import JobError, Text
 from CNCStepper.machine.tools.tool import Tool
 from CNCStepper.simulation.check_context import Subject
 from CNCStepper.simulation.cutter_profile import Form, form_of
@@ -149,7 +149,7 @@ def _touched(subject: Subject, path: Segments, body: _Body, clamp: Clamp, number
             int(low.row[worst]),
             "error",
             "clamp",
-            f"{body.name} goes into clamp {number}",
+            Text("{body} goes into clamp {number}", body=body.name, number=number),
             advice="lift the tool over it, move the clamp or move the shape",
             place_mm=(*near.tolist(), float(low.low_mm[worst])),
             value=float(into[worst]),

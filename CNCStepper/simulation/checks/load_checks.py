@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from CNCStepper.errors import Text
 from CNCStepper.machine.tools.tool import Tool
 from CNCStepper.simulation.check_context import PartCheck, Subject
 from CNCStepper.simulation.cutter_solid import Tools, tool_numbered
@@ -131,22 +132,30 @@ class _Load:
     def findings(self, subject: Subject) -> Iterator[Finding]:
         """Yield what was more than the tool may meet."""
         tool = self._tool
-        text = f"the {tool.words} tool cuts deeper than its flutes are long"
+        text = Text("the {tool} tool cuts deeper than its flutes are long", tool=tool.words)
         advice = "cut in more levels, or take a longer tool"
         yield from self._cut.finding(subject, "error", "flute-length", text, advice, "mm")
         if not self._cut.count:
-            text = f"the shank of the {tool.words} tool rubs along the wall over its flutes"
+            text = Text("the shank of the {tool} tool rubs along the wall over its flutes", tool=tool.words)
             yield from self._wall.finding(subject, "warning", "shank", text, advice, "mm")
-        text, advice = f"the holder of the {tool.words} tool goes into stock", "let the tool stick out farther"
+        text, advice = (
+            Text("the holder of the {tool} tool goes into stock", tool=tool.words),
+            "let the tool stick out farther",
+        )
         yield from self._holder.finding(subject, "error", "holder", text, advice, "mm")
         if (tool.engagement_max_deg or tool.chip_load_max_mm) and self._first_line and not self._is_measured:
-            text = f"the {tool.words} tool is too small against its path for its engagement to be measured"
+            text = Text(
+                "the {tool} tool is too small against its path for its engagement to be measured", tool=tool.words
+            )
             advice, code = "prove parts of the program alone", "engagement-unknown"
             yield subject.finding_at(self._first_line, "info", code, text, advice=advice)
-        text = f"more of the {tool.words} tool's rim is in the material than it may"
+        text = Text("more of the {tool} tool's rim is in the material than it may", tool=tool.words)
         advice = "lower the stepover, enter by a helix, or leave less in the corners"
         yield from self._angle.finding(subject, "warning", "engagement", text, advice, "deg")
-        text, advice = f"a tooth of the {tool.words} tool takes too thick a chip", "lower F, or turn the spindle faster"
+        text, advice = (
+            Text("a tooth of the {tool} tool takes too thick a chip", tool=tool.words),
+            "lower F, or turn the spindle faster",
+        )
         yield from self._chip.finding(subject, "warning", "chip-load", text, advice, "mm")
 
 
@@ -203,7 +212,7 @@ def _thin_chips(subject: Subject, number: int, tool: Tool, mine: np.ndarray, sto
             k,
             "warning",
             "chip-load",
-            f"the {tool.words} tool rubs: a tooth takes too thin a chip",
+            Text("the {tool} tool rubs: a tooth takes too thin a chip", tool=tool.words),
             advice="raise F, or turn the spindle slower",
             value=float(chip[k]),
             limit=tool.chip_load_min_mm,

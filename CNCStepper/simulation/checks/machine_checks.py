@@ -9,6 +9,7 @@ from itertools import pairwise
 
 import numpy as np
 
+from CNCStepper.errors import Text
 from CNCStepper.machine.profile import AXIS_NAMES
 from CNCStepper.motion.planner.standstills import EventsAsOne
 from CNCStepper.simulation.arc_chords import extremes
@@ -64,7 +65,7 @@ class Travel(PartCheck):
                 int(np.nanargmax(high)),
                 "error",
                 "travel",
-                f"the program is larger than the travel of {name.upper()}",
+                Text("the program is larger than the travel of {name}", name=name.upper()),
                 advice="make the program smaller, split it, or use a larger machine",
                 unit="mm",
             )
@@ -86,9 +87,12 @@ def _beyond(subject: Subject, name: str, low, high, min_mm: float, max_mm: float
                 int(rows[0]),
                 "error",
                 "travel",
-                f"the move leaves the travel of {name.upper()} by {over[worst]:.4g} mm",
-                advice=f"move the work zero {'up' if sign < 0 else 'down'} the {name.upper()} axis"
-                " or make the program smaller",
+                Text("the move leaves the travel of {name} by {over:.4g} mm", name=name.upper(), over=over[worst]),
+                advice=Text(
+                    "move the work zero {word} the {name} axis or make the program smaller",
+                    word="up" if sign < 0 else "down",
+                    name=name.upper(),
+                ),
                 value=float(reach[worst]),
                 limit=limit,
                 unit="mm",
@@ -108,7 +112,7 @@ def rates(subject: Subject) -> Iterator[Finding]:
                 int(over[0]),
                 "warning",
                 "feed-above-rate",
-                f"the feed asks more of {name.upper()} than its highest rate",
+                Text("the feed asks more of {name} than its highest rate", name=name.upper()),
                 advice="lower F; the machine will take longer than the feed says",
                 value=float(fastest[over, axis].max()),
                 limit=profile.max_rate_mm_min,
@@ -198,7 +202,7 @@ class Outputs(PartCheck):
                     "error",
                     "spindle-speed",
                     "the spindle cannot turn at this speed",
-                    advice=f"choose S from {min_rpm:g} to {spindle.max_rpm:g}",
+                    advice=Text("choose S from {min_rpm:g} to {max_rpm:g}", min_rpm=min_rpm, max_rpm=spindle.max_rpm),
                     value=state.spindle_rpm,
                     limit=min_rpm if state.spindle_rpm < min_rpm else spindle.max_rpm,
                     unit="rpm",
@@ -206,7 +210,10 @@ class Outputs(PartCheck):
             for name, word in (("mist", "M7"), ("flood", "M8")):
                 if getattr(state, name) and name not in coolant and (name,) not in seen:
                     seen.add((name,))
-                    text, advice = f"the machine has no {name} coolant", f"take out {word}"
+                    text, advice = (
+                        Text("the machine has no {name} coolant", name=name),
+                        Text("take out {word}", word=word),
+                    )
                     yield subject.finding(row, "error", "coolant", text, advice=advice)
 
 
@@ -246,7 +253,7 @@ class SpinUp(PartCheck):
                 "warning",
                 "spin-up",
                 "the cut begins without waiting for the spindle",
-                advice=f"write G4 P{needed_s:g} after the spindle starts",
+                advice=Text("write G4 P{needed_s:g} after the spindle starts", needed_s=needed_s),
                 value=waited_s,
                 limit=needed_s,
                 unit="s",
@@ -279,7 +286,11 @@ class ToolChanges(PartCheck):
                     int(row),
                     "error",
                     "tool-change",
-                    f"tool {numbers[row + 1]} cuts on without a stop to change tool {numbers[row]}",
+                    Text(
+                        "tool {number} cuts on without a stop to change tool {number2}",
+                        number=numbers[row + 1],
+                        number2=numbers[row],
+                    ),
                     advice="stop with M5 and M0 before the new tool",
                 )
         self._tool = int(numbers[-1])

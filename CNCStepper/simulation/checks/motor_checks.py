@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from CNCStepper.errors import Text
 from CNCStepper.machine.profile import AXIS_NAMES, Motor
 from CNCStepper.simulation.check_context import Subject
 from CNCStepper.simulation.finding import Finding
@@ -41,8 +42,14 @@ def _lacking(subject: Subject, name: str, motor: Motor, speed: np.ndarray, accel
             worst,
             "warning",
             "motor-torque",
-            f"the motor of {name.upper()} may lose steps: at {speed[worst]:.4g} mm/s ({motor.rpm_at(speed[worst]):.0f}"
-            f" rpm) and {acceleration[worst]:.4g} mm/s² it has too little torque",
+            Text(
+                "the motor of {name} may lose steps: at {speed:.4g} mm/s ({rpm_at:.0f} rpm) and "
+                "{acceleration:.4g} mm/s² it has too little torque",
+                name=name.upper(),
+                speed=speed[worst],
+                rpm_at=motor.rpm_at(speed[worst]),
+                acceleration=acceleration[worst],
+            ),
             advice="lower the feed here, or the axis' rate and acceleration in controller and profile",
             value=float(needed[worst]),
             limit=float(given[worst]),

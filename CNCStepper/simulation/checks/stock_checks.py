@@ -9,6 +9,7 @@ from functools import partial
 import numpy as np
 import shapely
 
+from CNCStepper.errors import Text
 from CNCStepper.machine.tools.tool import Tool
 from CNCStepper.machine.tools.tool_shapes import OWN_KEYS
 from CNCStepper.simulation.check_context import Subject
@@ -40,12 +41,15 @@ def tools_known(subject: Subject, tools: Tools, seen: set[int]) -> Iterator[Find
         row = int(feeds[numbers[feeds] == number][0])
         tool = tool_numbered(tools, number)
         if tool is None:
-            text = f"tool {number} is not known, so what it cuts is not checked"
+            text = Text("tool {number} is not known, so what it cuts is not checked", number=number)
             advice = "add the tool or correct the T word"
             yield subject.finding(row, "error", "unknown-tool", text, advice=advice)
         elif tool.shape not in ("flat", *BEAM) and Cutter(form_of(tool)).is_flat:
-            text = f"the {tool.shape} tool's form is not given, so it is judged as a flat one of its diameter"
-            advice = f"give its {' and '.join(sorted(OWN_KEYS[tool.shape]))}"
+            text = Text(
+                "the {tool_shape} tool's form is not given, so it is judged as a flat one of its diameter",
+                tool_shape=tool.shape,
+            )
+            advice = Text("give its {own_key}", own_key=" and ".join(sorted(OWN_KEYS[tool.shape])))
             yield subject.finding(row, "warning", "tool-shape", text, advice=advice)
 
 
@@ -185,7 +189,7 @@ def verdict(subject: Subject, judgement: Judgement, line: LineOf | None = None) 
             left.worst,
             left.tolerance_mm,
             "left-over",
-            f"material is left where it should be removed{islands}",
+            Text("material is left where it should be removed{islands}", islands=islands),
             "add the missing pass, or lower the stepover or the stepdown",
         )
 

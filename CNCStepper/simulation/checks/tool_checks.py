@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from CNCStepper.errors import Text
 from CNCStepper.machine.tools.tool import Tool
 from CNCStepper.simulation.checks.stock_checks import StockChecks
 from CNCStepper.simulation.cutter_profile import Form
@@ -37,7 +38,10 @@ def plunges(checks: StockChecks) -> Iterator[Finding]:
                 row,
                 "error",
                 "plunge",
-                f"a mill that does not cut over its centre ({tool.words}) goes down into stock too steeply",
+                Text(
+                    "a mill that does not cut over its centre ({tool}) goes down into stock too steeply",
+                    tool=tool.words,
+                ),
                 advice="enter by a helix or ramp, or in the middle of a hole drilled before",
                 place_mm=point,
                 value=float(angle_deg.max()),

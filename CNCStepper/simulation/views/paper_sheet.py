@@ -25,7 +25,7 @@ from matplotlib.patches import Polygon, Rectangle
 from matplotlib.textpath import text_to_path
 
 from CNCStepper.atomic_file import write_whole
-from CNCStepper.errors import JobError
+from CNCStepper.errors import JobError, Text
 from CNCStepper.gcode.syntax.words import program_lines
 from CNCStepper.output_files import MADE_BY
 from CNCStepper.simulation.stock import Stock
@@ -77,7 +77,7 @@ class Sheet:
 def save_sheet(file: Path, sheet: Sheet) -> None:
     """Write a program's sheet as PDF or HTML, as the file's name ends; raises JobError for another ending."""
     if file.suffix.lower() not in KINDS:
-        what = f"'{file.name}' is no kind of sheet that can be written"
+        what = Text("'{file}' is no kind of sheet that can be written", file=file.name)
         raise JobError("sheet-kind", what, advice="end it in .pdf or .html")
     if file.suffix.lower() == ".pdf":
         about = {"Title": sheet.title, "Creator": MADE_BY, "CreationDate": None}

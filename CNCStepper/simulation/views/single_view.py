@@ -15,7 +15,7 @@ from PIL import Image
 from PIL.PngImagePlugin import PngInfo
 
 from CNCStepper.atomic_file import write_whole
-from CNCStepper.errors import JobError
+from CNCStepper.errors import JobError, Text
 from CNCStepper.simulation.views import flat_views, isometric_view
 from CNCStepper.simulation.views.path_lines import FROM_ABOVE
 from CNCStepper.simulation.views.picture_style import DPI, TEXTS, head, heights_scale, legend, new_figure, save_figure
@@ -87,7 +87,9 @@ def _writer(file: Path) -> AbstractMovieWriter:
     writer = MOVIES[file.suffix.lower()]
     if not writer.isAvailable():
         raise JobError(
-            "encoder", f"no encoder for '{file.name}' is installed", advice="end it in .gif, or install ffmpeg"
+            "encoder",
+            Text("no encoder for '{file}' is installed", file=file.name),
+            advice="end it in .gif, or install ffmpeg",
         )
     return writer(fps=FRAMES_A_S, metadata={"comment": ABOUT})
 

@@ -17,7 +17,7 @@ from PySide import QtCore
 from CNCStepper.control.processes.bootstrap import python_version
 from CNCStepper.control.processes.python_finder import PROOF, command, seek_python
 from CNCStepper.dependencies import FAST
-from CNCStepper.errors import CNCStepperError
+from CNCStepper.errors import CNCStepperError, Text
 from CNCStepper.workbench import packages
 from CNCStepper.workbench.calculation.recompute import remake
 from CNCStepper.workbench.features.base import proxy_type
@@ -76,7 +76,7 @@ class Warming(QtCore.QObject):
             process.deleteLater()
         jit_guard.compiling_elsewhere = False
         if _cold():
-            _log(f"the kernels are not compiled ahead: {said}")
+            _log(Text("the kernels are not compiled ahead: {said}", said=said))
         _make_what_waits()
         self.ended.emit()
 

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from typing import Any
 
-from CNCStepper.errors import JobError
+from CNCStepper.errors import JobError, Text
 from CNCStepper.workbench.drawings.shapes import containers_of, placed_shape
 from CNCStepper.workbench.features.base import FAILED
 
@@ -35,7 +35,9 @@ def outline_of(solid: Any) -> list[Point]:
     shape = placed_shape(solid)
     if shape.isNull() or not shape.Solids:
         raise JobError(
-            FAILED, f"'{solid.Label}' is no solid and cannot be a clamp", advice="choose a solid, for example a box"
+            FAILED,
+            Text("'{solid}' is no solid and cannot be a clamp", solid=solid.Label),
+            advice="choose a solid, for example a box",
         )
     flat = all(face.Surface.TypeId == PLANE for face in shape.Faces)
     points = [vertex.Point for vertex in shape.Vertexes] if flat else shape.tessellate(ROUND_MM)[0]

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from CNCStepper.errors import CNCStepperError, JobError
+from CNCStepper.errors import CNCStepperError, JobError, Text
 from CNCStepper.job.deferred_fitting import once
 
 if TYPE_CHECKING:
@@ -60,8 +60,8 @@ def require_within_reach(job: Any, found: dict[str, Any], most: dict[str, float]
 
 def _what(key: str, reason: str) -> str:
     return {
-        "depth": f"{key} goes far beyond the stock",
-        "travel": f"{key} goes beyond what the machine can travel",
-        "width": f"{key} goes far beyond the stock and the machine",
-        "feed": f"{key} goes far beyond the machine's fastest axis",
+        "depth": Text("{key} goes far beyond the stock", key=key),
+        "travel": Text("{key} goes beyond what the machine can travel", key=key),
+        "width": Text("{key} goes far beyond the stock and the machine", key=key),
+        "feed": Text("{key} goes far beyond the machine's fastest axis", key=key),
     }[reason]

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from CNCStepper.errors import JobError
+from CNCStepper.errors import JobError, Text
 from CNCStepper.workbench.document.pasted_tools import remove_soon
 from CNCStepper.workbench.features.base import JOB, original_of, proxy_type
 
@@ -40,7 +40,9 @@ def move(job: Any, operations: Sequence[Any], beside: Any = None, after: bool = 
     """
     for each in [*operations, *([beside] if beside is not None else [])]:
         if each not in job.Operations:
-            raise JobError("operation-elsewhere", f"'{each.Label}' is no operation of '{job.Label}'")
+            raise JobError(
+                "operation-elsewhere", Text("'{each}' is no operation of '{job}'", each=each.Label, job=job.Label)
+            )
     if beside in operations:
         return
     moved = [each for each in job.Operations if each in operations]

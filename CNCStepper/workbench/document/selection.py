@@ -7,7 +7,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from CNCStepper.errors import CNCStepperError, GeometryError
+from CNCStepper.errors import CNCStepperError, GeometryError, Text
 from CNCStepper.workbench.features.base import proxy_type
 from CNCStepper.workbench.features.operation import Operation
 
@@ -112,23 +112,31 @@ def _require_lines(drawing: Any, names: tuple[str, ...]) -> None:
     if not drawing.isDerivedFrom("Part::Feature") or shape is None or drawing.isDerivedFrom("Part::Datum"):
         raise GeometryError(
             "drawing-kind",
-            f"'{drawing.Label}' holds no lines that can be followed",
+            Text("'{drawing}' holds no lines that can be followed", drawing=drawing.Label),
             advice="select a sketch, wires, faces or edges",
         )
     if shape.Solids and not names:
         raise GeometryError(
-            "drawing-solid", f"'{drawing.Label}' is a solid", advice="select those of its faces or edges that count"
+            "drawing-solid",
+            Text("'{drawing}' is a solid", drawing=drawing.Label),
+            advice="select those of its faces or edges that count",
         )
 
 
 def _drawn_twice(label: str, other: str) -> CNCStepperError:
-    return GeometryError("drawing-twice", f"'{label}' is drawn where '{other}' is, and counts once")
+    return GeometryError(
+        "drawing-twice", Text("'{label}' is drawn where '{other}' is, and counts once", label=label, other=other)
+    )
 
 
 def _one_only(drawing: Any, used: Any) -> CNCStepperError:
     return GeometryError(
         "drawing-second",
-        f"'{drawing.Label}' is one more drawing beside '{used.Label}', and only one gives the shape",
+        Text(
+            "'{drawing}' is one more drawing beside '{used}', and only one gives the shape",
+            drawing=drawing.Label,
+            used=used.Label,
+        ),
         advice="cut them together as a pocket, or this one with an operation of its own",
     )
 

@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from CNCStepper.errors import GeometryError
+from CNCStepper.errors import GeometryError, Text
 from CNCStepper.workbench.drawings.shapes import edges_of
 
 SAME = 1e-6  # mm and radians: two arcs that differ by less lie on one ellipse
@@ -34,7 +34,7 @@ def ellipse_of(drawing: Any, picked: Sequence[str] = ()) -> EllipseFound:
     if any(not _same(found[0], other) for other in found[1:]):
         raise GeometryError(
             "ellipse-not-alone",
-            f"the drawing '{drawing.Label}' holds more than one ellipse",
+            Text("the drawing '{drawing}' holds more than one ellipse", drawing=drawing.Label),
             value=f"{len(edges)} lines",
             advice="leave one ellipse in it and draw the rest elsewhere or as construction lines",
         )
@@ -42,7 +42,7 @@ def ellipse_of(drawing: Any, picked: Sequence[str] = ()) -> EllipseFound:
     if abs(sweep_rad - math.tau) > SAME:
         raise GeometryError(
             "ellipse-open",
-            f"the ellipse in '{drawing.Label}' is open",
+            Text("the ellipse in '{drawing}' is open", drawing=drawing.Label),
             value=f"{math.degrees(sweep_rad):.4g} deg",
             limit="360 deg",
             advice="close it: draw a whole ellipse instead of an arc",
@@ -58,7 +58,7 @@ def _found(curve: Any, label: str) -> EllipseFound:
     if not isinstance(curve, Part.Ellipse):
         raise GeometryError(
             "ellipse-missing",
-            f"the drawing '{label}' holds a line that is no ellipse",
+            Text("the drawing '{label}' holds a line that is no ellipse", label=label),
             value=type(curve).__name__,
             advice="leave one ellipse in it, drawn as an ellipse and not as a B-spline",
         )

@@ -12,7 +12,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from CNCStepper.errors import GeometryError
+from CNCStepper.errors import GeometryError, Text
 from CNCStepper.workbench.drawings.shapes import parts_of, placed_shape
 
 SAME_MM = 1e-4
@@ -48,15 +48,26 @@ def holes_of_all(pairs: Sequence[tuple[Any, tuple[str, ...]]]) -> list[Hole]:
 
 def remarks(pairs: Sequence[tuple[Any, tuple[str, ...]]], holes: Sequence[Hole]) -> list[str]:
     """Return what a person should know of the holes of drawings: lines that want none, places that are drawn twice."""
-    said = []
+    said: list[str] = []
     for drawing, picked in pairs:
         edges = [edge for part in parts_of(drawing, picked) for edge in part.Edges]
         lines = len(edges) - sum(sum(_whole(part.Edges).values()) for part in parts_of(drawing, picked))
         if lines > 0 and not placed_shape(drawing).Solids:
-            said.append(f"lines of '{drawing.Label}' that are no whole circles and want no holes: {lines}")
+            said.append(
+                Text(
+                    "lines of '{drawing}' that are no whole circles and want no holes: {lines}",
+                    drawing=drawing.Label,
+                    lines=lines,
+                )
+            )
     twice = sum(len(holes_of_all([pair])) for pair in pairs) - len(holes)
     if twice > 0:
-        said.append(f"circles and points of several drawings that stand about the same centre, one hole each: {twice}")
+        said.append(
+            Text(
+                "circles and points of several drawings that stand about the same centre, one hole each: {twice}",
+                twice=twice,
+            )
+        )
     return said
 
 
@@ -69,7 +80,7 @@ def _wanted(drawing: Any, picked: Sequence[str]) -> list[Hole]:
     if not found:
         raise GeometryError(
             "holes-missing",
-            f"the drawing '{drawing.Label}' holds no circles and no points",
+            Text("the drawing '{drawing}' holds no circles and no points", drawing=drawing.Label),
             advice="draw circles or points where holes are wanted, or give the places by numbers",
         )
     return found

@@ -18,7 +18,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from CNCStepper.errors import GeometryError
+from CNCStepper.errors import GeometryError, Text
 from CNCStepper.geometry.curve import Curve, from_points, joined
 from CNCStepper.workbench.drawings.joined_curves import DrawnCurve
 from CNCStepper.workbench.drawings.shapes import open_line
@@ -65,7 +65,11 @@ def _holds(outer: DrawnCurve, inner: DrawnCurve) -> bool:
         x, y = clear[int(np.argmax(within != within[0]))]
         raise GeometryError(
             "outlines-cross",
-            f"'{inner.label}' and '{outer.label}' cross, so that it is not clear what lies inside",
+            Text(
+                "'{inner}' and '{outer}' cross, so that it is not clear what lies inside",
+                inner=inner.label,
+                outer=outer.label,
+            ),
             value=f"near X {x:.4g} Y {y:.4g}",
             advice="join them into one outline, or move one of them",
         )

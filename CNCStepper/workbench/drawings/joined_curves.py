@@ -17,6 +17,7 @@ from typing import Any
 
 import numpy as np
 
+from CNCStepper.errors import Text
 from CNCStepper.geometry.curve import Curve
 from CNCStepper.job.spline_fitting import Line, require
 from CNCStepper.workbench.drawings.curves import SHORTEST_MM, Piece, curve_of_chain, pieces_of, require_tolerance
@@ -53,12 +54,18 @@ class Drawn:
     def remarks(self) -> list[str]:
         """Return what a person should know of them."""
         pairs = dict.fromkeys((out.label, kept.label) for out, kept in self.doubled)
-        said = [f"'{out}' is drawn where '{kept}' is, and counts once" for out, kept in pairs]
+        said: list[str] = [
+            Text("'{out}' is drawn where '{kept}' is, and counts once", out=out, kept=kept) for out, kept in pairs
+        ]
         heights = [each.height_mm for each in self.curves]
         if heights and max(heights) - min(heights) > FLAT_MM:
             said.append(
-                f"the drawings lie at heights from Z{min(heights):.4g} to Z{max(heights):.4g} mm; "
-                "all depths count from the top of the stock"
+                Text(
+                    "the drawings lie at heights from Z{least_heights:.4g} to Z{most_heights:.4g} mm; "
+                    "all depths count from the top of the stock",
+                    least_heights=min(heights),
+                    most_heights=max(heights),
+                )
             )
         return said
 

@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from CNCStepper.errors import GeometryError
+from CNCStepper.errors import GeometryError, Text
 from CNCStepper.workbench.drawings.shapes import edges_of, require_closed
 
 SAME = 1e-6  # mm, and of an area its share
@@ -62,6 +62,6 @@ def _clean(number: float) -> float:
 def _none(drawing: Any) -> GeometryError:
     return GeometryError(
         "rectangle-missing",
-        f"the drawing '{drawing.Label}' holds no single rectangle",
+        Text("the drawing '{drawing}' holds no single rectangle", drawing=drawing.Label),
         advice="draw one rectangle, its corners rounded alike or not at all, or cut it as a pocket",
     )

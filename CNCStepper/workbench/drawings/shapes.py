@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from CNCStepper.errors import GeometryError
+from CNCStepper.errors import GeometryError, Text
 
 CURVE_POINTS = 64  # of an edge, where its distance from the middle is looked for
 FLAT_MM = 1e-4  # a drawing whose heights differ by less is flat
@@ -53,7 +53,7 @@ def edges_of(drawing: Any, picked: Sequence[str] = ()) -> list[Any]:
     if not edges:
         raise GeometryError(
             "drawing-empty",
-            f"the drawing '{drawing.Label}' holds no lines",
+            Text("the drawing '{drawing}' holds no lines", drawing=drawing.Label),
             advice="draw something in it, or choose another drawing",
         )
     refuse_unflat(edges, drawing.Label)
@@ -96,8 +96,8 @@ def open_line(label: str, end_mm: tuple[float, ...]) -> GeometryError:
     """Return the refusal of a drawing's line that ends at a place and does not close."""
     return GeometryError(
         "outline-open",
-        f"a line in '{label}' is open and encloses nothing",
-        value=f"it ends at X {end_mm[0]:.4g} Y {end_mm[1]:.4g}",
+        Text("a line in '{label}' is open and encloses nothing", label=label),
+        value=Text("it ends at X {end_mm:.4g} Y {end_mm2:.4g}", end_mm=end_mm[0], end_mm2=end_mm[1]),
         advice="close it, or leave only closed lines in the drawing",
     )
 
@@ -113,7 +113,7 @@ def parts_of(drawing: Any, picked: Sequence[str] = ()) -> list[Any]:
     except (ValueError, IndexError, RuntimeError) as error:
         raise GeometryError(
             "picked-missing",
-            f"what was picked of '{drawing.Label}' is not there any more",
+            Text("what was picked of '{drawing}' is not there any more", drawing=drawing.Label),
             value=", ".join(picked),
             advice="pick it again",
         ) from error
@@ -189,8 +189,8 @@ def refuse_unflat(edges: list[Any], label: str) -> None:
     if rise > FLAT_MM:
         raise GeometryError(
             "drawing-not-flat",
-            f"the drawing '{label}' does not lie flat",
-            value=f"heights differ by {rise:.4g} mm",
+            Text("the drawing '{label}' does not lie flat", label=label),
+            value=Text("heights differ by {rise:.4g} mm", rise=rise),
             limit=f"{FLAT_MM} mm",
             advice="draw it on the XY plane or on one parallel to it",
         )

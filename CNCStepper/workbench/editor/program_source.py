@@ -63,7 +63,7 @@ class FileSource:
         try:
             write_whole(self.path, self._form.bytes_of(text))
         except OSError as error:
-            what = f"the program cannot be written: {error.strerror or error}"
+            what = Text("the program cannot be written: {error}", error=error.strerror or error)
             advice = "choose a folder that exists and that you may write to"
             raise JobError("program-unwritable", what, advice=advice, place=Place(str(self.path))) from error
         return self

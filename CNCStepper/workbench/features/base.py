@@ -13,7 +13,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any
 
-from CNCStepper.errors import CNCStepperError, JobError
+from CNCStepper.errors import CNCStepperError, JobError, Text
 from CNCStepper.units import mm_min_from_mm_s, mm_s_from_mm_min
 from CNCStepper.workbench.services import object_observers
 from CNCStepper.workbench.services.jit_guard import patience
@@ -207,7 +207,9 @@ def proxy_type(obj: Any) -> str:
 
 def problem_of(obj: Any) -> str:
     """Return why one of our objects cannot be made, or "" when it can; what stands on it names it and its reason."""
-    return getattr(obj, PROBLEM.name, "") if proxy_type(obj) else ""
+    problem = getattr(obj, PROBLEM.name, "") if proxy_type(obj) else ""
+    refusal = obj.Proxy.refusal if problem else None
+    return refusal.sentence if refusal is not None and refusal.sentence == problem else problem
 
 
 def require_parts(parts: Iterable[Any]) -> None:
@@ -221,7 +223,7 @@ def require_parts(parts: Iterable[Any]) -> None:
 
 def named(obj: Any, sentence: str) -> str:
     """Return a sentence about `obj` that begins with its label, once."""
-    return f"{obj.Label}: {sentence.removeprefix(f'{obj.Label}: ')}"
+    return sentence if sentence.startswith(f"{obj.Label}: ") else Text("{label}: {why}", label=obj.Label, why=sentence)
 
 
 def value_of(obj: Any, entry: Property) -> Any:
@@ -246,7 +248,9 @@ def set_value(obj: Any, entry: Property, value: Any) -> None:
         value = mm_s_from_mm_min(value) if entry.type == SPEED else value
     elif entry.choices and value not in entry.choices:
         raise JobError(
-            "bad-value", f"{entry.key} cannot be '{value}'", advice=f"choose one of: {', '.join(entry.choices)}"
+            "bad-value",
+            Text("{key} cannot be '{value}'", key=entry.key, value=value),
+            advice=Text("choose one of: {choices}", choices=", ".join(entry.choices)),
         )
     elif entry.type == POSITION:
         value = _vector(entry, value)
@@ -257,7 +261,11 @@ def set_value(obj: Any, entry: Property, value: Any) -> None:
     try:
         setattr(obj, entry.name, value)
     except (TypeError, ValueError) as error:
-        raise JobError("bad-value", f"{entry.key} cannot be {value!r}: {error}", advice="correct that value") from error
+        raise JobError(
+            "bad-value",
+            Text("{key} cannot be {value}: {error}", key=entry.key, value=repr(value), error=error),
+            advice="correct that value",
+        ) from error
 
 
 def drawing_pairs(value: Any) -> tuple[tuple[Any, tuple[str, ...]], ...]:
@@ -298,7 +306,9 @@ def edit(obj: Any, **changes: Any) -> None:
     unknown = sorted(set(changes) - set(entries))
     if unknown:
         raise JobError(
-            "unknown-key", f"{obj.Label} has no '{unknown[0]}'", advice=f"it has: {', '.join(sorted(entries))}"
+            "unknown-key",
+            Text("{obj} has no '{unknown}'", obj=obj.Label, unknown=unknown[0]),
+            advice=Text("it has: {entries}", entries=", ".join(sorted(entries))),
         )
     before = {key: getattr(obj, entries[key].name) for key in changes}
     try:
@@ -316,7 +326,9 @@ def _finite(entry: Property, value: Any) -> float:
     except (TypeError, ValueError):
         number = math.nan
     if not math.isfinite(number):
-        raise JobError("bad-value", f"{entry.key} must be a number", value=repr(value), advice="give a finite number")
+        raise JobError(
+            "bad-value", Text("{key} must be a number", key=entry.key), value=repr(value), advice="give a finite number"
+        )
     return number
 
 
@@ -325,5 +337,10 @@ def _vector(entry: Property, row: Any) -> Any:
 
     numbers = [_finite(entry, number) for number in row]
     if len(numbers) not in (2, 3):
-        raise JobError("bad-value", f"{entry.key} needs X, Y or X, Y, Z", value=repr(row), advice="give 2 or 3 numbers")
+        raise JobError(
+            "bad-value",
+            Text("{key} needs X, Y or X, Y, Z", key=entry.key),
+            value=repr(row),
+            advice="give 2 or 3 numbers",
+        )
     return FreeCAD.Vector(*numbers)

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from CNCStepper.errors import JobError
+from CNCStepper.errors import JobError, Text
 from CNCStepper.workbench.features.bore import Bore
 from CNCStepper.workbench.features.circular_pocket import CircularPocket
 from CNCStepper.workbench.features.contour import Contour
@@ -35,6 +35,8 @@ def operation_class(cycle: str) -> type[Operation]:
     """Return the kind of document object that stands for a cycle; raises JobError for a name that is none."""
     if cycle not in OPERATIONS:
         raise JobError(
-            "cycle-unknown", f"there is no cycle '{cycle}'", advice=f"use one of: {', '.join(sorted(OPERATIONS))}"
+            "cycle-unknown",
+            Text("there is no cycle '{cycle}'", cycle=cycle),
+            advice=Text("use one of: {operations}", operations=", ".join(sorted(OPERATIONS))),
         )
     return OPERATIONS[cycle]

@@ -51,7 +51,7 @@ def _circle_of(drawing: Any, picked: tuple[str, ...]) -> EllipseFound:
     if abs(found.radius_x_mm - found.radius_y_mm) > 1e-6:
         raise GeometryError(
             "circle-missing",
-            f"the drawing '{drawing.Label}' holds an ellipse and no circle",
+            Text("the drawing '{drawing}' holds an ellipse and no circle", drawing=drawing.Label),
             advice="draw a circle, or cut it as an elliptical pocket",
         )
     return found

@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
-from CNCStepper.errors import CNCStepperError, CycleError
+from CNCStepper.errors import CNCStepperError, CycleError, Text
 from CNCStepper.job.question_key import Content
 from CNCStepper.workbench import packages
 from CNCStepper.workbench.document.input_limits import require_within_reach
@@ -306,7 +306,7 @@ def the_drawing(obj: Any) -> tuple[Any, tuple[str, ...]] | None:
     if len(pairs) > 1:
         raise CycleError(
             "drawings-several",
-            f"{obj.Label} follows one drawing",
+            Text("{obj} follows one drawing", obj=obj.Label),
             value=", ".join(drawing.Label for drawing, _ in pairs),
             advice="choose one of them, or cut them all with a pocket",
         )
@@ -320,7 +320,7 @@ def drawn_lines(obj: Any, origin_mm: tuple[float, ...], wanted: str) -> Lines:
     """
     pairs = drawings_of(obj)
     if not pairs:
-        raise CycleError("drawing-missing", f"{obj.Label} has no drawing", advice=wanted)
+        raise CycleError("drawing-missing", Text("{obj} has no drawing", obj=obj.Label), advice=wanted)
     proxy, made_of = obj.Proxy, (pairs, float(obj.Tolerance), tuple(origin_mm))
     seen = [Seen.of(drawing) for drawing, _ in pairs]
     if proxy.lines is None or proxy.lines.made_of != made_of or not all_same(seen, proxy.lines.drawings):
@@ -374,7 +374,7 @@ def _refuse_what_it_stands_on(obj: Any) -> None:
     if obj.DeletedDrawing:
         raise CycleError(
             "drawing-deleted",
-            f"the drawing '{obj.DeletedDrawing}' that it followed was deleted",
+            Text("the drawing '{deleted_drawing}' that it followed was deleted", deleted_drawing=obj.DeletedDrawing),
             advice="undo that, choose another drawing, or choose none",
         )
     parts = (obj.Tool, *(drawing for drawing, _ in drawings_of(obj)))
@@ -383,5 +383,7 @@ def _refuse_what_it_stands_on(obj: Any) -> None:
 
 def _tool(obj: Any) -> Any:
     if proxy_type(obj.Tool) != "CNCStepper_Tool":
-        raise CycleError("tool-missing", f"{obj.Label} has no tool", advice="choose one of the job's tools for it")
+        raise CycleError(
+            "tool-missing", Text("{obj} has no tool", obj=obj.Label), advice="choose one of the job's tools for it"
+        )
     return obj.Tool

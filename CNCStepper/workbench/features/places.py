@@ -96,7 +96,7 @@ def drawn_holes(obj: Any) -> list[Any]:
     pairs = drawings_of(obj)
     if not pairs:
         advice = "choose a sketch with circles or points, or give the places by numbers"
-        raise CycleError("drawing-missing", f"{obj.Label} has no drawing", advice=advice)
+        raise CycleError("drawing-missing", Text("{obj} has no drawing", obj=obj.Label), advice=advice)
     if obj.Order == "short":
         pairs = tuple(sorted(pairs, key=lambda pair: pair[0].ID))
     return holes_of_all(pairs)

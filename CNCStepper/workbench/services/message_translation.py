@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What the core says, in FreeCAD's language.
 
-The core knows nothing of languages: its errors and findings are English sentences with the values already in them.
-The catalogue of translations holds these sentences as the source has them, `{0}` standing for the first value (see
-tools/translations.py). Here a sentence is recognised, and said again with the same values.
+The core knows nothing of languages: a sentence with values is a `Text`. The catalogue holds its template (see
+tools/translations.py), which is translated and formatted with the same values.
+
+English that has lost its template is recognised: what an older version has stored, or a program's own comment says.
 """
 
 from __future__ import annotations
@@ -11,12 +12,14 @@ from __future__ import annotations
 import functools
 import re
 import xml.etree.ElementTree as ET
+from typing import Any
 
+from CNCStepper.errors import Text
 from CNCStepper.workbench import packages
 
 CONTEXT = "CNCStepper core"
 CATALOGUE = packages.ROOT / "resources" / "translations" / "CNCStepper.ts"
-VALUE = re.compile(r"\{\d+\}")
+VALUE = re.compile(r"\{(\w+)[^{}]*\}")
 NOW = ". Now "  # as `control/stream/job_run.py` says how the machine stands behind why the job has ended
 # as CNCStepperError.sentence puts it together: what (value …, limit …); advice [code]
 WHOLE = re.compile(
@@ -25,12 +28,26 @@ WHOLE = re.compile(
 JOINT = re.compile(r"; | \((?:value|limit) ")
 
 
-def translated(english: str) -> str:
+def translated(text: str) -> str:
     """Return a sentence of the core, or a whole error as one text, in FreeCAD's language.
 
-    What the catalogue does not know stays English, and so do the names and values within.
+    Values that are texts are translated too. What the catalogue does not know stays English, and so do names.
     """
-    return _outcome(english) or _said(english) or english
+    if isinstance(text, Text):
+        return _formatted(text)
+    return _outcome(text) or _said(text) or text
+
+
+def _formatted(text: Text) -> str:
+    """Return the translated template with the values; a str among them is looked up whole."""
+    values = {name: _value(value) for name, value in text.values.items()}
+    return _look_up(text.template).format_map(values)
+
+
+def _value(value: Any) -> Any:
+    if isinstance(value, Text):
+        return _formatted(value)
+    return _look_up(value) if isinstance(value, str) and value else value
 
 
 def make_ready() -> None:
@@ -55,7 +72,8 @@ def _known(english: str, strict: bool = True) -> str:
     sentence, values = _recognised(english, strict)
     if not values:
         return _look_up(sentence) if sentence else ""
-    return _look_up(sentence).format(*(_known(value) or value for value in values))
+    said = dict(zip(VALUE.findall(sentence), (_known(value) or value for value in values), strict=True))
+    return VALUE.sub(lambda field: said[field[1]], _look_up(sentence))
 
 
 @functools.lru_cache(maxsize=1000)  # a list of refused operations says the same at each change
@@ -136,4 +154,4 @@ def _catalogue() -> tuple[frozenset[str], list[tuple[list[str], str]]]:
     core = (context for context in contexts if context.findtext("name") == CONTEXT)
     sentences = [str(message.findtext("source")) for context in core for message in context.iter("message")]
     with_values = sorted((sentence for sentence in sentences if VALUE.search(sentence)), key=lambda one: -len(one))
-    return frozenset(sentences) - frozenset(with_values), [(VALUE.split(one), one) for one in with_values]
+    return frozenset(sentences) - frozenset(with_values), [(VALUE.split(one)[::2], one) for one in with_values]

@@ -9,6 +9,7 @@ from typing import Any
 
 from PySide import QtCore
 
+from CNCStepper import text_json
 from CNCStepper.control.processes.python_finder import PROOF, command, seek_python
 from CNCStepper.control.session.status import error_from_json
 from CNCStepper.errors import CNCStepperError
@@ -86,7 +87,7 @@ class Questioner(QtCore.QObject):
     def _hear(self) -> None:
         """Hand on the answers whose lines are whole."""
         while self._process is not None and (line := self._process.line()):
-            answer = json.loads(line)
+            answer = text_json.loads(line)
             if "error" in answer:
                 self._fail(error_from_json(answer["error"]))
             else:

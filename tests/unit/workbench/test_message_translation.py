@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the interpreter says of a program is known to the catalogue, and said again with the same values."""
+"""What the core says is known to the catalogue, and said in Portuguese with the same values."""
 
 from __future__ import annotations
 
+import json
 import sys
 import xml.etree.ElementTree as ET
 from pathlib import Path
@@ -10,13 +11,15 @@ from types import SimpleNamespace
 
 import pytest
 
+from CNCStepper.control.session.status import error_from_json, error_to_json
 from CNCStepper.control.stream.job_run import KEPT, LOST
-from CNCStepper.errors import ProgramError
+from CNCStepper.errors import JobError, ProgramError, Text, joined
 from CNCStepper.gcode.interpreter.interpret import interpret
 from CNCStepper.state import Start
 from CNCStepper.workbench.services import messages
 from CNCStepper.workbench.services.message_translation import CATALOGUE, translated
 
+LIMIT = Text("at most {largest_tool}", largest_tool=3)
 BAD = sorted((Path(__file__).parents[2] / "bad").glob("*.nc"))
 PORTUGUESE = {
     (str(context.findtext("name")), str(message.findtext("source"))): str(message.findtext("translation"))
@@ -49,14 +52,16 @@ def test_every_refusal_is_said_in_portuguese(path: Path) -> None:
 
 
 def test_the_limit_and_the_advice_are_translated_and_the_value_stays() -> None:
-    error = ProgramError("x", "a scale must be above 0", value="at most 3", limit="at most 3", advice="use X or Y")
+    error = ProgramError("x", "a scale must be above 0", value="at most 3", limit=LIMIT, advice="use X or Y")
     whole = "uma escala deve ser maior que 0 (valor at most 3, limite no máximo 3); use X ou Y"
     assert translated(error.sentence) == whole
     assert messages.sentence(error) == "uma escala deve ser maior que 0 (at most 3, limite no máximo 3)"
 
 
 def test_each_advice_is_translated() -> None:
-    error = ProgramError("x", "the comment is not closed", advice="close it with ); take out R; rs274 says no")
+    error = ProgramError(
+        "x", "the comment is not closed", advice=joined("; ", ["close it with )", "take out R", "rs274 says no"])
+    )
     assert translated(error.sentence) == "o comentário não está fechado; feche-o com ); retire R; rs274 says no"
 
 
@@ -66,14 +71,29 @@ def test_a_name_before_and_a_value_that_is_joined() -> None:
 
 
 def test_only_a_limit_is_said_too() -> None:
-    error = ProgramError("x", "a scale must be above 0", limit="at most 3")
+    error = ProgramError("x", "a scale must be above 0", limit=LIMIT)
     assert translated(error.sentence) == "uma escala deve ser maior que 0 (limite no máximo 3)"
 
 
 def test_why_a_job_ended_and_how_its_machine_stands_are_both_translated() -> None:
-    stopped = translated(f"stopped as asked after 60 lines. Now {KEPT}")
+    stopped = translated(
+        Text("{why}. Now {state}", why=Text("stopped as asked after {acknowledged} lines", acknowledged=60), state=KEPT)
+    )
     assert stopped.startswith("parado como pedido após 60 linhas. ") and stopped.endswith(translated(KEPT))
     assert translated(KEPT) != KEPT
-    error = ProgramError("x", "a scale must be above 0", limit="at most 3")
-    failed = translated(f"the job has ended: {error}. Now {LOST}")
+    error = ProgramError("x", "a scale must be above 0", limit=LIMIT)
+    failed = translated(Text("{why}. Now {state}", why=error.text, state=LOST))
     assert translated(error.sentence) in failed and failed.endswith(translated(LOST)) and translated(LOST) != LOST
+
+
+def test_an_error_of_another_process_is_said_in_portuguese_with_its_values() -> None:
+    error = JobError("x", Text("{key} is too long", key="slot"), limit=LIMIT, advice="take out R")
+    again = error_from_json(json.loads(json.dumps(error_to_json(error))))
+    assert translated(again.sentence) == "slot é longo demais (limite no máximo 3); retire R"
+    assert translated(again.text) == f"{translated(again.sentence)} [x]"
+
+
+def test_english_without_a_template_is_recognised() -> None:
+    assert translated("slot is too long (limit at most 3); take out R") == (
+        "slot é longo demais (limite no máximo 3); retire R"
+    )

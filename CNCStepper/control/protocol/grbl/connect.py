@@ -13,7 +13,7 @@ from CNCStepper.control.protocol.grbl.readiness import check_state
 from CNCStepper.control.protocol.grbl.report import Alarm, Feedback, Greeting, NamedSetting, Unknown, Vector
 from CNCStepper.control.protocol.grbl.report_numbers import vector
 from CNCStepper.control.protocol.grbl.timeouts import Timing
-from CNCStepper.errors import LinkError, MachineRefusal
+from CNCStepper.errors import LinkError, MachineRefusal, Text
 
 ASK_AGAIN_S = 0.25
 OFFSETS = ("G54", "G55", "G56", "G57", "G58", "G59", "G59.1", "G59.2", "G59.3", "G28", "G30", "G92", "TLO")
@@ -94,7 +94,9 @@ def read_offsets(driver: Grbl, timing: Timing) -> dict[str, Vector]:
         _check_whole(said)
         return {report.tag: vector(report.text) for report in _feedback(said) if report.tag in OFFSETS}
     except ValueError as error:
-        raise LinkError("link-noise", f"an offset came damaged: {error}", advice="check cable and baud rate") from error
+        raise LinkError(
+            "link-noise", Text("an offset came damaged: {error}", error=error), advice="check cable and baud rate"
+        ) from error
 
 
 def read_modes(driver: Grbl, timing: Timing) -> str:
@@ -103,7 +105,7 @@ def read_modes(driver: Grbl, timing: Timing) -> str:
     if not modes or not all(map(MODE.fullmatch, modes.split())):
         raise LinkError(
             "modes-unknown",
-            f"{driver.link.name} does not say its modes: question or answer was damaged",
+            Text("{link} does not say its modes: question or answer was damaged", link=driver.link.name),
             advice="check the cable, and look that the controller is not in check mode ($C leaves it); then send again",
         )
     return modes
@@ -156,7 +158,9 @@ def ask(driver: Grbl, line: str, timing: Timing) -> list[Received]:
         code = driver.firmware.error(error)
         raise MachineRefusal(
             f"{driver.firmware.key}-error-{error}",
-            f"the controller refused {line}: {code.meaning} (error:{error})",
+            Text(
+                "the controller refused {line}: {meaning} (error:{error})", line=line, meaning=code.meaning, error=error
+            ),
             advice=code.advice,
         )
     return said
@@ -189,7 +193,7 @@ def _answer(driver: Grbl, timing: Timing) -> list[Received]:
             line = driver.unanswered[0].text
             raise LinkError(
                 "answer-missing",
-                f"{driver.link.name} does not answer {line}",
+                Text("{link} does not answer {line}", link=driver.link.name, line=line),
                 value=f"{timing.answer_s:g} s",
                 advice="check that it is a grbl 1.1 controller and that the baud rate is right",
             )
@@ -197,7 +201,7 @@ def _answer(driver: Grbl, timing: Timing) -> list[Received]:
         if any(isinstance(report, Greeting) for report in received):
             raise LinkError(
                 RESTARTED,
-                f"{driver.link.name} restarted while it was asked",
+                Text("{link} restarted while it was asked", link=driver.link.name),
                 advice="check its supply and cable, then send again",
             )
         said += received
@@ -244,6 +248,9 @@ def _version(driver: Grbl, said: Sequence[Received]) -> str:
     version = next((report.text.rstrip(" :") for report in _feedback(said) if report.tag == "VER"), "")
     if version.startswith(OLD_VERSIONS):
         raise LinkError(
-            "grbl-too-old", f"{driver.link.name} runs grbl {version}", limit="1.1", advice="update its firmware"
+            "grbl-too-old",
+            Text("{link} runs grbl {version}", link=driver.link.name, version=version),
+            limit="1.1",
+            advice="update its firmware",
         )
     return version

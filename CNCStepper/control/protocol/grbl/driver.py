@@ -26,7 +26,7 @@ from CNCStepper.control.protocol.grbl.motion_interlock import MotionInterlock
 from CNCStepper.control.protocol.grbl.report import Answer, Damaged, Feedback, Greeting, Report, Setting, Status, Vector
 from CNCStepper.control.protocol.grbl.report_numbers import sizes
 from CNCStepper.control.transport.link import Link
-from CNCStepper.errors import LinkError
+from CNCStepper.errors import LinkError, Text
 from CNCStepper.safe_text import printable
 from CNCStepper.units import mm_from_inch
 
@@ -244,7 +244,7 @@ class Grbl:
             self._tail = b""
             if not self.is_stopping:
                 advice = "check the baud rate and what is connected"
-                raise LinkError("link-noise", f"{self.link.name} sends no line ends", advice=advice)
+                raise LinkError("link-noise", Text("{link} sends no line ends", link=self.link.name), advice=advice)
         texts = b"\n".join(lines).decode("ascii", "replace").split("\n")
         return [printable(text) for text in (text.strip(" \t") for text in texts) if text]
 
@@ -295,7 +295,7 @@ class Grbl:
                 return answer
             raise LinkError(
                 "answer-stray",
-                f"{self.link.name} answered '{answer.text}' to no line",
+                Text("{link} answered '{answer}' to no line", link=self.link.name, answer=answer.text),
                 advice="close other programs on this port and check the cable; then set the zero again",
             )
         sent = self.unanswered.popleft()

@@ -17,6 +17,7 @@ from CNCStepper.control.protocol.grbl.codes import HOME_AGAIN, Code, lost
 from CNCStepper.control.protocol.grbl.codes_fluidnc import FLUIDNC_ALARMS, FLUIDNC_ERROR_NAMES, FLUIDNC_ERRORS
 from CNCStepper.control.protocol.grbl.codes_grbl import GRBL_ALARMS, GRBL_ERRORS
 from CNCStepper.control.protocol.grbl.codes_grblhal import GRBLHAL_ALARMS, GRBLHAL_ERRORS
+from CNCStepper.errors import Text
 
 TOOL = "Tool"  # the state in which grblHAL waits for a person at its M6
 TOOL_CHANGED = b"\xa3"  # to grblHAL in that state: nothing else comes, so that it takes jogs and a new zero
@@ -49,13 +50,16 @@ class Firmware:
         """Return what `error:number` means here."""
         if number < 0:
             return Code("the controller refused the line", "look at what it says, and correct that line")
-        return self.errors.get(number) or Code(f"{self.name} lists no such error", LOOK_UP)
+        return self.errors.get(number) or Code(Text("{name} lists no such error", name=self.name), LOOK_UP)
 
     def alarm(self, number: int) -> Code:
         """Return what `ALARM:number` means here; one that is not listed, or has no number (-1), loses the position."""
         if number < 0:
             return lost("the controller raised an alarm")
-        return self.alarms.get(number) or lost(f"{self.name} lists no such alarm", f"{LOOK_UP}; {HOME_AGAIN}")
+        return self.alarms.get(number) or lost(
+            Text("{name} lists no such alarm", name=self.name),
+            Text("{look_up}; {home_again}", look_up=LOOK_UP, home_again=HOME_AGAIN),
+        )
 
     def error_number(self, text: str) -> int:
         """Return the number of an error that was answered by its name ("error:Bad GCode number format"), or -1."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from CNCStepper.errors import LinkError
+from CNCStepper.errors import LinkError, Text
 
 LINES_PER_S = 50.0  # for good; controllers that report by themselves do so 20 times a second
 MOST_LINES = 400  # at a time: what FluidNC says when it starts is a quarter of that
@@ -31,8 +31,8 @@ class Flood:
         self._lines = 0.0
         raise LinkError(
             "link-flood",
-            f"{name} says more than anybody asked for",
-            value=f"more than {most} lines",
+            Text("{name} says more than anybody asked for", name=name),
+            value=Text("more than {most} lines", most=most),
             limit=f"{LINES_PER_S:g} lines/s",
             advice="look at the baud rate, and at what reports the controller sends by itself",
         )

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from CNCStepper.control.protocol.grbl.report import Status
-from CNCStepper.errors import MachineRefusal
+from CNCStepper.errors import MachineRefusal, Text
 
 if TYPE_CHECKING:
     from CNCStepper.machine.profile import Machine
@@ -55,8 +55,16 @@ class Difference:
     wanted: float
 
     def __str__(self) -> str:
+        return str(self.text)
+
+    @property
+    def text(self) -> Text:
+        """The difference in words."""
+        told = Text(
+            "${number} is {value:g}, wanted {wanted:g}", number=self.number, value=self.value, wanted=self.wanted
+        )
         words = IN_WORDS.get(self.number)
-        return f"${self.number} is {self.value:g}, wanted {self.wanted:g}" + (f" ({words})" if words else "")
+        return Text("{difference} ({words})", difference=told, words=words) if words else told
 
 
 def check_state(status: Status | None) -> None:
@@ -112,13 +120,17 @@ def offset_differences(
 
     offsets_mm: by name, in mm. modes: the words of `$G`. What the controller does not report is left out.
     """
-    found = []
+    found: list[str] = []
     if system and modes and system not in modes.split():
-        found.append(f"{system} is not the work system in force")
+        found.append(Text("{system} is not the work system in force", system=system))
     for name, wanted in wanted_mm.items():
         offset = offsets_mm.get(name)
         if offset and any(abs(a - b) > OFFSET_TOLERANCE_MM for a, b in zip(offset, wanted, strict=False)):
-            found.append(f"{name} is {_vector(offset)}, wanted {_vector(wanted)} mm")
+            found.append(
+                Text(
+                    "{name} is {offset}, wanted {wanted} mm", name=name, offset=_vector(offset), wanted=_vector(wanted)
+                )
+            )
     return found
 
 

@@ -16,6 +16,7 @@ import re
 from dataclasses import dataclass
 
 from CNCStepper.control.protocol.grbl.report_numbers import code, count, decimal, vector
+from CNCStepper.errors import Text
 
 Vector = tuple[float, ...]
 AXES = 3  # at least
@@ -147,7 +148,7 @@ def _place(text: str) -> Vector:
     """Return a position, which has three axes at least; raises ValueError."""
     place = vector(text)
     if len(place) < AXES:
-        raise ValueError(f"an axis is missing: {text}")
+        raise ValueError(Text("an axis is missing: {text}", text=text))
     return place
 
 

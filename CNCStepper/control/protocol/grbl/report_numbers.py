@@ -8,6 +8,8 @@ from __future__ import annotations
 
 import re
 
+from CNCStepper.errors import Text
+
 MOST = 1e7  # of any position, speed or setting, in whatever unit
 MOST_COUNT = 100_000  # of a code, of free blocks and bytes
 _DECIMAL = re.compile(r"[-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)")
@@ -19,7 +21,7 @@ def decimal(text: str) -> float:
     """Return a number as a firmware writes it, without exponent; raises ValueError beyond `MOST` or for other text."""
     value = float(_matched(_DECIMAL, text))
     if abs(value) > MOST:
-        raise ValueError(f"a number beyond {MOST:g}: {text}")
+        raise ValueError(Text("a number beyond {most:g}: {text}", most=MOST, text=text))
     return value
 
 
@@ -27,7 +29,7 @@ def count(text: str) -> int:
     """Return a whole number without sign; raises ValueError beyond `MOST_COUNT` or for other text."""
     value = int(_matched(_COUNT, text))
     if value > MOST_COUNT:
-        raise ValueError(f"a number beyond {MOST_COUNT}: {text}")
+        raise ValueError(Text("a number beyond {most_count}: {text}", most_count=MOST_COUNT, text=text))
     return value
 
 
@@ -52,5 +54,5 @@ def sizes(options: str) -> tuple[int, int]:
 
 def _matched(form: re.Pattern[str], text: str) -> str:
     if len(text) > _LONGEST or not form.fullmatch(text):
-        raise ValueError(f"not a number: {text[:_LONGEST]}")
+        raise ValueError(Text("not a number: {text}", text=text[:_LONGEST]))
     return text

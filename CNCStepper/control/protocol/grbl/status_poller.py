@@ -7,7 +7,7 @@ from collections.abc import Callable
 
 from CNCStepper.control.protocol.grbl.driver import Grbl
 from CNCStepper.control.protocol.grbl.timeouts import Timing
-from CNCStepper.errors import LinkError, Place
+from CNCStepper.errors import LinkError, Place, Text
 
 ANSWER_MISSING = "answer-missing"
 ASK_AGAIN_S = 1.0  # a `?` may have been lost
@@ -49,7 +49,7 @@ class Watch:
             raise self._silence("the controller does not answer any more", place())
         if idle and driver.unanswered and driver.clock() - self.heard_s > limit_s + dwell_s:
             text = driver.unanswered[0].text
-            raise self._silence(f"the controller is idle but has not answered '{text}'", place())
+            raise self._silence(Text("the controller is idle but has not answered '{text}'", text=text), place())
 
     def _silence(self, what: str, place: Place | None) -> LinkError:
         return LinkError(

@@ -19,7 +19,7 @@ import numpy as np
 
 from CNCStepper.cycles.clearing.engagement.map_kernels import Map, cut_until, flip_inside, spread
 from CNCStepper.cycles.clearing.pattern import Area, Opening
-from CNCStepper.errors import CycleError
+from CNCStepper.errors import CycleError, Text
 from CNCStepper.geometry.region import Region
 from CNCStepper.kernels import COMPILED
 
@@ -77,7 +77,7 @@ class Chart:
             raise CycleError(
                 "blocks-many",
                 "the operation is too long for one program",
-                value=f"more than {len(self.way)} steps",
+                value=Text("more than {way} steps", way=len(self.way)),
                 advice="make stepover_mm larger",
             )
         self.way[self.count : self.count + len(points)] = points

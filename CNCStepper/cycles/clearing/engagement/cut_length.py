@@ -18,7 +18,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from CNCStepper.cycles.clearing.pattern import Area
-from CNCStepper.errors import CycleError
+from CNCStepper.errors import CycleError, Text
 from CNCStepper.geometry.region import Region
 
 LONGEST = 1.6  # times the length of parallels
@@ -59,9 +59,13 @@ def require_short(area: Area, lengths: Sequence[Length]) -> None:
         "engagement-long",
         "the pocket is so narrow that its way at this engagement would be too long beside parallels",
         value=f"{together.times:.2f} times",
-        limit=f"at most {LONGEST:g} times",
-        advice=f"use an engagement_max_deg of {deg} or more with a stepover_mm of {stepover_mm:g} or more, "
-        "a smaller tool, or another pattern",
+        limit=Text("at most {longest:g} times", longest=LONGEST),
+        advice=Text(
+            "use an engagement_max_deg of {deg} or more with a stepover_mm of {stepover_mm:g} or "
+            "more, a smaller tool, or another pattern",
+            deg=deg,
+            stepover_mm=stepover_mm,
+        ),
     )
 
 

@@ -23,7 +23,7 @@ from CNCStepper.cycles.clearing.engagement.clearing_map import Chart, chart_of, 
 from CNCStepper.cycles.clearing.engagement.links import Links, straight
 from CNCStepper.cycles.clearing.engagement.walk_kernels import IDLE, follow, poke, start, walk
 from CNCStepper.cycles.clearing.pattern import Area, Opening, Pass, Run
-from CNCStepper.errors import CycleError
+from CNCStepper.errors import CycleError, Text
 from CNCStepper.geometry.curve import Curve
 from CNCStepper.geometry.fitting.point_fit import fit_points
 from CNCStepper.geometry.region import Region
@@ -264,7 +264,7 @@ def _angle_rad(area: Area) -> float:
             "stepover-small",
             "stepover_mm is too small for the engagement to be bounded by it",
             value=f"{area.stepover_mm:g} mm",
-            limit=f"at least {least_mm:.3g} mm",
+            limit=Text("at least {least_mm:.3g} mm", least_mm=least_mm),
             advice="make stepover_mm larger",
         )
     return math.acos(max(1.0 - area.stepover_mm / area.tool_mm, -1.0))

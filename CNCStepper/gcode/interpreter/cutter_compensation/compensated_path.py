@@ -22,7 +22,7 @@ from __future__ import annotations
 from cmath import phase, rect
 from math import acos, asin, cos, pi, sin, tan, tau
 
-from CNCStepper.errors import ProgramError
+from CNCStepper.errors import ProgramError, Text
 from CNCStepper.gcode.interpreter.block import Block
 from CNCStepper.gcode.interpreter.cutter_compensation.compensation_codes import in_plane
 from CNCStepper.gcode.interpreter.cutter_compensation.held_moves import Compensation, Held, Path3
@@ -101,7 +101,7 @@ def _enter_straight(block: Block, motion: int, goal: Path3, feed: float) -> None
     way = complex(*goal[:2]) - here
     if not abs(way) > ours.radius:
         what = "the entry move of the compensation is not longer than the tool's radius"
-        limit = f"more than {ours.radius:g} mm"
+        limit = Text("more than {radius:g} mm", radius=ours.radius)
         raise ProgramError("entry-short", what, limit=limit, advice="begin farther away")
     alpha = phase(way) + (pi / 2 if ours.left else -pi / 2)
     end = complex(*goal[:2]) + rect(ours.radius, alpha)
@@ -211,7 +211,7 @@ def _enter_arc(block: Block, goal: Path3, centre: complex, turns: int, feed: flo
     end, radius = complex(*goal[:2]), ours.radius
     if abs(end - here) <= radius or (_inside(block, turns) and abs(here - centre) <= radius):
         what = "the entry arc of the compensation is not larger than the tool's radius"
-        limit = f"more than {radius:g} mm"
+        limit = Text("more than {radius:g} mm", radius=radius)
         raise ProgramError("entry-short", what, limit=limit, advice="begin farther away")
     gamma = phase(centre - end) if _inside(block, turns) else phase(end - centre)
     end += rect(radius, gamma)
@@ -238,7 +238,7 @@ def _next_arc(block: Block, goal: Path3, centre: complex, turns: int, feed: floa
     beta = _normal_angle(theta - alpha if ours.left else alpha - theta)
     if inside and arc_radius <= ours.radius:
         what = "the arc's radius is not larger than the tool's"
-        limit = f"more than {ours.radius:g} mm"
+        limit = Text("more than {radius:g} mm", radius=ours.radius)
         raise ProgramError("arc-radius", what, limit=limit, advice="use a smaller tool")
     end = new + rect(ours.radius, phase(centre - new) if inside else phase(new - centre))
     away = delta if inside else delta + pi

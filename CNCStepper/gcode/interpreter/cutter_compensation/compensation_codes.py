@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from CNCStepper.errors import ProgramError
+from CNCStepper.errors import ProgramError, Text
 from CNCStepper.gcode.dialects.codes import Code
 from CNCStepper.gcode.interpreter.block import Block
 from CNCStepper.gcode.interpreter.cutter_compensation.held_moves import Compensation, Path3
@@ -28,7 +28,7 @@ def compensation_by_tool(block: Block, code: Code) -> None:
     if "D" in block.plan.slots:
         number = block.value("D")
         if abs(round(number) - number) >= NEAR or number < 0:
-            what = f"D of {code.name} is the number of a tool"
+            what: str = Text("D of {code} is the number of a tool", code=code.name)
             raise ProgramError("bad-value", what, value="D", limit="a whole number from 0", advice="correct D")
         entry = entry_of(block, round(number), "D") if round(number) else block.model.loaded
     diameter = entry.diameter_mm

@@ -10,7 +10,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from math import trunc
 
-from CNCStepper.errors import Place, ProgramError
+from CNCStepper.errors import Place, ProgramError, Text
 from CNCStepper.gcode.interpreter.flow.o_words import FlowLine
 from CNCStepper.gcode.interpreter.flow.subprogram_files import Source
 
@@ -41,7 +41,12 @@ class Blocks:
         """Note where a label stands; raises ProgramError when it stands elsewhere already."""
         known = self.labels.get(label)
         if known:
-            what = f"{line.label} stands in line {known.index + 1} of {known.source.file or 'the text'} already"
+            what = Text(
+                "{line} stands in line {index} of {known_file} already",
+                line=line.label,
+                index=known.index + 1,
+                known_file=known.source.file or "the text",
+            )
             raise refused(line, "label-twice", what)
         self._note(line, label, source, index)
 
@@ -78,7 +83,12 @@ class Blocks:
     def _opened_by(self, line: FlowLine, label: str, *keywords: str) -> None:
         known = self.labels.get(label)
         if known is None or known.keyword not in keywords:
-            what = f"{line.keyword} has no {' or '.join(keywords)} with the label {line.label} before it"
+            what = Text(
+                "{line} has no {keywords} with the label {line2} before it",
+                line=line.keyword,
+                keywords=" or ".join(keywords),
+                line2=line.label,
+            )
             raise refused(line, "no-label", what)
 
     # branches

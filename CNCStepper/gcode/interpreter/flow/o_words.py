@@ -13,7 +13,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from CNCStepper.errors import ProgramError
+from CNCStepper.errors import ProgramError, Text
 from CNCStepper.gcode.interpreter.fast_path.policy import pays
 from CNCStepper.gcode.interpreter.state.parameters import ARGUMENTS
 from CNCStepper.gcode.interpreter.state.system_parameters import Known
@@ -84,8 +84,8 @@ class FlowLine:
     def condition(self) -> float:
         """Read the expression that must follow."""
         if self.scanner.next != "[":
-            what = f"[ is missing after {self.keyword}"
-            raise self.scanner.error("bracket", what, f"write {self.keyword} [condition]")
+            what = Text("[ is missing after {keyword}", keyword=self.keyword)
+            raise self.scanner.error("bracket", what, Text("write {keyword} [condition]", keyword=self.keyword))
         return self.scanner.expression()
 
     def value(self) -> float | None:
@@ -96,14 +96,14 @@ class FlowLine:
         """Read the arguments of a call."""
         while self.scanner.next == "[":
             if len(self.arguments) == ARGUMENTS:
-                what = f"a subroutine takes {ARGUMENTS} arguments at most"
+                what = Text("a subroutine takes {arguments} arguments at most", arguments=ARGUMENTS)
                 raise self.scanner.error("too-many-arguments", what, "put some in named parameters")
             self.arguments.append(self.scanner.expression())
 
     def end(self) -> None:
         """Refuse whatever else stands on the line."""
         if not self.scanner.ended:
-            what = f"nothing may follow {self.keyword or 'the number of a subprogram'}"
+            what = Text("nothing may follow {keyword}", keyword=self.keyword or "the number of a subprogram")
             raise self.scanner.error("after-o-word", what, "write it on a line of its own")
 
 
@@ -160,7 +160,7 @@ def _keyword(scanner: Scanner) -> str:
     for keyword in sorted(KEYWORDS, key=len, reverse=True):
         if scanner.take(keyword.upper()):
             return keyword
-    raise scanner.error("o-word", "the O-word is unknown", f"use one of: {', '.join(KEYWORDS)}")
+    raise scanner.error("o-word", "the O-word is unknown", Text("use one of: {keywords}", keywords=", ".join(KEYWORDS)))
 
 
 def _code(scanner: Scanner) -> int:

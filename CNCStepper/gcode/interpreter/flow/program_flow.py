@@ -14,7 +14,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 
-from CNCStepper.errors import Place, ProgramError
+from CNCStepper.errors import Place, ProgramError, Text
 from CNCStepper.gcode.interpreter.fast_path.text_runs import read_runs, refused_runs
 from CNCStepper.gcode.interpreter.flow.branches_and_loops import Blocks, refused
 from CNCStepper.gcode.interpreter.flow.o_words import CONDITIONS, GLOBAL, FlowLine, leads, read_flow_line, read_m98
@@ -123,7 +123,9 @@ class Flow:
             left -= 1
             if left < 0:
                 what = "the program runs on and on: is there a loop without an end?"
-                raise self._error("endless", what, limit=f"{self.limits.lines} lines more than the text has")
+                raise self._error(
+                    "endless", what, limit=Text("{lines} lines more than the text has", lines=self.limits.lines)
+                )
             self._line(text)
             yield
         if not self.interpreter.ended:
@@ -132,14 +134,14 @@ class Flow:
     def _text_over(self) -> None:
         """Refuse a text that is over before the end of what was opened."""
         if self._seeking:
-            what = f"there is no subroutine o<{self._seeking}>"
+            what = Text("there is no subroutine o<{seeking}>", seeking=self._seeking)
             raise self._error("no-subroutine", what, advice="define it, or put its file beside the program")
         if self.blocks.skipping:
             name = self.blocks.skipping.rpartition("#")[2]
-            what = f"o{name} has no end: the text is over, and it is still being skipped"
+            what = Text("o{name} has no end: the text is over, and it is still being skipped", name=name)
             raise self._error("no-o-end", what, advice="write its endif, endwhile, endrepeat, while or endsub")
         if self.calls:
-            what = f"the subroutine o<{self.calls[-1].name}> has no end"
+            what = Text("the subroutine o<{call}> has no end", call=self.calls[-1].name)
             raise self._error("no-endsub", what, advice="write endsub, or M99 in a subprogram of Fanuc's form")
 
     def _line(self, text: str) -> None:
@@ -254,7 +256,7 @@ class Flow:
     def _return(self, line: FlowLine) -> None:
         if not self.calls:
             if not self._defining:
-                raise refused(line, "not-in-sub", f"{line.keyword} stands outside any subroutine")
+                raise refused(line, "not-in-sub", Text("{line} stands outside any subroutine", line=line.keyword))
             if line.keyword == "endsub":
                 self.blocks.skipping = self._defining = ""
             return

@@ -12,7 +12,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from math import isnan
 
-from CNCStepper.errors import ProgramError
+from CNCStepper.errors import ProgramError, Text
 from CNCStepper.gcode.dialects.codes import Code
 from CNCStepper.gcode.interpreter.block import Block
 from CNCStepper.gcode.interpreter.functions.tools import set_tool
@@ -66,7 +66,12 @@ def set_table(block: Block, code: Code) -> None:
     others = "".join(code.takes for code in block.plan.codes if code.name != "G10")
     for letter in "IJQ" if kind == 2 else "IJQR":
         if letter in block.plan.slots and letter not in others:
-            raise ProgramError("unused-word", f"{letter} says nothing with G10 L{kind}", value=letter, advice="drop it")
+            raise ProgramError(
+                "unused-word",
+                Text("{letter} says nothing with G10 L{kind}", letter=letter, kind=kind),
+                value=letter,
+                advice="drop it",
+            )
     block.must_have("P", "G10")
     number = block.whole("P", 0, block.dialect.work_systems, "work-system")
     _set_system(block, WORK_SYSTEMS[number - 1] if number else block.model.state.work_system, kind)
@@ -211,8 +216,10 @@ def _towards_home(model: Model, home: tuple[float, ...], named: list[int]) -> Po
 def _home(model: Model, code: Code) -> tuple[float, ...]:
     first = HOMES[code.name]
     if first not in model.parameters:
-        what = f"the position stored for {code.name} is not known"
-        advice = f"give parameters {first} to {first + 2} with the start state, or use G53"
+        what = Text("the position stored for {code} is not known", code=code.name)
+        advice = Text(
+            "give parameters {first} to {first2} with the start state, or use G53", first=first, first2=first + 2
+        )
         raise ProgramError("unknown-position", what, value=code.name, advice=advice)
     # a machine position has no place in a table whose work zero is not known
     return stored_point(model.parameters, first, model.unit_mm) if model.zero_known else (UNKNOWN,) * 3 + ZERO9[3:]

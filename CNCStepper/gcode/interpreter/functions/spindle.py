@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from CNCStepper.errors import ProgramError
+from CNCStepper.errors import ProgramError, Text
 from CNCStepper.gcode.dialects.codes import SPINDLE, Code
 from CNCStepper.gcode.interpreter.block import Block
 from CNCStepper.gcode.interpreter.state.spindle_speed import rpm_at
@@ -87,12 +87,15 @@ def need_turning(block: Block, name: str, sense: str = "") -> str:
     turning = block.model.state.spindle
     if turning == "off" or (sense and turning != sense):
         needs = {
-            "cw": f"{name} needs the spindle to turn clockwise (M3)",
-            "ccw": f"{name} needs the spindle to turn counter-clockwise (M4)",
+            "cw": Text("{name} needs the spindle to turn clockwise (M3)", name=name),
+            "ccw": Text("{name} needs the spindle to turn counter-clockwise (M4)", name=name),
         }
-        what = needs.get(sense, f"{name} needs the spindle to turn")
+        what = needs.get(sense, Text("{name} needs the spindle to turn", name=name))
         raise ProgramError(
-            "spindle-stopped", what, value=name, advice=f"write {'M4' if sense == 'ccw' else 'M3'} before"
+            "spindle-stopped",
+            what,
+            value=name,
+            advice=Text("write {word} before", word="M4" if sense == "ccw" else "M3"),
         )
     return turning
 

@@ -11,7 +11,7 @@ from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
 
-from CNCStepper.errors import Place, ProgramError
+from CNCStepper.errors import Place, ProgramError, Text
 from CNCStepper.gcode.dialects.codes import ALL_AXES, Code
 from CNCStepper.gcode.interpreter.block import Block
 from CNCStepper.gcode.interpreter.state import stand_alone_position
@@ -57,7 +57,7 @@ def _entry(items: dict[str, str], unit_mm: float) -> ToolEntry:
 def entry_of(block: Block, tool: int, value: str) -> ToolEntry:
     """Return a tool's entry; raises ProgramError, which blames the word `value`, when the table has none."""
     if tool not in block.model.tools:
-        what = f"tool {tool} does not stand in the tool table"
+        what = Text("tool {tool} does not stand in the tool table", tool=tool)
         raise ProgramError("tool-length", what, value=value, advice="give the tool with the start state")
     return block.model.tools[tool]
 
@@ -166,7 +166,9 @@ def set_tool(block: Block, kind: int) -> None:
     number = block.whole("P", 1, block.dialect.largest_tool)
     entry = entry_of(block, number, "P")
     if not (block.axis_words() or block.plan.has("RQIJ")):
-        raise ProgramError("missing-word", f"G10 L{kind} changes nothing", value="G10", advice="add what it is to set")
+        raise ProgramError(
+            "missing-word", Text("G10 L{kind} changes nothing", kind=kind), value="G10", advice="add what it is to set"
+        )
     entry = replace(entry, offset_mm=_new_offset(block, entry, kind), **_measures(block))
     model = block.model
     model.tools = {**model.tools, number: entry}

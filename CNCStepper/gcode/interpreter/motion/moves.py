@@ -11,7 +11,7 @@ from dataclasses import replace
 from math import hypot, isnan, sqrt
 from typing import NamedTuple
 
-from CNCStepper.errors import ProgramError
+from CNCStepper.errors import ProgramError, Text
 from CNCStepper.gcode.dialects import ArcRule, Dialect
 from CNCStepper.gcode.dialects.codes import AXES, MOTION_NAMES
 from CNCStepper.gcode.interpreter.motion.arc_geometry import FULL_TURN, centre_by_radius, length, radii_agree, sweep_rad
@@ -88,12 +88,14 @@ def check_feed(model: Model, motion: int, plan: Plan | None = None, values: Sequ
     """Refuse a feed move while no feed is set, or in inverse time without its own F."""
     name, mode = MOTION_NAMES[motion], model.state.feed_mode
     if mode == "per_minute" and model.state.feed_mm_min <= 0:
-        raise ProgramError("no-feed", f"{name} has no feed", value=name, advice="write an F word above 0 before")
+        raise ProgramError(
+            "no-feed", Text("{name} has no feed", name=name), value=name, advice="write an F word above 0 before"
+        )
     if mode == "per_turn" and (model.state.feed_mm_turn <= 0 or model.state.spindle_rpm <= 0):
-        what = f"{name} has no feed: a feed per turn needs F and a spindle that turns"
+        what = Text("{name} has no feed: a feed per turn needs F and a spindle that turns", name=name)
         raise ProgramError("no-feed", what, value=name, advice="write F and S above 0 before")
     if mode == "inverse_time" and plan and not ("F" in plan.slots and values[plan.slots["F"]] > 0):
-        what = f"in inverse time every {name} needs its own F above 0"
+        what = Text("in inverse time every {name} needs its own F above 0", name=name)
         raise ProgramError("no-feed", what, value=name, advice="add F, or write G94 before")
 
 
@@ -173,7 +175,7 @@ def centre_from_radius(begin: Flat, end: Flat, radius: float, clockwise: bool, s
         raise ProgramError("arc-ends", what, value="R", advice="give its centre with I, J or K")
     if chord / 2 - abs(radius) > slack:
         what = "the radius is too small to reach the end of the arc"
-        limit = f"at least {chord / 2:.4f} mm"
+        limit = Text("at least {chord:.4f} mm", chord=chord / 2)
         raise ProgramError("arc-radius", what, value="R", limit=limit, advice="correct R or the end point")
     return centre_by_radius(*begin, *end, radius, clockwise)
 
@@ -197,23 +199,23 @@ def check_arc_words(plan: Plan, model: Model, dialect: Dialect) -> None:
     first, second, normal = PLANE_AXES[PLANE_NAMES.index(name)]
     centre = CENTRE_WORDS[first] + CENTRE_WORDS[second]
     if CENTRE_WORDS[normal] in plan.slots:
-        what = f"{CENTRE_WORDS[normal]} is no centre word in plane {name}"
+        what: str = Text("{centre_word} is no centre word in plane {name}", centre_word=CENTRE_WORDS[normal], name=name)
         raise ProgramError(
             "unused-word", what, value=CENTRE_WORDS[normal], advice="select the plane with G17, G18, G19"
         )
     in_plane = plan.axes[first] >= 0 or plan.axes[second] >= 0 or plan.polar
     if not in_plane and (dialect.arc_needs_plane_axis or "R" in plan.slots):
-        what = f"the arc needs {AXES[first]} or {AXES[second]} in plane {name}"
+        what = Text("the arc needs {axis} or {axis2} in plane {name}", axis=AXES[first], axis2=AXES[second], name=name)
         raise ProgramError("arc-plane", what, value=MOTION_NAMES[plan.motion], advice="write its end point")
     if "R" in plan.slots and plan.has(centre):
         what = "an arc takes either R or a centre"
         raise ProgramError("unused-word", what, value="R", advice="take out R")
     if "R" not in plan.slots and not plan.has(centre):
-        what = f"the arc has neither {centre[0]} nor {centre[1]} nor R"
+        what = Text("the arc has neither {centre} nor {centre2} nor R", centre=centre[0], centre2=centre[1])
         raise ProgramError("arc-words", what, value=MOTION_NAMES[plan.motion], advice="give its centre")
     missing = next((letter for letter in centre if letter not in plan.slots), "")
     if missing and "R" not in plan.slots and model.state.arc_centres == "absolute":
-        what = f"{missing} is missing: absolute arc centres need both words"
+        what = Text("{missing} is missing: absolute arc centres need both words", missing=missing)
         raise ProgramError("arc-words", what, value=MOTION_NAMES[plan.motion], advice=f"add {missing}")
 
 
@@ -225,8 +227,12 @@ def _check_radii(begin: Flat, end: Flat, centre: Flat, rule: ArcRule, word: str)
         limit = f"{rule.smallest_radius:g} mm"
         raise ProgramError("arc-radius", "the arc has no radius", value=word, limit=limit, advice="write a line")
     if not radii_agree(radius, at_end, rule.slack, rule.gap, rule.relative):
-        what = f"the radius at the end of the arc is {at_end:.4f} mm and at its start {radius:.4f} mm"
-        limit = f"a difference of {max(rule.slack, min(rule.gap, rule.relative * radius)):.4f} mm"
+        what = Text(
+            "the radius at the end of the arc is {at_end:.4f} mm and at its start {radius:.4f} mm",
+            at_end=at_end,
+            radius=radius,
+        )
+        limit = Text("a difference of {slack:.4f} mm", slack=max(rule.slack, min(rule.gap, rule.relative * radius)))
         raise ProgramError("arc-ends", what, value=word, limit=limit, advice="correct the centre or the end point")
     return radius
 

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from CNCStepper.errors import ProgramError
+from CNCStepper.errors import ProgramError, Text
 from CNCStepper.gcode.dialects.codes import MOTION_NAMES
 from CNCStepper.gcode.interpreter.block import Block
 from CNCStepper.gcode.interpreter.motion.moves import end_point, further_end
@@ -23,7 +23,9 @@ def probe(block: Block, motion: int, before: int) -> None:
     if model.state.feed_mode == "per_turn":
         raise ProgramError("feed-mode", "a probe takes no feed per turn", value=name, advice="write G94 before")
     if model.state.feed_mm_min <= 0:
-        raise ProgramError("no-feed", f"{name} has no feed", value=name, advice="write an F word above 0 before")
+        raise ProgramError(
+            "no-feed", Text("{name} has no feed", name=name), value=name, advice="write an F word above 0 before"
+        )
     end = end_point(model, block.plan, block.values)
     further = further_end(model, block.plan, block.values)
     if name in ("G38.2", "G38.4") and (end, further) == (model.position, model.further):

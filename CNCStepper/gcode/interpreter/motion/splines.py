@@ -13,7 +13,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from CNCStepper.errors import GeometryError, ProgramError
+from CNCStepper.errors import GeometryError, ProgramError, Text
 from CNCStepper.gcode.dialects.codes import MOTION_NAMES, NO_MOTION, Code
 from CNCStepper.gcode.interpreter.block import Block
 from CNCStepper.gcode.interpreter.motion.moves import Arc, Flat, check_feed, end_point
@@ -31,14 +31,16 @@ def bezier(block: Block, motion: int, before: int) -> None:
     block.uncompensated("no spline may be cut", name)
     _check_feed(block, motion)
     if block.model.nurbs is not None:  # LinuxCNC 2.9 takes its control points for this curve's
-        what = f"{name} stands between G5.2 and G5.3"
+        what: str = Text("{name} stands between G5.2 and G5.3", name=name)
         raise ProgramError("spline-open", what, value=name, advice="write G5.3 on a line before")
     if block.model.state.plane != "XY":
         raise ProgramError("plane", "splines lie in the plane XY", value=name, advice="write G17 before")
     for letter in "ZABC":
         if letter in block.plan.slots:
             what = "a spline moves X and Y only"
-            raise ProgramError("unused-word", what, value=letter, advice=f"move {letter} on a line of its own")
+            raise ProgramError(
+                "unused-word", what, value=letter, advice=Text("move {letter} on a line of its own", letter=letter)
+            )
     begin, end = _ends(block)
     first = _first_control(block, name, begin)
     points = [begin, first, end]
@@ -63,7 +65,7 @@ def _first_control(block: Block, name: str, begin: Flat) -> Flat:
     """Return the control point of the beginning: I and J from there, or as the G5 before ended."""
     given = [letter for letter in "IJ" if letter in block.plan.slots]
     if len(given) == 1 or (not given and name == "G5.1"):
-        what = "G5 needs both I and J or neither" if name == "G5" else f"{name} needs both I and J"
+        what = "G5 needs both I and J or neither" if name == "G5" else Text("{name} needs both I and J", name=name)
         raise ProgramError("missing-word", what, value=name, advice="add them")
     i, j = (block.value(letter) * block.model.scale for letter in given) if given else block.model.spline_ij
     return begin[0] + i, begin[1] + j
@@ -102,7 +104,7 @@ def end_nurbs(block: Block, code: Code) -> None:
     if nurbs is None or MOTION_NAMES[model.motion] != "G5.2":
         raise ProgramError("no-spline", "G5.3 ends what no G5.2 began", value="G5.3", advice="write G5.2 before")
     if len(nurbs.points) < nurbs.order:
-        what = f"a NURBS of order {nurbs.order} needs as many control points"
+        what = Text("a NURBS of order {order} needs as many control points", order=nurbs.order)
         raise ProgramError("control-points", what, value="G5.3", limit=str(nurbs.order), advice="add control points")
     _check_feed(block, MOTION_NAMES.index("G5.2"))
     model.nurbs = None

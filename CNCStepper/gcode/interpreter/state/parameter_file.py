@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from CNCStepper.errors import Place, ProgramError
+from CNCStepper.errors import Place, ProgramError, Text
 from CNCStepper.gcode.interpreter.state.parameters import (
     FIRST_G92,
     G92_IN_FORCE,
@@ -50,7 +50,7 @@ def _entry(line: str, place: Place) -> tuple[int, float]:
         entry = 0, 0.0
     if not 1 <= entry[0] <= LARGEST or not abs(entry[1]) < float("inf"):
         what = "a line of a parameter file is the number of a parameter and its value"
-        limit = f"numbers 1 to {LARGEST}"
+        limit = Text("numbers 1 to {largest}", largest=LARGEST)
         raise ProgramError("parameter-file", what, value=line.strip()[:40], limit=limit, place=place)
     return entry
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from CNCStepper.errors import ProgramError
+from CNCStepper.errors import ProgramError, Text
 from CNCStepper.gcode.dialects.codes import ALL_AXES, MOTION_NAMES
 from CNCStepper.gcode.interpreter.state.model import Model
 from CNCStepper.gcode.interpreter.state.parameters import FIRST_POSITION, LARGEST, READ_ONLY, Parameters
@@ -43,7 +43,7 @@ class Known:
             return _tool(self.model)[number - TOOL[0]]
         value = self.parameters.get(number)
         if value != value:
-            what = f"what #{number} will hold is known only when the program runs"
+            what = Text("what #{number} will hold is known only when the program runs", number=number)
             raise ProgramError("unknown-parameter", what, advice="a probe or an input sets it on the machine")
         return value
 
@@ -57,7 +57,9 @@ class Known:
             if name.startswith(beginning):
                 raise ProgramError("unknown-parameter", reason, advice="write the value itself")
         if not self.parameters.has_name(name):
-            raise ProgramError("unknown-parameter", f"#<{name}> has no value here", advice="assign it before")
+            raise ProgramError(
+                "unknown-parameter", Text("#<{name}> has no value here", name=name), advice="assign it before"
+            )
         return self.parameters.get_named(name)
 
     def exists(self, parameter: int | str) -> bool:
@@ -80,7 +82,7 @@ class Known:
             return model.further_work()[axis - 3] / length_scale(axis, model.scale)
         value = model.work(model.position)[axis]
         if value != value:
-            what = f"the position along {_AXES[axis].upper()} is not known here"
+            what = Text("the position along {axis} is not known here", axis=_AXES[axis].upper())
             raise ProgramError("unknown-position", what, advice="move there with G90 first")
         return value / model.scale
 
@@ -93,7 +95,7 @@ def is_predefined(name: str) -> bool:
 def check_number(number: int) -> None:
     """Refuse a number that no parameter has."""
     if not 1 <= number <= LARGEST:
-        what = f"there is no parameter #{number}"
+        what = Text("there is no parameter #{number}", number=number)
         raise ProgramError("parameter-range", what, limit=f"1 to {LARGEST}", advice="correct the number")
 
 
@@ -106,7 +108,7 @@ def check_assignable(target: int | str) -> None:
         fixed = is_predefined(target) or target in _POCKETS
     if fixed:
         name = f"#{target}" if isinstance(target, int) else f"#<{target}>"
-        raise ProgramError("read-only", f"{name} may not be assigned", advice="use a name of your own")
+        raise ProgramError("read-only", Text("{name} may not be assigned", name=name), advice="use a name of your own")
 
 
 def _is(field: str, value: str) -> Callable[[Model], float]:
