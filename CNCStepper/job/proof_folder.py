@@ -142,7 +142,7 @@ def write_answer(folder: Path, proof: Proof, job: Job, certificate: Certificate)
     named = {f"{number}-{place}": both[place] for number, both in outlines.items() for place in (0, 1)}
     np.savez(folder / TOOLS, **named)
     certificate.write(folder / SEND)
-    (folder / RESULT).write_text(json.dumps(proof.report, allow_nan=False), encoding="utf-8")
+    (folder / RESULT).write_text(text_json.dumps(proof.report, allow_nan=False), encoding="utf-8")
 
 
 def write_error(folder: Path, error: CNCStepperError) -> None:

@@ -29,7 +29,7 @@ from typing import TYPE_CHECKING, Any, BinaryIO, TypeVar, overload
 from zipfile import ZIP_STORED, BadZipFile, ZipFile, ZipInfo
 
 from CNCStepper.control.program.wire_line import check_line
-from CNCStepper.errors import Place
+from CNCStepper.errors import Place, Text
 from CNCStepper.input_file import Unchanged, input_kind
 
 if TYPE_CHECKING:
@@ -85,7 +85,7 @@ def is_bundle(path: Path) -> bool:
 def read_bundle(path: Path) -> Bundle:
     """Return what a bundle holds; raises OSError, and ValueError for what is none."""
     if kind := input_kind(path):
-        raise ValueError(f"this is {kind}, not a file")
+        raise ValueError(Text("this is {kind}, not a file", kind=kind))
     try:
         members = _members(path)
         (head,) = (member for name, member in members.items() if name.endswith(HEAD))
@@ -125,7 +125,7 @@ def write_private(path: Path, members: Mapping[str, Iterable[bytes]]) -> None:
 def copy_private(source: Path, path: Path) -> None:
     """Copy a file to a new one that only its owner can read; raises OSError, and ValueError for a folder or a pipe."""
     if kind := input_kind(source):
-        raise ValueError(f"this is {kind}, not a file")
+        raise ValueError(Text("this is {kind}, not a file", kind=kind))
     with open(source, "rb") as read, new_private(path) as written:
         shutil.copyfileobj(read, written, CHUNK_BYTES)
 
@@ -344,7 +344,7 @@ def _column(name: str, member: _Member) -> Sequence[Any]:
     if name.endswith(TEXT):
         return Lines(member)
     if not name.endswith(ARRAY):
-        raise ValueError(f"it holds what no bundle does: {name[:60]}")
+        raise ValueError(Text("it holds what no bundle does: {name}", name=name[:60]))
     header = member.read(0, min(member.size, MOST_DIRECTORY_BYTES))
     found = _ARRAY_BEGIN.match(header, len(_ARRAY_MAGIC) + 2)
     size = member.size - found.end() if found else -1

@@ -30,7 +30,7 @@ from CNCStepper.control.program.bundle import (
     write_bundle,
 )
 from CNCStepper.control.program.send_job import SendJob
-from CNCStepper.errors import JobError, Place
+from CNCStepper.errors import JobError, Place, Text
 from CNCStepper.input_file import MOST_TEXT_BYTES, read_input
 
 FORMAT, VERSION, OLD_VERSION = "CNCStepper certificate", 2, 1  # the old one: a JSON file with the lines in it
@@ -206,7 +206,9 @@ def sendable(path: Path, **instead: Any) -> SendJob:
     try:
         bundle = read_bundle(path) if is_bundle(path) else None
     except (OSError, ValueError) as error:
-        raise JobError("send-job", f"the job cannot be read: {error}", advice="make it again") from error
+        raise JobError(
+            "send-job", Text("the job cannot be read: {error}", error=error), advice="make it again"
+        ) from error
     if bundle and "format" not in bundle.head:
         return SendJob.of_bundle(bundle, **instead)
     certificate = Certificate.of_bundle(bundle) if bundle else Certificate.read(path)

@@ -41,7 +41,7 @@ from CNCStepper.control.stream.position_trust import LOST, Belief, check_program
 from CNCStepper.control.stream.status_snapshot import tell_words
 from CNCStepper.control.transport.background_open import open_unless
 from CNCStepper.control.transport.link import Link, open_link
-from CNCStepper.errors import CNCStepperError, JobError
+from CNCStepper.errors import CNCStepperError, JobError, Text
 from CNCStepper.state import WORK_SYSTEMS
 
 
@@ -280,7 +280,9 @@ class Desk:
         except CNCStepperError:
             raise
         except (OSError, ValueError, KeyError, TypeError, AttributeError) as error:
-            raise JobError("send-job", f"the job cannot be read: {error}", advice="make it again") from error
+            raise JobError(
+                "send-job", Text("the job cannot be read: {error}", error=error), advice="make it again"
+            ) from error
         finally:
             draft.unlink(missing_ok=True)
         return sendable(self._job_file, **instead)

@@ -145,10 +145,12 @@ class Outcome:
         }
         return with_texts(content)
         return with_texts(content)
+        return with_texts(content)
 
     @classmethod
     def from_json(cls, content: dict[str, Any]) -> Outcome:
         """Return the outcome of `to_json`; raises ValueError for what is none."""
+        content = restored(content)
         content = restored(content)
         content = restored(content)
         try:

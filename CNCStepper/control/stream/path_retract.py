@@ -149,7 +149,7 @@ class Retrace:
         try:
             write_private(file, members)
         except OSError as error:
-            what = f"the place cannot be written: {error.strerror}"
+            what = Text("the place cannot be written: {error}", error=error.strerror)
             raise JobError("retreat-file", what, advice="ask for it again") from error
 
     def read(self, file: Path, phase: str) -> Leg:

@@ -19,6 +19,7 @@ import numpy as np
 import shapely
 
 from CNCStepper.cycles.contours.contour_parameters import Dogbones
+from CNCStepper.errors import Text
 from CNCStepper.geometry.curve import COINCIDENT_MM, Curve, joined
 from CNCStepper.geometry.segments import complex_of, xy_of
 

@@ -21,7 +21,7 @@ import numpy as np
 import shapely
 
 from CNCStepper.cycles.contours.contour_model import Lead
-from CNCStepper.errors import CycleError
+from CNCStepper.errors import CycleError, Text
 from CNCStepper.geometry.curve import Curve, joined
 from CNCStepper.geometry.segments import xy_of
 

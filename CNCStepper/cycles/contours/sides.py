@@ -24,7 +24,7 @@ import shapely
 from shapely.geometry.base import BaseGeometry
 
 from CNCStepper.cycles.contours.contour_parameters import Side
-from CNCStepper.errors import CycleError, GeometryError
+from CNCStepper.errors import CycleError, GeometryError, Text
 from CNCStepper.geometry.curve import Curve
 from CNCStepper.geometry.cut_order.cut_order import parents
 from CNCStepper.geometry.offset import parallels

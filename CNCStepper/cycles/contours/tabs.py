@@ -21,7 +21,7 @@ from shapely import Polygon
 
 from CNCStepper.cycles.contours.contour_model import Tabs
 from CNCStepper.cycles.contours.contour_parameters import MOST_TABS
-from CNCStepper.errors import CycleError
+from CNCStepper.errors import CycleError, Text
 from CNCStepper.geometry.curve import Curve
 
 CORNER_RAD = math.radians(8.0)  # a path that turns by more at a vertex has a corner there

@@ -13,7 +13,7 @@ from CNCStepper.control.service.connection_session import DeskSession
 from CNCStepper.control.session.client import SessionClient
 from CNCStepper.control.session.status import SenderStatus
 from CNCStepper.control.stream.path_retract import STANDS, read_held, write_leg
-from CNCStepper.errors import LinkError, MachineRefusal
+from CNCStepper.errors import LinkError, MachineRefusal, Text
 from CNCStepper.machine.profile import Machine
 from CNCStepper.recovery.retract.prove import Held, held
 

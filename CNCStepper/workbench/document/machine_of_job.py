@@ -7,6 +7,7 @@ import functools
 from pathlib import Path
 from typing import Any
 
+from CNCStepper.errors import Text
 from CNCStepper.job.deferred_fitting import once
 from CNCStepper.machine.feeds_and_speeds import remarks_on, with_feeds
 from CNCStepper.machine.materials import material
@@ -52,4 +53,8 @@ def fed(tool: Tool, job: Any) -> Tool:
 def remarks(tool: Tool, job: Any) -> tuple[str, ...]:
     """Return what of a tool's feeds and speed is out of the range of the job's material, as sentences."""
     found = remarks_on(tool, material(job.Material), machine_of(job)) if job.Material else ()
-    return tuple(f"{remark.text}; {remark.advice}" for remark in found if remark.severity == "warning")
+    return tuple(
+        Text("{remark}; {advice}", remark=remark.text, advice=remark.advice)
+        for remark in found
+        if remark.severity == "warning"
+    )

@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Any
 
 from CNCStepper.atomic_file import write_whole
-from CNCStepper.errors import JobError, Place
+from CNCStepper.errors import JobError, Place, Text
 from CNCStepper.gcode.syntax.text_format import FileForm
 from CNCStepper.workbench.document import program_file
 from CNCStepper.workbench.editor.reader_client import Language

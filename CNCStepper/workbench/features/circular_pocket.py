@@ -6,7 +6,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from CNCStepper.cycles.pockets.pocket_parameters import CIRCLE, CircularPocketParameters
-from CNCStepper.errors import GeometryError
+from CNCStepper.errors import GeometryError, Text
 from CNCStepper.workbench.features.base import edit
 from CNCStepper.workbench.features.operation import OPERATION, Operation, drawn, the_drawing
 from CNCStepper.workbench.features.parameters import PASSES, REST, properties_of

@@ -8,7 +8,7 @@ from typing import Any
 
 from PySide import QtCore, QtGui
 
-from CNCStepper.errors import CNCStepperError
+from CNCStepper.errors import CNCStepperError, Text
 from CNCStepper.workbench import api
 from CNCStepper.workbench.document.clamps import outline_of
 from CNCStepper.workbench.features.base import edit, problem_of, proxy_type
@@ -252,7 +252,7 @@ class ClampList(ObjectList):
         from CNCStepper.errors import JobError
 
         if self.job in [obj, *obj.OutListRecursive]:
-            raise JobError("clamp", f"'{obj.Label}' stands on this job and cannot be its clamp")
+            raise JobError("clamp", Text("'{obj}' stands on this job and cannot be its clamp", obj=obj.Label))
         outline_of(obj)
 
     def _show(self, clamp: Any) -> None:
