@@ -3,8 +3,6 @@
 
 from __future__ import annotations
 
-import contextlib
-import subprocess
 import sys
 import time
 from pathlib import Path
@@ -16,15 +14,9 @@ from CNCStepper.control.protocol.grbl.readiness import expected_settings
 from CNCStepper.control.session.client import SessionClient
 from CNCStepper.control.session.status import DONE, REFUSED, STOPPED
 from CNCStepper.machine.profile import load_machine
+from helpers.control.virtual_process import virtual_grbl
 
 LIMIT_S = 60.0
-SERVE = """
-import sys
-from CNCStepper.machine.profile import load_machine
-from CNCStepper.virtual.server.grbl_server import serve
-port = {{sys.argv[1]: sys.argv[2]}}
-serve(load_machine("table-a"), **port, speed={speed}, homing={homing}, ready=lambda address: print(address, flush=True))
-"""
 PROGRAM = [
     "G21G90G94G17",
     "M3S10000",
@@ -35,18 +27,6 @@ PROGRAM = [
     "M5",
     "M2",
 ]
-
-
-@contextlib.contextmanager
-def virtual_grbl(kind: str = "tcp", where: object = "127.0.0.1:0", speed: float = 50.0, homing: bool = False):
-    """Run a virtual grbl and yield its address."""
-    command = [sys.executable, "-c", SERVE.format(speed=speed, homing=homing), kind, str(where)]
-    with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as process:
-        assert process.stdout
-        try:
-            yield process.stdout.readline().strip()
-        finally:
-            process.terminate()
 
 
 def started(port: str, folder: Path, lines=PROGRAM) -> SessionClient:

@@ -12,8 +12,6 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from round_trip_paths import Drawn, drawn_path
-from rs274_runs import run_rs274, same_call
 
 from CNCStepper.gcode.dialects import dialect, dialect_names
 from CNCStepper.gcode.interpreter.canonical_trace import canonical_calls
@@ -22,6 +20,8 @@ from CNCStepper.gcode.wire.encoder import prepare
 from CNCStepper.gcode.writer.write import WriteOptions, write, written
 from CNCStepper.state import Start
 from CNCStepper.toolpath import Toolpath
+from helpers.gcode.round_trip_toolpaths import Drawn, drawn_path
+from helpers.gcode.rs274_runs import run_rs274, same_call
 
 COLUMNS = ("kind", "end", "plane", "turns", "feed")
 PHYSICAL = ("tool", "spindle", "spindle_rpm", "mist", "flood", "work_system", "offset_mm")
@@ -146,14 +146,14 @@ def test_the_text_is_the_same_in_every_process(language):
     one = drawn(language, 3)
     here = write(one.path, language, options(language, one.units))
     code = (
-        "import sys; sys.path.insert(0, sys.argv[1]); from round_trip_paths import drawn_path; "
+        "import sys; sys.path.insert(0, sys.argv[1]); from helpers.gcode.round_trip_toolpaths import drawn_path; "
         "from CNCStepper.gcode.dialects import dialect; from CNCStepper.gcode.writer.write import WriteOptions, write; "
         f"one = drawn_path(dialect('{language}'), 3); "
         f"print(write(one.path, '{language}', WriteOptions(units=one.units, work_offset='', retract=False, "
         f"tool_change='{options(language, one.units).tool_change}')), end='')"
     )
     for seed in ("1", "2"):
-        command = [sys.executable, "-c", code, str(Path(__file__).parent)]
+        command = [sys.executable, "-c", code, str(Path(__file__).parents[2])]
         environment = {**os.environ, "PYTHONHASHSEED": seed}
         run = subprocess.run(command, capture_output=True, text=True, env=environment)
         assert run.returncode == 0, run.stderr

@@ -7,7 +7,6 @@ import re
 import subprocess
 import sys
 from collections import Counter
-from collections.abc import Iterator
 from contextlib import ExitStack
 from pathlib import Path
 from typing import Any
@@ -16,27 +15,20 @@ import pytest
 
 from CNCStepper.control.program.certificate import Certificate
 from CNCStepper.errors import JobError, ProgramError
-from CNCStepper.gcode.interpreter import file_chunks, line_store
-from CNCStepper.gcode.wire import expanded_wire_file
-from CNCStepper.gcode.wire.wire_file import WireFile
+from CNCStepper.gcode.interpreter import file_chunks
 from CNCStepper.job import prove_file as prove_file_module
 from CNCStepper.job.certify import certificate_of
 from CNCStepper.job.prove import prove
-from CNCStepper.job.prove_file import FileProof, prove_file
-from CNCStepper.machine.profile import Machine, Motor, load_machine
+from CNCStepper.job.prove_file import prove_file
+from CNCStepper.machine.profile import Motor
 from CNCStepper.machine.tools.tool import Tool
 from CNCStepper.simulation.checks import tip_path_store
 from CNCStepper.simulation.removal import engagement
 from CNCStepper.simulation.stock import Stock
 from CNCStepper.state import Start
-from CNCStepper.toolpath import COLUMNS, Chunk
+from helpers.job.prove_runs import CORED, FLAT, STOCK, TABLE, assert_same, both, machine_with
+from helpers.simulation.seeded_programs import clean_program, faults_of
 
-sys.path.insert(0, str(Path(__file__).parents[1] / "simulation"))
-from seeded_programs import clean_program, faults_of
-
-TABLE = load_machine("table-a")
-STOCK, FLAT = Stock((60, 50, 20)), Tool(number=1, shape="flat", diameter_mm=6)
-CORED = Tool(number=2, shape="flat", diameter_mm=6, core_diameter_mm=2)
 FAULTY = (  # each line of it is there for a check that looks beyond one row
     "%\n(operation: first)\nX1 Y1\nG21 G90 G17 T1\nG1 Z-1 F300\n(MSG, look)\nG0 Z5\nM3 S10000\n(still waiting)\nG4 P1\n"
     "G4 P0.5\n"
@@ -45,52 +37,6 @@ FAULTY = (  # each line of it is there for a check that looks beyond one row
     "G0 Z-2\nM5\nX25\nG1 X26\nX27\nM3 S10000\nM0\nX30 F9000\nX31\nM5\nG0 Z9\nT2\nG0 X5\nM3 S24000\nG1 Z-25 F100\nX200\n"
     "Y-190\nG55 G0 Z9\nG92 X5\nG1 X6 Z-3\nG10 L2 P1 X3\nX0\n(MSG, end)\nM5\nM2\n%\nG1 X1000\n"
 )
-
-
-def machine_with(controller: str = "grbl", **of_axes: Any) -> Machine:
-    axes = {name: axis.model_copy(update=of_axes) for name, axis in TABLE.axis.items()}
-    return TABLE.model_copy(update={"axis": axes, "controller": controller})
-
-
-@pytest.fixture(params=[(1, 40), (3, 200), (50, 1 << 21)], ids=lambda value: f"rows{value[0]}-bytes{value[1]}")
-def pieces(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Let chunks, parts and pieces of the file be small."""
-    rows, size = request.param
-    chunks = WireFile.chunks
-
-    def small(self: WireFile) -> Iterator[Chunk]:
-        for chunk in chunks(self):
-            for first in range(0, len(chunk), rows):
-                some = (getattr(chunk, name)[first : first + rows] for name in COLUMNS)
-                yield Chunk(chunk.first + first, *some)
-
-    monkeypatch.setattr(WireFile, "chunks", small)
-    monkeypatch.setattr(prove_file_module, "PART_ROWS", 2 * rows)
-    monkeypatch.setattr(file_chunks, "PIECE", size)
-    monkeypatch.setattr(line_store, "BLOCK", rows)
-    monkeypatch.setattr(line_store, "MOST_BLOCKS", 2)
-    monkeypatch.setattr(expanded_wire_file, "BLOCKS", 2 * rows)
-
-
-def both(folder: Path, text: str, machine: Machine, dialect: str = "grbl", **more: Any) -> tuple[Any, FileProof]:
-    file = folder / "ç program.nc"
-    file.write_text(text, encoding="utf-8", newline="")
-    stock, tools, start = (more.get(name) for name in ("stock", "tools", "start"))
-    whole = prove(text, machine, file=str(file), dialect=dialect, stock=stock, tools=tools, start=start)
-    spool = folder / "sent"
-    spool.unlink(missing_ok=True)
-    parts = prove_file(file, machine, dialect=dialect, stock=stock, tools=tools, start=start, spool=spool)
-    return whole, parts
-
-
-def assert_same(whole: Any, parts: FileProof) -> None:
-    assert parts.findings == whole.findings
-    volume, own = (proof.report.pop("removed_volume_mm3") for proof in (whole, parts))
-    assert own == (volume if volume is None else pytest.approx(volume, abs=1e-3))
-    assert parts.report == whole.report
-    for proof in (whole, parts):
-        proof.report["removed_volume_mm3"] = 0.0
-    assert certificate_of(parts).sha256 == certificate_of(whole).sha256
 
 
 @pytest.mark.parametrize("dialect", ["grbl", "grblhal", "linuxcnc"])

@@ -8,7 +8,6 @@ from collections import Counter
 from pathlib import Path
 
 import pytest
-from test_prove_file import CORED, STOCK, TABLE, assert_same, both, machine_with, pieces  # noqa: F401  a fixture
 
 from CNCStepper.errors import ProgramError
 from CNCStepper.gcode.interpreter.line_store import LineStore
@@ -16,6 +15,7 @@ from CNCStepper.gcode.wire.expanded_wire_file import WireBlocks, wire_of_file
 from CNCStepper.job.prove import prove
 from CNCStepper.job.prove_file import prove_file
 from CNCStepper.state import Start
+from helpers.job.prove_runs import CORED, STOCK, TABLE, assert_same, both, machine_with, pieces  # noqa: F401  a fixture
 
 START = Start.with_work_zero((-200.0, -200.0, -40.0))
 HEAD = "%\nG21 G90 G17 T1\nG0 Z5\nG0 X1 Y1\nM3 S10000\nG4 P3\n"

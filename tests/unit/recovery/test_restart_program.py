@@ -7,7 +7,6 @@ from itertools import product
 
 import numpy as np
 import pytest
-from restart_programs import END, HEAD, PROGRAMS
 
 from CNCStepper.errors import ProgramError
 from CNCStepper.gcode.interpreter.interpret import interpret
@@ -19,6 +18,7 @@ from CNCStepper.recovery.restart.program import read_program
 from CNCStepper.recovery.restart.restart_program import Restart, restart, restart_of
 from CNCStepper.state import Start
 from CNCStepper.toolpath import RAPID, Toolpath
+from helpers.gcode.restart_programs import END, HEAD, PROGRAMS
 
 OFFSETS = {"G54": (-200.0, -150.0, -30.0), "G55": (-90.0, -60.0, -25.0), "G59": (-150.0, -40.0, -28.0)}
 START = Start(work_offsets_mm=OFFSETS, zero_known=True)

@@ -4,10 +4,10 @@
 from __future__ import annotations
 
 import pytest
-from desk_table import Visit
 
 from CNCStepper.control.operator.console_line import HOME, JOG, PROGRAM, QUESTION, SETTING, UNLOCK, kind_of
 from CNCStepper.errors import MachineRefusal
+from helpers.control.service_bench import Visit
 
 
 @pytest.fixture

@@ -6,11 +6,11 @@ from __future__ import annotations
 from typing import Any
 
 import pytest
-from desk_table import Table
 
 from CNCStepper.control.program.send_job import SendJob
 from CNCStepper.control.service.sender import Sender
 from CNCStepper.control.session.status import DONE, REFUSED, Outcome
+from helpers.control.service_bench import Table
 
 LINES = ("G21G90G54", "G0Z5", "X-10", "G1Z4F600")
 LIFT = {"system": "G54", "z_mm": 5.0, "height_mm": 5.0}

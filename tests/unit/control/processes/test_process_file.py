@@ -15,7 +15,6 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
-from fake_controller import FakeServer
 
 from CNCStepper.control.journal import store
 from CNCStepper.control.journal.journal_file import JournalFile
@@ -46,6 +45,7 @@ from CNCStepper.control.session.files import (  # fmt: skip
 from CNCStepper.control.session.status import STOPPED
 from CNCStepper.errors import CNCStepperError, JobError, LinkError, MachineRefusal
 from CNCStepper.workers import connection_service
+from helpers.control.fake_controller import FakeServer
 
 LIMIT_S = 20.0
 OWNER = """

@@ -11,12 +11,12 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import pytest
-from fake_controller import FakeServer
 
 from CNCStepper.control.processes.thread_priority import SLICE_NS, go_first
 from CNCStepper.control.program.send_job import SendJob
 from CNCStepper.control.session.client import SessionClient
 from CNCStepper.control.session.files import read_private
+from helpers.control.fake_controller import FakeServer
 
 pytestmark = pytest.mark.skipif(not sys.platform.startswith("linux"), reason="Linux's scheduler")
 LIMIT_S = 20.0

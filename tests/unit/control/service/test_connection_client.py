@@ -13,7 +13,6 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
-from fake_controller import FakeServer
 
 from CNCStepper.control.processes import python_finder
 from CNCStepper.control.processes.process_file import OwnFile
@@ -25,6 +24,7 @@ from CNCStepper.control.session.files import DESK, LOG, OUTCOME, desk_at, new_se
 from CNCStepper.control.session.status import DONE, STOPPED
 from CNCStepper.control.transport.port_list import PortChoice, port_list
 from CNCStepper.errors import CNCStepperError, MissingPackage
+from helpers.control.fake_controller import FakeServer
 
 LIMIT_S = 40.0
 LONG = ("G21G90G94", *(f"G1X{-(number % 2) * 20}F1500" for number in range(400)))

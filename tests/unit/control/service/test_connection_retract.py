@@ -10,12 +10,12 @@ from typing import Any
 
 import numpy as np
 import pytest
-from cut_table import ROUNDING_MM, STANDS, STEP_MM, Cut, path_of, polyline, worst_distance_mm
-from desk_table import Person, Visit
 
 from CNCStepper.control.service.connection_service import Desk
 from CNCStepper.control.session.command import Command
 from CNCStepper.control.session.status import DONE, STOPPED, Outcome
+from helpers.control.retract_bench import ROUNDING_MM, STANDS, STEP_MM, Cut, path_of, polyline, worst_distance_mm
+from helpers.control.service_bench import Person, Visit
 
 PROGRAM = (
     "G21 G90\nG0 Z-2\nG0 X-5 Y-5\nM3 S8000\nG1 Z-5 F600\nG1 X-15 F1200\nG2 X-17 Y-7 I0 J-2\nG1 Y-15\nX-5\nY-5\n"

@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import pytest
-from desk_table import Visit
 
 from CNCStepper.control.operator.jog import LAPSE_S
 from CNCStepper.control.program.certificate import FORMAT, VERSION, Certificate, digest_of_lines
@@ -16,6 +15,7 @@ from CNCStepper.errors import LinkError
 from CNCStepper.machine.profile import load_machine
 from CNCStepper.virtual.grbl import suspend
 from CNCStepper.virtual.grbl.states import State
+from helpers.control.service_bench import Visit
 
 SQUARE = ("G21G90G94", "G1X-20F1500", "G1Y-20", "G1X0", "G1Y0")
 

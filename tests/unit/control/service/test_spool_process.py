@@ -6,12 +6,12 @@ from __future__ import annotations
 import tracemalloc
 
 import pytest
-from desk_table import Visit
 
 from CNCStepper.control.program.certificate import FORMAT, VERSION, Certificate, digest_of_lines
 from CNCStepper.control.program.send_job import SendJob
 from CNCStepper.control.service.spool_process import spooled
 from CNCStepper.errors import CNCStepperError, Place
+from helpers.control.service_bench import Visit
 
 LINES = ("G21G90G94", "G1X-2F1500", "G1Y-2", "G1X0", "G1Y0")
 MANY = 50_000

@@ -13,7 +13,6 @@ import time
 from pathlib import Path
 
 import pytest
-from fake_controller import FakeServer
 
 from CNCStepper.control.processes import python_finder
 from CNCStepper.control.processes.bootstrap import BEHIND, python_version, see_packages
@@ -27,6 +26,7 @@ from CNCStepper.control.session.files import OUTCOME, RECENT_S, new_session, ses
 from CNCStepper.control.session.local_socket import Address
 from CNCStepper.control.session.status import DONE, FAILED, REFUSED, STOPPED
 from CNCStepper.errors import LinkError, MachineRefusal, MissingPackage
+from helpers.control.fake_controller import FakeServer
 
 LINES = [f"G1X{number}F600" for number in range(40)]
 LIMIT_S = 20.0

@@ -4,12 +4,12 @@
 from __future__ import annotations
 
 import pytest
-from desk_table import Visit
 
 from CNCStepper.control.journal.replay import RUNNING, read_story
 from CNCStepper.control.session.status import DONE, FAILED
 from CNCStepper.control.stream.pause import way_back
 from CNCStepper.virtual.grbl.states import State
+from helpers.control.service_bench import Visit
 
 BEFORE = ("G21G90G94", "M3S9000", "G1Z-4F400", "G1X-20F1500", "G0Z-1", "M5")
 AFTER = ("M3S9000", "G1X-30F1500", "G1Z-6F400", "M2")

@@ -4,13 +4,13 @@
 from __future__ import annotations
 
 import pytest
-from desk_table import Visit
 
 from CNCStepper.control.session.command import Command
 from CNCStepper.control.session.status import DONE
 from CNCStepper.control.stream.pause_id import StandCount
 from CNCStepper.errors import MachineRefusal
 from CNCStepper.virtual.grbl.input_pins import DOOR
+from helpers.control.service_bench import Visit
 
 TWO_PAUSES = ("G21G90G94", "G1X-4F1500", "M0", "G1X-8", "M0", "G1X-12")
 WORDS = {2: "change to tool 1", 4: "change to tool 2"}

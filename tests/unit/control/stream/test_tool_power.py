@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import pytest
-from desk_table import Visit
 
 from CNCStepper.control.program.send_job import SendJob
 from CNCStepper.control.session.status import DONE, FAILED
@@ -14,6 +13,7 @@ from CNCStepper.control.stream.tool_power import ToolPower
 from CNCStepper.machine.profile import Machine, load_machine
 from CNCStepper.virtual.grbl.firmware import GRBLHAL
 from CNCStepper.virtual.grbl.states import State
+from helpers.control.service_bench import Visit
 
 LASER = {32: 1.0}
 TURN_S = 0.02  # from a line that switches on to the move behind it

@@ -12,7 +12,6 @@ import time
 from types import SimpleNamespace
 
 import pytest
-from fake_controller import FakeServer
 
 from CNCStepper.control.processes.process_file import OwnFile
 from CNCStepper.control.program.send_job import SendJob
@@ -25,6 +24,7 @@ from CNCStepper.control.stream.position_trust import AT_HOME, LOST, NOTHING_AGAI
 from CNCStepper.control.transport import port_identity
 from CNCStepper.control.transport.port_identity import LOOK_UP_S, PortIdentity, identify, is_same_port
 from CNCStepper.errors import MachineRefusal
+from helpers.control.fake_controller import FakeServer
 
 FROM_HERE = LOST._replace(counts_from_here=True)
 

@@ -8,15 +8,15 @@ import math
 import numpy as np
 import pytest
 import shapely
-from cases import SEEDS
-from random_areas import DEEP_MM, TOLERANCE_MM, path_of, polygon
-from swept import Wanted, gouge_mm, left_mm, reachable, swept
 
 from CNCStepper.cycles.clearing.pattern import Area
 from CNCStepper.cycles.clearing.spiral_pattern import spiral
 from CNCStepper.errors import CycleError
 from CNCStepper.geometry.curve import Curve, circle, from_points
 from CNCStepper.geometry.region import Region
+from helpers.cycles.random_areas import DEEP_MM, TOLERANCE_MM, path_of, polygon
+from helpers.cycles.seeds import SEEDS
+from helpers.cycles.sweep_judge import Wanted, gouge_mm, left_mm, reachable, swept
 
 KINDS = ("circle", "box", "stadium", "hull", "waves", "sliver")
 

@@ -14,16 +14,16 @@ from typing import Any
 import numpy as np
 import pytest
 import shapely
-from cases import SEEDS
-from judged import Verdict, cut, judged, tool
-from random_outlines import Outlines, enclosed, random_line, random_outlines
 from shapely.geometry.base import BaseGeometry
-from swept import DEEP_MM, Wanted, band, flattened, gouge_mm, left_mm, reachable, rows_of, swept
 
 from CNCStepper.cycles.contours.contour import Contour
 from CNCStepper.errors import CycleError
 from CNCStepper.geometry.curve import Curve
 from CNCStepper.simulation.stock import Stock
+from helpers.cycles.product_verdict import Verdict, cut, judged, tool
+from helpers.cycles.random_outlines import Outlines, enclosed, random_line, random_outlines
+from helpers.cycles.seeds import SEEDS
+from helpers.cycles.sweep_judge import DEEP_MM, Wanted, band, flattened, gouge_mm, left_mm, reachable, rows_of, swept
 
 TOLERANCE_MM = 0.01
 ERROR_MM = 0.0025  # of the judges, the writer's rounding included

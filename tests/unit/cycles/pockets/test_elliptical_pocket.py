@@ -12,16 +12,16 @@ from functools import cache
 
 import numpy as np
 import pytest
-from cases import SEEDS
-from judged import cut, judged, tool
-from pocket_sweep import OUTLINE_MM, runs, spans, unreachable_mm, wanted
 from shapely import LinearRing, LineString, Point, Polygon, points, prepare
-from swept import Wanted, band, gouge_mm, left_by_level
 
 from CNCStepper.cycles.cycle import Answer
 from CNCStepper.cycles.pockets.elliptical_pocket import EllipticalPocket
 from CNCStepper.errors import CycleError
 from CNCStepper.toolpath import RAPID, Toolpath
+from helpers.cycles.ellipse_judge import OUTLINE_MM, runs, spans, unreachable_mm, wanted
+from helpers.cycles.product_verdict import cut, judged, tool
+from helpers.cycles.seeds import SEEDS
+from helpers.cycles.sweep_judge import Wanted, band, gouge_mm, left_by_level
 
 EXAMPLE = EllipticalPocket(
     tool=1,

@@ -9,11 +9,8 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 import shapely
-from cases import SEEDS
-from judged import cut, judged, tool
 from shapely import Polygon
 from shapely.affinity import rotate
-from swept import Wanted, band, gouge_mm, left_by_level
 
 from CNCStepper.cycles.cycle import Setup
 from CNCStepper.cycles.pockets.circular_pocket import CircularPocket
@@ -24,6 +21,9 @@ from CNCStepper.geometry.shapes.rectangle import rectangle
 from CNCStepper.machine.profile import validated
 from CNCStepper.state import Start
 from CNCStepper.toolpath import TableBuilder
+from helpers.cycles.product_verdict import cut, judged, tool
+from helpers.cycles.seeds import SEEDS
+from helpers.cycles.sweep_judge import Wanted, band, gouge_mm, left_by_level
 
 PATTERNS = ("offset", "zigzag", "spiral")
 Pocket = CircularPocket | RectangularPocket

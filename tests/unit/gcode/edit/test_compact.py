@@ -9,7 +9,6 @@ from random import Random
 
 import numpy as np
 import pytest
-from curve_distance import farthest, frechet, stretches
 
 from CNCStepper.errors import ProgramError
 from CNCStepper.gcode.edit.compact import compact
@@ -18,6 +17,7 @@ from CNCStepper.job.make import make_program
 from CNCStepper.job.model import load_job
 from CNCStepper.state import Start
 from CNCStepper.toolpath import Toolpath
+from helpers.gcode.curve_distance import farthest, frechet, stretches
 
 EXAMPLE = Path(__file__).parents[4] / "examples" / "jobs" / "elliptical-pocket.toml"
 

@@ -10,7 +10,6 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from plain_programs import PlainPrograms, Watched, outcome, refusals, seen
 
 from CNCStepper.errors import ProgramError
 from CNCStepper.gcode.dialects import dialect_names
@@ -20,6 +19,7 @@ from CNCStepper.gcode.interpreter.flow.program_flow import refusals as refusals_
 from CNCStepper.gcode.interpreter.line_interpreter import Interpreter
 from CNCStepper.gcode.wire.encoder import prepare
 from CNCStepper.state import Start
+from helpers.gcode.fast_path_programs import PlainPrograms, Watched, outcome, refusals, seen
 
 MANY = max(20, int(os.environ.get("CNCSTEPPER_CASES", "0")) // 8)  # seeds a dialect
 TESTS = Path(__file__).parents[3]

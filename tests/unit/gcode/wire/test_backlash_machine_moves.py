@@ -8,7 +8,6 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from play_paths import program_of_places, pushed
 
 from CNCStepper.gcode.interpreter.interpret import interpret
 from CNCStepper.gcode.wire.encoder import prepare
@@ -16,6 +15,7 @@ from CNCStepper.gcode.wire.read_back import read_back
 from CNCStepper.machine.backlash import Play
 from CNCStepper.recovery.retract.path import Way
 from CNCStepper.state import Start
+from helpers.gcode.backlash_programs import program_of_places, pushed
 
 PLAY = Play((0.05, 0.1, 0.02), (-1, 1, -1), (80.0, 80.0, 400.0))
 STEP_MM = 0.018  # of X, Y and Z at once

@@ -5,7 +5,6 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from ramp_programs import RAMPS, table_of
 
 from CNCStepper.errors import MachineRefusal
 from CNCStepper.gcode.interpreter.interpret import interpret
@@ -15,6 +14,7 @@ from CNCStepper.motion.planner.feed_hold import REST_S, REST_TICKS, Reins
 from CNCStepper.motion.signals.parallel_port import pin_levels, port_chunks
 from CNCStepper.motion.signals.pulse_stream import moves_of, pulse_stream
 from CNCStepper.state import Start
+from helpers.motion.ramp_programs import RAMPS, table_of
 
 MACHINE = load_machine("table-a")
 ZIGZAG = [((4.0 * (number % 3), 2.0 * number, 0.0), 3000, number % 4 == 0) for number in range(1, 20)]

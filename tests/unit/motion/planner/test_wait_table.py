@@ -6,11 +6,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from hypothesis import given, settings
-from ramp_programs import TABLE, all_steps, moves, table_of, targets
 
 from CNCStepper.machine.step_wait_tables import counted_down_s, pull_out_s
 from CNCStepper.motion.planner.buffers import TICKS_PER_S
 from CNCStepper.motion.planner.table_planning import LINE_TICKS
+from helpers.motion.ramp_programs import TABLE, all_steps, moves, table_of, targets
 
 
 def intervals(limits, steps, feed=None):

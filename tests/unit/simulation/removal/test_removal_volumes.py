@@ -8,13 +8,13 @@ import math
 import numpy as np
 import pytest
 import shapely
-from programs import Program, begun
 
 from CNCStepper.machine.tools.tool import Tool
 from CNCStepper.simulation.cutter_profile import form_of, height_at
 from CNCStepper.simulation.removal.heightmap import height_map
 from CNCStepper.simulation.stock import Stock
 from CNCStepper.toolpath import ARC_CCW, ARC_CW
+from helpers.simulation.programs import Program, begun
 
 STOCK = Stock((40, 32, 20))
 R, DEPTH = 3.0, 2.0

@@ -11,7 +11,6 @@ import pytest
 from matplotlib.colors import to_rgb
 from matplotlib.image import imread
 from PIL import Image
-from programs import FLAT, begun
 
 from CNCStepper.errors import JobError
 from CNCStepper.machine.profile import load_machine
@@ -26,6 +25,7 @@ from CNCStepper.simulation.views.picture_style import COLOURS, GROUND
 from CNCStepper.simulation.views.scene import Scene, scene_at
 from CNCStepper.simulation.views.single_view import VIEWS, save_animation, save_view
 from CNCStepper.toolpath import ARC_CCW
+from helpers.simulation.programs import FLAT, begun
 
 STOCK = Stock((60, 50, 20))
 CELL_MM = 0.25
