@@ -377,6 +377,7 @@ def damaging(folder: Path) -> FaultBench:
     return FaultBench(program_of(1), plan, folder=folder)
 
 
+@pytest.mark.slow
 def test_full_disk_holds_until_there_is_room_and_else_the_part_is_restarted(tmp_path):
     kinds = []
     for for_s in (2.0, FOR_GOOD_S):

@@ -91,6 +91,7 @@ def test_stop_in_motion_keeps_the_position(tmp_path, table):
     assert again.done and again.status.mpos_mm == outcome.status.mpos_mm
 
 
+@pytest.mark.slow
 def test_hold_and_resume_in_motion_end_at_the_same_place(tmp_path, table):
     client = started(table, tmp_path, ["G21G90G94", "G10L20P1X0Y0Z0", "G1X-40F3000", "G1X-10Y-5", "M2"])
     while client.status().machine_state != "Run":
@@ -103,6 +104,7 @@ def test_hold_and_resume_in_motion_end_at_the_same_place(tmp_path, table):
     assert outcome.done and outcome.status.wpos_mm == pytest.approx((-10, -5, 0), abs=0.013)
 
 
+@pytest.mark.slow
 def test_line_that_the_machine_refuses_is_named(tmp_path, table):
     lines = ["G21G90G94", "G10L20P1X0Y0Z0", "G1X-1F600", "G1X-2", "G2X0Y0I3J9", "G1X-4"]
     outcome = started(table, tmp_path, lines).wait(limit_s=LIMIT_S)

@@ -51,12 +51,14 @@ def lines_file(folder: Path, count: int) -> Path:
     return path
 
 
+@pytest.mark.slow
 def test_a_million_lines_are_refused_before_they_are_read(tmp_path: Path) -> None:
     sentence = refused(lines_file(tmp_path, 1_000_000))
     assert "too many entities" in sentence and f"limit {MOST_ENTITIES}" in sentence and "value 1000" in sentence
     assert len(read_dxf(lines_file(tmp_path, 1000), 0.005).layers) == 1
 
 
+@pytest.mark.slow
 def test_a_binary_drawing_is_counted_like_any_other(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     for version in ("R12", "R2010"):
         document = ezdxf.new(version, units=4)
@@ -69,6 +71,7 @@ def test_a_binary_drawing_is_counted_like_any_other(tmp_path: Path, monkeypatch:
             assert "too many entities" in refused(tmp_path / f"{version}.dxf")
 
 
+@pytest.mark.slow
 def test_lines_drawn_a_thousand_times_are_joined_in_bounded_time_and_ten_thousand_refused(tmp_path: Path) -> None:
     document = ezdxf.new(units=4)
     for _ in range(800):
@@ -149,6 +152,7 @@ def test_a_spline_that_is_none_is_left_out_and_named(tmp_path: Path, wrong: dict
     assert [(each.kind, told in each.why) for each in drawing.skipped] == [("SPLINE", True)], drawing.skipped
 
 
+@pytest.mark.slow
 def test_a_long_spline_takes_time_with_its_length_and_not_with_its_square(tmp_path: Path) -> None:
     document = ezdxf.new(units=4)
     document.modelspace().add_open_spline([(3 * k, 10 * math.sin(k)) for k in range(400)])

@@ -64,6 +64,7 @@ def told(path: Toolpath) -> list[tuple]:
     return [(event.index, event.kind, event.value, event.text) for event in path.events if event.kind in TOLD]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("language", LANGUAGES)
 def test_what_is_written_is_read_as_the_same_table_and_written_as_the_same_text(language):
     for seed in SEEDS:
@@ -83,6 +84,7 @@ def test_what_is_written_is_read_as_the_same_table_and_written_as_the_same_text(
         assert read.states == reread.states and read.events == reread.events
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("language", LANGUAGES)
 def test_the_wire_text_is_the_program_in_every_dialect(language):
     for seed in SEEDS[:20]:
@@ -140,6 +142,7 @@ def test_the_comparison_can_fail():
     assert not same_rows(read, interpret(other, Start(), "grbl"))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("language", ["grbl", "iso"])
 def test_the_text_is_the_same_in_every_process(language):
     """Neither dates nor the order of hashes are in it, so that a program can live in version control."""

@@ -57,6 +57,7 @@ def shortest_mm(stops: list[Stop], pairs: list[tuple[int, int]]) -> float:
     return best
 
 
+@pytest.mark.slow
 def test_small_tours_are_near_the_shortest() -> None:
     rng, ratios = np.random.default_rng(5), []
     for case in range(30):

@@ -70,6 +70,7 @@ def test_play_is_taken_up_line_by_line(tmp_path: Path) -> None:
     assert_same(whole, parts)
 
 
+@pytest.mark.slow
 @pytest.mark.usefixtures("pieces")
 def test_the_torque_of_motors_and_beams_that_are_never_on(tmp_path: Path) -> None:
     load = {"travel_per_turn_mm": 10.0, "mass_kg": 8.0, "inertia_kg_m2": 5e-5, "force_n": 40.0, "efficiency": 0.8}
@@ -99,6 +100,7 @@ LOADED = (  # loads rise and fall, tools change and come back, the path breaks o
 )
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("small", [False, True], ids=["all-at-once", "few-at-once"])
 @pytest.mark.usefixtures("pieces")
 def test_tools_that_say_what_they_may_meet(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, small: bool) -> None:
@@ -172,6 +174,7 @@ RASTER = "G21 G90\nG0 X0 Y0\nM4 S0\nG1 F3000\n", "G1 X{x} Y{y} S{s}\n", "M5\nM2\
 HOLES = "G21 G90\nM3 S9000\nG0 Z5\nG99 G81 X0 Y0 Z-1 R1 F300\n", "X{x} Y{y}\n", "G80\nM5\nM2\n"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("text", "dialect"), [(RASTER, "grbl"), (HOLES, "linuxcnc")], ids=["raster", "holes"])
 def test_three_times_the_lines_hold_no_more(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, text: tuple[str, str, str], dialect: str

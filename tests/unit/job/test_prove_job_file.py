@@ -36,6 +36,7 @@ def both(folder: Path, job: Job, machine: Machine, text: str) -> tuple[Any, File
     return whole, prove_job_file(job, file, machine, spool=folder / "sent")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("pieces", FEW, indirect=True)
 @pytest.mark.usefixtures("pieces")
 def test_the_job_s_own_program(tmp_path: Path, made: tuple[Job, Machine, str]) -> None:

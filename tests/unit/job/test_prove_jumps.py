@@ -78,6 +78,7 @@ class Jumps:
         )
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("dialect", DIALECTS)
 @pytest.mark.usefixtures("pieces")
 def test_loops_branches_and_calls(tmp_path: Path, dialect: str) -> None:
@@ -135,6 +136,7 @@ def test_a_refused_line_is_named_as_in_the_whole_text(tmp_path: Path, dialect: s
     assert str(parts.value) == str(whole.value)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("dialect", DIALECTS)
 def test_rows_and_events_of_a_loop_are_handed_on_while_it_runs(tmp_path: Path, dialect: str) -> None:
     file = tmp_path / "p.ngc"

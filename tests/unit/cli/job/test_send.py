@@ -74,12 +74,14 @@ def test_a_stop_at_the_pause_is_exit_1(program: Path, table: tuple[str, Path]) -
     assert "stop" in sent.stdout.lower()
 
 
+@pytest.mark.slow
 def test_nobody_to_ask_means_no_cut(program: Path, table: tuple[str, Path]) -> None:
     sent = send(program, table[0])
     assert sent.returncode == 1
     assert "--zero-confirmed" in sent.stderr and "Traceback" not in sent.stderr
 
 
+@pytest.mark.slow
 def test_a_port_that_is_not_there(program: Path) -> None:
     sent = send(program, "/dev/no-such-port", "--zero-confirmed")
     assert sent.returncode == 1

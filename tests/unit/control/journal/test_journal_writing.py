@@ -256,6 +256,7 @@ def begun(folder, clock, lines, baud=SLOW_BAUD):
     return journal
 
 
+@pytest.mark.slow
 def test_a_million_lines_need_a_small_file_and_no_memory(tmp_path, monkeypatch):
     monkeypatch.setattr(journal_file.os, "fsync", lambda descriptor: None)
     clock = FakeClock()

@@ -58,6 +58,7 @@ def test_one_that_stands_below_goes_up(lift: dict[str, Any]) -> None:
     assert moved(table)
 
 
+@pytest.mark.slow
 def test_a_machine_that_has_just_homed_goes_down_and_says_so() -> None:
     table, told = Table(homing=True), list[str]()
     assert sent(table, told, lift=LIFT, home_first=True).kind == DONE

@@ -316,6 +316,7 @@ def impatient(monkeypatch):
     monkeypatch.setattr(files, "MEND_LIMIT_S", 0.5)
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(not hasattr(signal, "SIGSTOP"), reason="a process that is stopped by a signal")
 def test_a_process_that_does_not_answer_is_no_job_that_has_ended(tmp_path, impatient):
     with cutting(tmp_path) as client:

@@ -80,6 +80,7 @@ def test_no_real_time_where_the_system_would_kill_a_thread_for_using_it_long(mon
     assert how != "real time" and own == os.SCHED_OTHER
 
 
+@pytest.mark.slow
 def test_sender_session_and_journal_are_of_real_time_where_it_is_permitted(tmp_path):
     asked = subprocess.run([sys.executable, "-c", ASK], capture_output=True, check=True, text=True).stdout.strip()
     wanted = SESSION_AND_SENDER_AND_JOURNAL if asked == "real time" else 0

@@ -39,6 +39,7 @@ def plain(content):
     return {key: plain(value) for key, value in content.items()} if isinstance(content, dict) else content
 
 
+@pytest.mark.slow
 @given(content=contents, indent=st.sampled_from([None, 1]), is_ascii=st.booleans(), block=st.integers(1, 40))
 @settings(suppress_health_check=[HealthCheck.function_scoped_fixture], deadline=None)
 def test_content_and_text_are_those_of_json(tmp_path, content, indent, is_ascii, block):

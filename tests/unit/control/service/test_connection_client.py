@@ -107,6 +107,7 @@ def ended(path: Path) -> bool:
     return not path.exists() and path.with_suffix(OUTCOME).exists()
 
 
+@pytest.mark.slow
 def test_launch_connects_runs_a_job_and_leaves_nothing(window, tmp_path):
     client = window.client
     assert running_desks(tmp_path) == [client.session_file]

@@ -642,6 +642,7 @@ def test_job_is_compared_with_settings_read_anew(visit):
     assert visit.phase == "idle"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("text", ["", "[1, 2]", '"x"', "{}", '{"lines": 5}', "\x00"])
 def test_file_that_holds_no_job_is_refused(visit, tmp_path, text):
     file = tmp_path / "broken.json"
@@ -843,6 +844,7 @@ def greeting_at_rest(visit):
     yield lambda: visit.desk.status().position_known is False
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("loses", [reset_in_motion, hard_limit_in_motion, supply_lost_in_motion, greeting_at_rest])
 def test_machine_whose_position_is_unknown_takes_no_program_until_its_zero_is_set(visit, loses):
     def person():

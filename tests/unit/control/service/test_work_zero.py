@@ -56,6 +56,7 @@ def test_a_status_keeps_its_zero_on_its_way() -> None:
     assert SenderStatus.from_json(json.loads(json.dumps(SenderStatus().to_json()))) == SenderStatus()
 
 
+@pytest.mark.slow
 def test_homing_gives_the_place_and_a_new_zero_moves_it(visit: Visit) -> None:
     seen: list[Start | None] = [start_of(visit.desk.status())]
 

@@ -109,6 +109,7 @@ def test_job_runs_in_its_own_process_and_nothing_is_left(tmp_path):
     assert sessions(tmp_path) == []
 
 
+@pytest.mark.slow
 def test_client_leaves_and_another_comes_back(held):
     server, client = held
     assert client.status().message == "turn the part"
@@ -124,6 +125,7 @@ def test_client_leaves_and_another_comes_back(held):
     client._reap()
 
 
+@pytest.mark.slow
 def test_answer_to_another_stand_is_refused_with_its_error(held):
     _, client = held
     present = client.status().stand
@@ -137,6 +139,7 @@ def test_answer_to_another_stand_is_refused_with_its_error(held):
     assert client.wait(limit_s=LIMIT_S).done
 
 
+@pytest.mark.slow
 def test_session_file_and_its_outcome_are_the_users_own(held):
     _, client = held
     content = json.loads(client.session_file.read_text())

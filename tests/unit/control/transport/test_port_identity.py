@@ -415,6 +415,7 @@ def send(folder, port: str, lines=("G1X1F600", "G1X2")) -> SessionClient:
     return SessionClient.start(SendJob(port, list(lines), zero_confirmed=True), python=sys.executable, folder=folder)
 
 
+@pytest.mark.slow
 def test_what_one_name_has_lost_is_refused_at_another_name(tmp_path):
     with FakeServer() as server:
         server.controller.on_line = {0: "ALARM:1"}

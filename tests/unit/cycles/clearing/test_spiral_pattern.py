@@ -68,6 +68,7 @@ def turns_apart_mm(curve: Curve) -> float:
     return float((size - inner).max())
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("climb", [True, pytest.param(False, marks=pytest.mark.slow)])
 def test_a_round_room_gets_even_turns(climb: bool) -> None:
     (run,) = spiral(area_of(circle((0, 0), 25.0), 3.0, 2.4, climb))
@@ -102,6 +103,7 @@ def test_an_island_is_refused_with_advice() -> None:
         spiral(Area(room, 3.0, 2.0, TOLERANCE_MM, True))
 
 
+@pytest.mark.slow
 def test_the_turns_are_as_far_apart_as_is_told() -> None:
     (run,) = spiral(area_of(circle((0, 0), 25.0), 3.0, 2.5))
     assert run.apart_mm == pytest.approx(22 / 9, rel=0.005)

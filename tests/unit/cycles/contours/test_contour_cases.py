@@ -200,6 +200,7 @@ def touched(operation: Contour, radius_mm: float) -> np.ndarray:
     return (places + operation.stock_to_leave_mm * out)[fits]
 
 
+@pytest.mark.slow
 def test_the_generator_tries_what_is_hard() -> None:
     seeds = range(1, 101)
     cases = [closed_case(seed) for seed in seeds]
@@ -239,6 +240,7 @@ def test_few_are_refused_and_many_collapse() -> None:
     assert refused <= 0.3 * len(seeds) and collapsed >= 0.1 * len(seeds)
 
 
+@pytest.mark.slow
 def test_a_plain_contour_with_a_hole() -> None:
     case = closed_case(1)
     found = tried(case.operation, case.outlines.tool_mm)

@@ -118,6 +118,7 @@ def test_round_corners_as_large_as_the_tool_leave_nothing() -> None:
     assert cut(pocket, tool(6.0))[1].figures["rest_corners"] == 0
 
 
+@pytest.mark.slow
 def test_a_circle_is_cleared_in_one_spiral_without_lifting_within_a_level() -> None:
     found = judged(CircularPocket(tool=1, radius_mm=20, depth_mm=4, stepdown_mm=2, stepover_mm=2.4), tool(6.0))
     assert found.clean and found.gouge_mm <= 0.01 and found.left_mm <= 0.01

@@ -280,6 +280,7 @@ M2
 NAMES = [name for name in dialect_names() if name not in ("mini-lathe", "linuxcnc")]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", NAMES)
 def test_a_converted_program_makes_the_same_moves(name):
     made = convert(PROGRAM, "linuxcnc", name, ZERO, leave_out=LEFT_OUT)

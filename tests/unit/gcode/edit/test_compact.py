@@ -128,6 +128,7 @@ def test_a_circle_of_small_lines_becomes_arcs_in_its_plane() -> None:
         assert made.count("\n") <= 9
 
 
+@pytest.mark.slow
 def test_a_helix_of_small_lines_becomes_helices() -> None:
     way = [(5 * math.cos(k / 20), 5 * math.sin(k / 20), -k / 100) for k in range(200)]
     lines = [f"X{x:.3f} Y{y:.3f} Z{z:.3f}" for x, y, z in way]

@@ -64,6 +64,7 @@ def test_place_that_is_named_is_where_the_motor_stands() -> None:
     assert sent("X-5\nG53 G0 X3\nG92 X0\nG1 Y5") == ["X-5", "G53G0X3", "G92X0", "G1X0.05", "G1Y5"]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", range(8))
 def test_every_feed_move_begins_and_ends_with_the_tool_where_the_text_says(seed: int) -> None:
     print("seed", seed)
