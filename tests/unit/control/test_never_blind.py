@@ -146,6 +146,7 @@ def test_a_machine_met_in_alarm_without_a_greeting_is_unknown(tmp_path, first):
     assert shop.kept.belief == LOST
 
 
+@pytest.mark.slow
 def test_homing_makes_it_known(tmp_path):
     shop = Workshop(tmp_path, homing=True)
     shop.visit(unlock)

@@ -210,6 +210,7 @@ def test_names_and_the_words_of_ezdxf_drive_no_terminal(
     assert "\x1b" not in shown.out + shown.err
 
 
+@pytest.mark.slow
 def test_what_ezdxf_logs_does_not_reach_the_terminal(tmp_path: Path, capfd: pytest.CaptureFixture[str]) -> None:
     path = tmp_path / "a.dxf"
     new().saveas(path)
@@ -234,6 +235,7 @@ def test_a_fifo_or_a_device_is_no_drawing(tmp_path: Path) -> None:
             read_dxf(path, 0.005)
 
 
+@pytest.mark.slow
 def test_a_block_scaled_to_ellipses_a_thousand_times_is_fitted_once(tmp_path: Path) -> None:
     document = new()
     document.blocks.new("B").add_circle((0, 0), 3)
@@ -263,6 +265,7 @@ def test_curves_that_take_too_long_together_refuse_the_drawing(tmp_path: Path, m
     assert error.value.code == "dxf-large" and error.value.place and error.value.place.file
 
 
+@pytest.mark.slow
 def test_a_long_drawing_says_how_far_it_is_and_can_be_ended(tmp_path: Path) -> None:
     path, shares = lines_file(tmp_path, 3000), []
     read_dxf(path, 0.005, share=shares.append)

@@ -66,6 +66,7 @@ def test_any_text_is_read_or_refused(text, name, start):
     check(read(text, name, start), text)
 
 
+@pytest.mark.slow
 @HOSTILE
 @given(PROGRAMS, DIALECTS, STARTS)
 def test_any_program_is_read_or_refused(text, name, start):

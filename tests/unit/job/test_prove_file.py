@@ -59,6 +59,7 @@ def test_all_that_checks_find_beyond_a_row(
     assert wanted <= codes, wanted - codes
 
 
+@pytest.mark.slow
 @pytest.mark.usefixtures("pieces")
 def test_play_is_taken_up_line_by_line(tmp_path: Path) -> None:
     machine = machine_with(backlash_mm=0.05)

@@ -70,6 +70,7 @@ def assert_nothing_cut_on_the_way(made: Restart, told: str) -> None:
     assert np.isnan(at[2]) or np.isnan(before[0, :2]).all(), told
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", PROGRAMS)
 def test_from_every_line_the_rest_is_run_as_in_the_undisturbed_run(name: str) -> None:
     for line, made in [*restarts(name), *restarts(name, overlap_mm=3.0)[::2]]:

@@ -23,10 +23,12 @@ def shown() -> dict:
     return tool.texts()
 
 
+@pytest.mark.slow
 def test_every_shown_text_goes_through_tr() -> None:
     assert tool.faults() == []
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("suffix", tool.LANGUAGES)
 def test_the_catalogues_hold_what_the_source_shows(suffix: str, shown: dict) -> None:
     held, wanted = set(tool.read(tool.catalogue(suffix))), shown

@@ -140,6 +140,7 @@ def process(tmp_path: Path) -> Iterator[subprocess.Popen[str]]:
     worker.wait()
 
 
+@pytest.mark.slow
 def test_a_process_of_its_own_answers_and_ends_with_its_input(process: subprocess.Popen[str]) -> None:
     assert process.stdin and process.stdout
     process.stdin.write(
@@ -152,6 +153,7 @@ def test_a_process_of_its_own_answers_and_ends_with_its_input(process: subproces
     assert process.wait(LIMIT_S) == 0
 
 
+@pytest.mark.slow
 def test_what_cannot_be_asked_is_an_error_and_the_end(process: subprocess.Popen[str]) -> None:
     assert process.stdin and process.stdout
     process.stdin.write('{"weather": 1}\n')

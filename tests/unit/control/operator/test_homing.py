@@ -32,6 +32,7 @@ class Bench:
         return b"".join(data for _, data in self.table.written).split(b"\n")
 
 
+@pytest.mark.slow
 def test_locked_machine_homes_itself_and_cuts() -> None:
     bench = Bench(True, homing=True)
     outcome = bench.run()

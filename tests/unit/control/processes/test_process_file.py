@@ -333,6 +333,7 @@ def test_a_process_that_does_not_answer_is_no_job_that_has_ended(tmp_path, impat
             client._process.send_signal(signal.SIGCONT)
 
 
+@pytest.mark.slow
 def test_a_living_process_with_a_damaged_file_keeps_ports_from_being_opened(tmp_path, impatient):
     path = tmp_path / f"a{SESSION}"
     with owner_of(path):
@@ -344,6 +345,7 @@ def test_a_living_process_with_a_damaged_file_keeps_ports_from_being_opened(tmp_
     assert session_at("COM4", tmp_path) is None
 
 
+@pytest.mark.slow
 def test_a_connection_that_breaks_is_made_again_while_the_process_lives(tmp_path):
     with cutting(tmp_path) as client:
         client._connection.shutdown(2)

@@ -235,6 +235,7 @@ def test_port_that_is_not_there_is_gone_with_its_sentence(tmp_path):
     assert window.heard("connection")[-1] == "gone" and window.client.poll() == []
 
 
+@pytest.mark.slow
 def test_controller_that_vanishes_is_gone_with_its_sentence(tmp_path):
     with FakeServer() as server:
         window = Window(DeskClient.launch(server.url, folder=tmp_path))

@@ -99,6 +99,7 @@ def test_way_back_and_forward_again_is_exact_in_a_job_of_the_desk(tmp_path: Path
     assert worst_distance_mm(cut.trace, line) <= STEP_MM + ROUNDING_MM
 
 
+@pytest.mark.slow
 def test_retreat_leaves_what_the_desk_knew_of_the_position(tmp_path: Path) -> None:
     cut, known = DeskCut(tmp_path, PROGRAM), []
 

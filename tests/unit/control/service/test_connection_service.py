@@ -518,6 +518,7 @@ def test_what_makes_no_sense_at_rest_is_refused_in_words(visit, name):
 # --- jobs ------------------------------------------------------------------------------------------
 
 
+@pytest.mark.slow
 def test_jobs_run_one_after_another_over_one_link(visit):
     def person():
         visit.job(*SQUARE)
@@ -867,6 +868,7 @@ def test_machine_whose_position_is_unknown_takes_no_program_until_its_zero_is_se
     assert again.kind == DONE and visit.refusals() == []
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("old_mm", [0.0, -3.0])
 def test_after_a_greeting_no_job_begins_before_the_zero_is_set_and_a_stop_does_not_cost_it(visit, old_mm):
     visit.table.board.memory.places[54][0] = old_mm

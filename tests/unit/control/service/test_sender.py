@@ -42,6 +42,7 @@ def test_done_waits_for_the_motion_after_the_last_ok():
     assert bench.clock() - begin_s > 3.0
 
 
+@pytest.mark.slow
 @settings(max_examples=60, deadline=None)
 @given(
     lengths=st.lists(st.integers(1, 79), min_size=1, max_size=60),

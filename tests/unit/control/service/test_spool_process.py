@@ -42,6 +42,7 @@ def test_job_is_that_of_the_file_with_other_values(tmp_path, write):
         assert job.messages == {1: "turn it"} and job.certificate_sha256
 
 
+@pytest.mark.slow
 def test_refusal_comes_as_it_was_and_leaves_the_job_before(tmp_path):
     spool = tmp_path / "desk.wire"
     before = spooled(write_job(tmp_path / "good.json", LINES), spool)

@@ -75,6 +75,7 @@ def peer_of(client: SessionClient) -> socket.socket:
     return Address.of(json.loads(client.session_file.read_text())).connect(5.0)
 
 
+@pytest.mark.slow
 def test_a_port_that_ones_own_job_has_is_refused_with_its_name(untouched, tmp_path):
     server, client = untouched
     folder = client.session_file.parent
@@ -199,6 +200,7 @@ def test_sigterm_stops_safely(held):
     assert client._process.returncode == 1
 
 
+@pytest.mark.slow
 def test_session_that_was_killed_is_lost_with_its_position(held):
     _, client = held
     client._process.kill()
@@ -224,6 +226,7 @@ def test_hold_resume_and_stop_over_the_session(tmp_path):
     assert outcome.kind == STOPPED and outcome.position_known
 
 
+@pytest.mark.slow
 def test_error_crosses_the_process_with_its_class_and_place(tmp_path):
     with FakeServer() as server:
         server.controller.on_line[5] = "error:33"
@@ -309,6 +312,7 @@ def test_a_python_that_lacks_nothing_keeps_to_its_own_packages(monkeypatch, tmp_
     assert sys.path[-1] == str(tmp_path)
 
 
+@pytest.mark.slow
 def test_a_python_is_sought_without_waiting(monkeypatch):
     find_python.cache_clear()
     begin_s = time.monotonic()

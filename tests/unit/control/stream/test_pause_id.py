@@ -69,6 +69,7 @@ def test_answer_to_a_hold_does_not_end_the_pause_that_came_after_it(visit):
     assert visit.outcomes[0].kind == DONE
 
 
+@pytest.mark.slow
 def test_answer_to_one_job_does_not_let_the_next_one_go_on(visit):
     def person():
         for job in (1, 2):

@@ -96,6 +96,7 @@ def test_a_line_that_holds_the_end_of_one_is_refused(tmp_path: Path) -> None:
     assert refused.value.code == "acting-byte"
 
 
+@pytest.mark.slow
 def test_memory_does_not_grow_with_the_leg(tmp_path: Path) -> None:
     def most_bytes(count: int) -> int:
         file, retrace = write_leg(tmp_path / f"{count}.json", ["G1X10.123Y20.456"] * count), Retrace(PROGRAM)

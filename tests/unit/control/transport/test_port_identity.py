@@ -428,6 +428,7 @@ def test_what_one_name_has_lost_is_refused_at_another_name(tmp_path):
         assert send(tmp_path, server.url).wait(limit_s=20).kind == DONE
 
 
+@pytest.mark.slow
 def test_a_job_is_found_and_held_under_another_name_of_its_port(tmp_path):
     with FakeServer() as server:
         client = send(tmp_path, server.url, ["G1X1F600", "M0", "G1X2"])

@@ -195,6 +195,7 @@ def test_the_products_own_simulation_sees_no_more_either():
     assert np.nanmax(met.angle_deg[met.row >= entry.last]) <= 60.0 + MARGIN_DEG
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("climb", [True, pytest.param(False, marks=pytest.mark.slow)])
 def test_the_material_is_on_the_side_asked_for(climb):
     room = Region.of([from_points([(0, 0), (14, 0), (14, 9), (0, 9)], closed=True)])

@@ -215,6 +215,7 @@ def test_the_generator_tries_what_is_hard() -> None:
     assert sum(operation.ramp_deg > 0 and operation.overcut_mm > 0 for operation in boned) >= 5
 
 
+@pytest.mark.slow
 def test_few_open_contours_are_refused() -> None:
     refused, seeds = 0, range(1, 31)
     for operation, tool_mm in map(open_case, seeds):

@@ -95,6 +95,7 @@ def test_a_finish_leaves_the_roughing_helix_room():
     assert cut(bore, tool(6))[1].figures["passes"] == 1
 
 
+@pytest.mark.slow
 def test_the_cases_are_fairly_spread():
     seeds = range(1, 201)
     shares = [cutter.diameter_mm / operation.diameter_mm for operation, cutter in map(random_bore, seeds)]

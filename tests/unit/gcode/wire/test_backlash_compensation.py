@@ -123,6 +123,7 @@ def test_the_tool_goes_where_the_program_says(seed: int) -> None:
     assert set(tool.table().line) == set(wanted.table().line)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("unit", "arm"), [("G21", "0.123204"), ("G20", "0.1237044")])
 def test_the_pieces_of_incremental_circles_add_up_to_nothing(unit: str, arm: str) -> None:
     """An arm of more digits than are written, in mm and in inches."""

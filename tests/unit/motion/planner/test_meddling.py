@@ -36,6 +36,7 @@ def test_holds_resumes_and_overrides_never_cost_a_pulse(limits, acts):
     assert pulses(motion) == pulses(meddled(limits, ()))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("limits", RAMPS)
 def test_meddling_at_every_moment_of_a_ramp_costs_no_pulse(limits):
     plain = pulses(meddled(limits, ()))

@@ -177,6 +177,7 @@ def test_the_way_along_an_unknown_axis_counts_as_nothing():
     assert ends[0] == ends[1] == 0.0 and ends[2] > 0.3
 
 
+@pytest.mark.slow
 def test_a_chunk_of_100_000_short_blocks_is_planned_within_a_second():
     toolpath = random_table(100_000)
     duration_s(random_table(50), MACHINE)

@@ -47,6 +47,7 @@ def test_the_interval_counts_down_to_the_constant_one_and_up_again():
     assert (intervals(limits, 11) * 1000).tolist() == pytest.approx(expected)
 
 
+@pytest.mark.slow
 @settings(max_examples=10, deadline=None)
 @given(rows=moves)
 def test_by_table_every_axis_turns_round_in_the_start_stop_region(rows):

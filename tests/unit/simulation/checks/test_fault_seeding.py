@@ -58,6 +58,7 @@ def seeded(first: int, count: int, at_least: int) -> None:
     assert min(planted[kind] for kind in FAULTS) >= at_least
 
 
+@pytest.mark.slow
 def test_faults_in_a_few_programs_are_found():
     seeded(SEED, QUICK, at_least=0)
 

@@ -107,6 +107,7 @@ def seeded(first: int, count: int) -> None:
     assert made >= count // 2, "hardly any place was entered"
 
 
+@pytest.mark.slow
 def test_random_programs_restarted_at_random_places_are_cut_whole():
     seeded(SEED, FEW)
 

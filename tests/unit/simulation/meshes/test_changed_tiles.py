@@ -49,6 +49,7 @@ def pieces(faces: Faces, x_mm: np.ndarray, y_mm: np.ndarray) -> dict[tuple, np.n
     return found
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("tool", "stock"),
     [
@@ -67,6 +68,7 @@ def test_all_tiles_together_are_the_part_drawn_whole(tool, stock) -> None:
     assert ours.keys() == theirs.keys() and len(ours) > 1000
 
 
+@pytest.mark.slow
 def test_any_way_to_a_part_gives_the_same_faces_and_untouched_tiles_none() -> None:
     line = timeline()
     relief = Relief(line.parts[0].grid)

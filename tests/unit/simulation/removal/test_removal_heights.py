@@ -94,6 +94,7 @@ def test_heights_of_lines_agree_with_a_walk(shape: str) -> None:
         assert_cut_as(part, begin * (1 - share) + end * share, shape)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "shape", [one if one == "ball" else pytest.param(one, marks=pytest.mark.slow) for one in TOOLS]
 )

@@ -77,6 +77,7 @@ def test_a_line(tool: Tool, turn: float) -> None:
     assert_volume(program, tool, plunged(tool) + 15 * 2 * integral(deep, out))
 
 
+@pytest.mark.slow
 @one_tool_quickly
 @pytest.mark.parametrize("fall", [pytest.param(0.5, marks=pytest.mark.slow), 4.0])
 def test_a_ramp(tool: Tool, fall: float) -> None:
@@ -109,6 +110,7 @@ def test_an_arc(tool: Tool) -> None:
     assert_volume(program, tool, plunged(tool) + np.pi / 2 * 9 * 2 * integral(deep, out))
 
 
+@pytest.mark.slow
 @one_tool_quickly
 @pytest.mark.parametrize(("radius", "pitch"), [(2.0, 0.8), pytest.param(6.0, 1.5, marks=pytest.mark.slow)])
 def test_a_helix(tool: Tool, radius: float, pitch: float) -> None:

@@ -35,6 +35,7 @@ def test_pictures_are_the_same_for_the_same_program_and_differ_for_another(tmp_p
     assert (edge == 1.0).all()  # nothing is cut off
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "size_mm",
     [
