@@ -53,7 +53,7 @@ FAULT_RUNS := $(if $(filter command,$(firstword $(origin RUNS))),$(RUNS),5000)
 soak:
 	@tools/setup.sh python
 	@echo "seeds 1 to $(RUNS); a failed test has its seed in its name: pytest 'FILE::TEST[SEED]' repeats it"
-	@grep -rlE --include='test_*.py' "from cases import.*SEEDS|CNCSTEPPER_CASES|CNCSTEPPER_FAULT_RUNS" tests/unit | \
+	@grep -rlE --include='test_*.py' "helpers.cycles.seeds import|CNCSTEPPER_CASES|CNCSTEPPER_FAULT_RUNS" tests/unit | \
 		CNCSTEPPER_CASES=$(RUNS) CNCSTEPPER_FAULT_RUNS=$(FAULT_RUNS) xargs -d '\n' \
 		.venv/bin/python -m pytest -n 2 --dist worksteal
 

@@ -13,12 +13,9 @@ import time
 from dataclasses import replace
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "tests" / "unit" / "cycles"))
+sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "tests"))
 
 import numpy as np
-from engaged import met_by
-from judged import cut, tool
-from random_areas import random_area
 
 from CNCStepper.cycles.clearing.engagement.cut_length import parallels_mm
 from CNCStepper.cycles.clearing.engagement.engagement_pattern import engagement_pattern
@@ -27,6 +24,9 @@ from CNCStepper.cycles.pockets.pocket import Pocket
 from CNCStepper.geometry.curve import circle, from_points
 from CNCStepper.geometry.region import Region
 from CNCStepper.simulation.checks.report import report
+from helpers.cycles.engagement_judge import met_by
+from helpers.cycles.product_verdict import cut, tool
+from helpers.cycles.random_areas import random_area
 
 TOLERANCE_MM = 0.01
 PLATE = [(30, 25), (70, 22), (85, 40), (120, 30), (130, 60), (100, 85), (60, 70), (35, 85)]

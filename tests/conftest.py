@@ -19,6 +19,9 @@ import numpy as np
 import pytest
 from hypothesis import settings
 
+from CNCStepper import kernel_cache
+
+pytest.register_assert_rewrite("helpers")
 ROOT = Path(__file__).parents[1]
 GOLDEN = Path(__file__).parent / "golden"
 PICTURES = GOLDEN / "pictures"
@@ -53,12 +56,14 @@ def own_state(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -
 
 
 @pytest.fixture
-def printed_three_ways(tmp_path: Path) -> Callable[[str], list[str]]:
+def printed_three_ways() -> Callable[[str], list[str]]:
     """Return what a script prints with its kernels compiled, compiled with checked bounds, and as plain Python.
 
     The checked ones have a cache of their own: numba takes what is compiled without the checks from a shared one.
+    It stays in the checkout: to compile the kernels takes many times as long as to run them.
     """
-    checked = {"NUMBA_BOUNDSCHECK": "1", "NUMBA_CACHE_DIR": str(tmp_path)}
+    cache = kernel_cache.cache_folder(ROOT / ".cache" / "checked-kernels")
+    checked = {"NUMBA_BOUNDSCHECK": "1", "NUMBA_CACHE_DIR": str(cache)}
 
     def printed(script: str, more: dict[str, str]) -> str:
         environment = {**os.environ, "PYTHONPATH": str(ROOT), **more}

@@ -6,7 +6,6 @@ from __future__ import annotations
 import os
 import shutil
 import subprocess
-import sys
 import time
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -17,12 +16,11 @@ from CNCStepper.control.journal.store import stories
 from CNCStepper.control.processes.python_finder import command, environment, find_python
 from CNCStepper.control.program.send_job import SendJob, write_job
 from CNCStepper.control.session.files import running_desks
+from helpers.control.fault_judge import covers
+from helpers.control.trace_file import rows_at, rows_of_file
 
 HERE = Path(__file__).parent
 ROOT = HERE.parents[1]
-sys.path.append(str(HERE.parent / "unit" / "control"))
-from fault_judge import covers  # noqa: E402
-from trace_file import rows_at, rows_of_file  # noqa: E402
 
 START_S, CUT_S, LEFT_S = 120.0, 180.0, 60.0
 SPEED = "4"

@@ -14,8 +14,8 @@ from pathlib import Path
 import atheris
 
 with atheris.instrument_imports(include=["CNCStepper.gcode"]):
-    sys.path.insert(0, str(Path(__file__).parents[1] / "unit" / "gcode"))
-    from hostile_programs import check, read
+    sys.path.insert(0, str(Path(__file__).parents[1]))
+    from helpers.gcode.hostile_programs import check, read
 
 DIALECTS = ("linuxcnc", "linuxcnc", "linuxcnc", "grbl", "mach", "iso", "thesis-a", "mini-lathe", "marlin")
 

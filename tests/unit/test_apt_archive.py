@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import importlib.util
 import subprocess
 from pathlib import Path
 from shlex import quote
@@ -11,16 +10,14 @@ from typing import Any
 
 import pytest
 
+from helpers.tools import load
+
 ROOT = Path(__file__).parents[2]
 
 
 @pytest.fixture
 def tool() -> Any:
-    spec = importlib.util.spec_from_file_location("apt_archive", ROOT / "tools" / "apt_archive.py")
-    assert spec and spec.loader
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
+    return load("apt_archive")
 
 
 @pytest.fixture

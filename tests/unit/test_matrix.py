@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import importlib.util
 import subprocess
 import sys
 import threading
@@ -12,18 +11,15 @@ from typing import Any
 
 import pytest
 
+from helpers.tools import load
+
 ROOT = Path(__file__).parents[2]
 WAITS_S = 20.0
 
 
 @pytest.fixture
 def matrix() -> Any:
-    spec = importlib.util.spec_from_file_location("matrix_of_freecads", ROOT / "tools" / "matrix.py")
-    assert spec and spec.loader
-    module = importlib.util.module_from_spec(spec)
-    sys.modules[spec.name] = module
-    spec.loader.exec_module(module)
-    return module
+    return load("matrix")
 
 
 def let_all_pass(matrix: Any, monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:

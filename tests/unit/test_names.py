@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import re
 from collections import Counter
 from pathlib import Path
 
@@ -28,6 +29,15 @@ def test_no_module_has_a_name_that_was_given_up() -> None:
     stems = Counter(path.stem for path in (ROOT / "CNCStepper").rglob("*.py"))
     assert len(stems) > 500
     assert not sorted(set(GIVEN_UP_WORDS.split()) & set(stems))
+
+
+def test_no_unit_test_imports_another_test() -> None:
+    files = [path for folder in ("unit", "helpers") for path in (ROOT / "tests" / folder).rglob("*.py")]
+    assert len(files) > 300
+    found = [
+        path.name for path in files if re.search(r"^\s*(from|import) test_", path.read_text("utf-8"), re.MULTILINE)
+    ]
+    assert not found, "what tests share is in tests/helpers"
 
 
 def test_the_glossary_gives_each_word_once_in_both_languages() -> None:

@@ -10,10 +10,9 @@ import tomllib
 from pathlib import Path
 from xml.etree import ElementTree
 
-from test_walls import FREECAD, QT, imported, modules, package_of
-
 import CNCStepper
 from CNCStepper import dependencies
+from helpers.imports import FREECAD, QT, imported, modules, package_of
 
 ROOT = Path(__file__).parents[2]
 NAMESPACE = "{https://wiki.freecad.org/Package_Metadata}"

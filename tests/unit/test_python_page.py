@@ -27,11 +27,13 @@ def run(code: str, folder: Path) -> str:
     return done.stdout
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("title", [title for title, code in EXAMPLES.items() if PORT not in code])
 def test_an_example_runs(title: str, tmp_path: Path) -> None:
     run(EXAMPLES[title], tmp_path)
 
 
+@pytest.mark.slow
 def test_the_example_of_a_send_cuts_its_program(tmp_path: Path) -> None:
     (code,) = (code for code in EXAMPLES.values() if PORT in code)
     command = [sys.executable, "-m", "CNCStepper.cli", "virtual", "grbl", "--tcp", "127.0.0.1:0", "--speed", "20"]

@@ -3,17 +3,15 @@
 
 from __future__ import annotations
 
-import ast
 import subprocess
 import sys
 from collections import Counter
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from pathlib import Path
 
 import pytest
 
-ROOT = Path(__file__).parents[2]
-PACKAGE = ROOT / "CNCStepper"
+from helpers.imports import FREECAD, PACKAGE, QT, ROOT, imported, modules, package_of
 
 FLOORS = [  # from the top; rooms on one line do not know each other
     {"workbench", "cli"},
@@ -33,36 +31,8 @@ FLOORS = [  # from the top; rooms on one line do not know each other
 ]
 FLOOR_OF = {room: floor for floor, rooms in enumerate(FLOORS) for room in rooms}
 
-QT = {"PySide", "PySide2", "PySide6", "PyQt5", "PyQt6", "shiboken2", "shiboken6", "pivy"}
-FREECAD = {"FreeCAD", "FreeCADGui", "Part", "PartDesign", "Sketcher", "Draft", "Path", "Mesh", "Import"}
 LINES = {"serial", "socket", "socketserver"}
 UNIX = {"pty", "tty", "termios", "fcntl"}
-
-
-def imported(source: str, package: str) -> Iterator[tuple[str, bool]]:
-    """Yield every dotted name that `source` imports and whether that happens when the module is loaded."""
-    tree = ast.parse(source)
-    functions = (ast.FunctionDef, ast.AsyncFunctionDef, ast.Lambda)
-    late = {id(node) for function in ast.walk(tree) if isinstance(function, functions) for node in ast.walk(function)}
-    for node in ast.walk(tree):
-        for name in names_of(node, package):
-            yield name, id(node) not in late
-
-
-def names_of(node: ast.AST, package: str) -> Iterator[str]:
-    """Yield the dotted names that one statement imports."""
-    if isinstance(node, ast.Import):
-        yield from (alias.name for alias in node.names)
-    elif isinstance(node, ast.ImportFrom):
-        outer = package.split(".")[: len(package.split(".")) - node.level + 1] if node.level else []
-        base = ".".join([*outer, *([node.module] if node.module else [])])
-        yield from (f"{base}.{alias.name}" for alias in node.names)
-    elif isinstance(node, ast.Call) and ast.unparse(node.func) in ("importlib.import_module", "__import__"):
-        for argument in node.args[:1]:
-            if isinstance(argument, ast.Constant):
-                yield str(argument.value)
-            elif isinstance(argument, ast.JoinedStr):  # f"CNCStepper.cli.{name}" names its room at the front
-                yield ast.unparse(argument)[2:].split("{")[0]
 
 
 def room_of(module: str) -> str:
@@ -93,20 +63,6 @@ def may_know(room: str, other: str) -> bool:
     if room == "virtual" and other == "gcode":
         return False  # it must be able to disagree with what the sender's side believes
     return room == other or (room in FLOOR_OF and FLOOR_OF[room] < FLOOR_OF[other])
-
-
-def modules() -> dict[str, Path]:
-    """Return all modules of the package by dotted name."""
-    found = {}
-    for path in sorted(PACKAGE.rglob("*.py")):
-        parts = path.relative_to(ROOT).with_suffix("").parts
-        found[".".join(parts[:-1] if parts[-1] == "__init__" else parts)] = path
-    return found
-
-
-def package_of(module: str, path: Path) -> str:
-    """Return the package to which a module's relative imports refer."""
-    return module if path.name == "__init__.py" else module.rpartition(".")[0]
 
 
 def test_imports_go_downwards_only() -> None:

@@ -71,6 +71,7 @@ def modules() -> dict[str, Path]:
     return {path.relative_to(PACKAGE).with_suffix("").as_posix(): path for path in sorted(PACKAGE.rglob("*.py"))}
 
 
+@pytest.mark.slow
 def test_files_are_written_whole() -> None:
     found = [
         f"{module}:{call}"
@@ -81,6 +82,7 @@ def test_files_are_written_whole() -> None:
     assert not found, "use CNCStepper.atomic_file: " + "\n".join(found)
 
 
+@pytest.mark.slow
 def test_every_reason_is_still_needed() -> None:
     idle = [module for module in REASONS if not list(writing_calls(modules()[module].read_text("utf-8")))]
     assert not idle, idle

@@ -220,6 +220,7 @@ def test_two_outputs_of_a_call_are_two_files(folder: Path) -> None:
     assert not (folder / "new.json").exists()
 
 
+@pytest.mark.slow
 def test_a_job_runs_into_its_own_old_results_without_a_word(folder: Path) -> None:
     job = folder / "placa.toml"
     text = (EXAMPLES / "jobs" / "brazil-engraving.toml").read_text("utf-8")

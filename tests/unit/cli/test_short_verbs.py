@@ -41,10 +41,11 @@ def test_three_lines_load_no_numba(tmp_path: Path, verb: str) -> None:
     assert (printed, "False False") == said(verb, program, {"NUMBA_DISABLE_JIT": "1"})
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("verb", ["time", "check"])
 def test_more_work_loads_it_in_the_middle(tmp_path: Path, verb: str) -> None:
     program = tmp_path / "many.nc"
-    moves = (f"G1 X{index % 7} Y{index % 5} F{100 + index % 50}\n" for index in range(600))
+    moves = (f"G1 X{index % 7} Y{index % 5} F{100 + index % 50}\n" for index in range(120))
     program.write_text("G21 G90\nG0 Z5\nG0 X0 Y0\nM3 S9000\nG4 P3\n" + "".join(moves), encoding="ascii")
     printed, loaded = said(verb, program)
     assert loaded == "True True"

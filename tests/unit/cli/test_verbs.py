@@ -43,6 +43,7 @@ def test_every_verb_has_a_help_for_strangers(verb: str) -> None:
     assert len(result.output.splitlines()) > 5
 
 
+@pytest.mark.slow
 def test_run_writes_program_report_and_picture_and_check_agrees(tmp_path: Path) -> None:
     job = JOBS / "brazil-engraving.toml"
     result = run("run", job, "--out", tmp_path / "saída 1")
@@ -87,6 +88,7 @@ def test_a_program_larger_than_the_travel_is_refused_without_a_zero(tmp_path: Pa
     assert "large.nc:4:" in result.output
 
 
+@pytest.mark.slow
 def test_a_word_that_is_none_is_exit_1_with_line_and_column(tmp_path: Path) -> None:
     path = tmp_path / "bad.nc"
     path.write_text("G21 G90\nG1 X10 F100 Q5\n", encoding="ascii")

@@ -9,17 +9,7 @@ from collections import Counter
 from dataclasses import replace
 from pathlib import Path
 
-import fault_judge
-import fault_restart
 import pytest
-from broken_senders import CountsTwice, GoesOnAfterGreeting, IgnoresMissingOk, ResendsAfterError
-from fault_bench import FaultBench, reference_of
-from fault_cases import plan_of, program_of, shifted_program_of
-from fault_disk import FOR_GOOD_S
-from fault_judge import EXACT, EXCURSION, REFUSED, SILENT, STOPPED_KNOWN, STOPPED_UNKNOWN, WRONG, Run, Verdict, judge
-from fault_restart import Interval, judge_restart
-from fault_second_go import SecondGo
-from fault_switches import HOMED, LOCKED, OVER_S, plan_for, switches_of
 
 from CNCStepper.control.journal.writer import Journal
 from CNCStepper.control.service.position_trust_file import BeliefFile
@@ -27,6 +17,26 @@ from CNCStepper.control.stream.path_watch import PathWatch
 from CNCStepper.control.stream.position_trust import LOST
 from CNCStepper.virtual.faults.plan import KINDS, Fault, FaultPlan
 from CNCStepper.virtual.grbl.states import State
+from helpers.control import fault_judge, restart_judge
+from helpers.control.broken_senders import CountsTwice, GoesOnAfterGreeting, IgnoresMissingOk, ResendsAfterError
+from helpers.control.fault_bench import FaultBench, reference_of
+from helpers.control.fault_cases import plan_of, program_of, shifted_program_of
+from helpers.control.fault_disk import FOR_GOOD_S
+from helpers.control.fault_judge import (
+    EXACT,
+    EXCURSION,
+    REFUSED,
+    SILENT,
+    STOPPED_KNOWN,
+    STOPPED_UNKNOWN,
+    WRONG,
+    Run,
+    Verdict,
+    judge,
+)
+from helpers.control.limit_switches import HOMED, LOCKED, OVER_S, plan_for, switches_of
+from helpers.control.restart_judge import Interval, judge_restart
+from helpers.control.restarted_run import SecondGo
 
 BLOCK = 100  # runs of one test; every kind must fire in them
 RUNS = max(200, int(os.environ.get("CNCSTEPPER_FAULT_RUNS", "200")))
@@ -168,7 +178,7 @@ def test_judge_forgives_a_power_loss_only_behind_the_last_words_of_the_board(tmp
 
 
 def test_judge_knows_nothing_of_the_sender():
-    for module in (fault_judge, fault_restart):
+    for module in (fault_judge, restart_judge):
         tree = ast.parse(Path(module.__file__).read_text("utf-8"))
         imports = [node for node in ast.walk(tree) if isinstance(node, (ast.Import, ast.ImportFrom))]
         names = " ".join(ast.unparse(node) for node in imports)
@@ -356,7 +366,7 @@ def test_journal_that_takes_acknowledged_lines_for_cut_fails_the_judge(tmp_path,
 
 def test_zero_that_was_not_set_again_fails_the_judge(tmp_path, monkeypatch):
     plan = FaultPlan(fault=(Fault(kind="power", at_s=3.0, when="motion"),))
-    monkeypatch.setattr("fault_second_go.set_zero", lambda board, first: None)
+    monkeypatch.setattr("helpers.control.restarted_run.set_zero", lambda board, first: None)
     _, verdict = judged(FaultBench(program_of(1), plan, folder=tmp_path))
     assert verdict.kind == WRONG
 
@@ -367,6 +377,7 @@ def damaging(folder: Path) -> FaultBench:
     return FaultBench(program_of(1), plan, folder=folder)
 
 
+@pytest.mark.slow
 def test_full_disk_holds_until_there_is_room_and_else_the_part_is_restarted(tmp_path):
     kinds = []
     for for_s in (2.0, FOR_GOOD_S):

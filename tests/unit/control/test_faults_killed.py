@@ -6,13 +6,8 @@ from __future__ import annotations
 import subprocess
 import sys
 import time
-from collections.abc import Iterator
-from contextlib import contextmanager
-from pathlib import Path
 
 import pytest
-from fault_judge import covers, follows
-from trace_file import rows_at, rows_of_file
 
 from CNCStepper.control.journal.replay import KILLED, RUNNING
 from CNCStepper.control.journal.store import latest_unfinished, stories
@@ -20,11 +15,12 @@ from CNCStepper.control.program.send_job import SendJob, write_job
 from CNCStepper.control.session.client import SessionClient
 from CNCStepper.control.session.files import read_private
 from CNCStepper.errors import LinkError
+from helpers.control.fault_judge import covers, follows
+from helpers.control.trace_file import rows_at, rows_of_file
+from helpers.control.virtual_process import machine_that_kills
 
-PLAN = '[[fault]]\nkind = "kill"\nat_byte = {}\npid_file = "{}"\n'
 PLACES = [(-(number % 5), -(number % 7), 0) for number in range(500)]
 LINES = ("G21G90G94G17F3000", *(f"G1X{x}Y{y}" for x, y, _ in PLACES))
-SERVE = (sys.executable, "-u", "-m", "CNCStepper.cli.main", "virtual", "grbl", "--tcp", "127.0.0.1:0", "--speed", "10")
 CLIENT = """
 import sys
 from pathlib import Path
@@ -34,21 +30,6 @@ job = read_job(Path(sys.stdin.read()))
 SessionClient.start(job, python=sys.executable, folder=Path(sys.argv[1])).wait()
 """
 LIMIT_S = 120.0
-
-
-@contextmanager
-def machine_that_kills(
-    folder: Path, at_byte: int = 3000, more: tuple[str, ...] = ()
-) -> Iterator[tuple[subprocess.Popen[str], str]]:
-    """A virtual machine that kills whose number is in the folder's "pid", and its address; it writes trace.csv."""
-    plan = folder / "plan.toml"
-    plan.write_text(PLAN.format(at_byte, (folder / "pid").as_posix()), "utf-8")
-    options = ("--faults", str(plan), "--trace", str(folder / "trace.csv"), *more)
-    with subprocess.Popen([*SERVE, *options], stdout=subprocess.PIPE, text=True) as machine:
-        try:
-            yield machine, machine.stdout.readline().split()[-1]
-        finally:
-            machine.terminate()
 
 
 @pytest.mark.slow

@@ -17,7 +17,6 @@ from contextlib import contextmanager
 from pathlib import Path
 
 import pytest
-from hostile_controller import FAULTS, HostileController, HostileServer
 
 from CNCStepper.control.program.send_job import SendJob
 from CNCStepper.control.service.sender import Sender
@@ -28,6 +27,7 @@ from CNCStepper.control.stream.path_retract import write_leg
 from CNCStepper.errors import LinkError
 from CNCStepper.machine.profile import load_machine
 from CNCStepper.recovery.retract.client import WayBack
+from helpers.control.hostile_controller import FAULTS, HostileController, HostileServer
 
 TOLD_S, OBEYED_S = 2.0, 5.0
 LIMIT_S = 20.0

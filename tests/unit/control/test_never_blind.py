@@ -3,65 +3,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from pathlib import Path
 
 import pytest
-from desk_table import Person, Table, Visit
 
-from CNCStepper.control.program.send_job import SendJob
 from CNCStepper.control.protocol.grbl.driver import RESET, RESUME
 from CNCStepper.control.service.position_trust_file import BeliefFile
-from CNCStepper.control.service.sender import Sender
 from CNCStepper.control.session import files
-from CNCStepper.control.session.status import DONE, FAILED, REFUSED, STOPPED, Outcome
+from CNCStepper.control.session.status import DONE, FAILED, REFUSED, STOPPED
 from CNCStepper.control.stream.position_trust import LOST, NOTHING_AGAINST
 from CNCStepper.errors import LinkError
-from CNCStepper.machine.profile import load_machine
-from CNCStepper.virtual.grbl.machine import Grbl
+from helpers.control.service_bench import Person, Table, Visit
+from helpers.control.workshop import LINES, Workshop
 
-LINES = ("G21G90G54", "G1X-4Y-3F1000", "G1X-8", "G1X-4")
 UNKNOWN = "position-unknown"
 
 
 class Killed(BaseException):
     """The end of a process without a word."""
-
-
-class Workshop:
-    """One machine, and the people who connect to it one after another: each is a process of its own."""
-
-    def __init__(self, folder: Path, homing: bool = False):
-        self.folder = folder
-        self.board = Grbl(load_machine("table-a"), homing=homing)
-
-    @property
-    def kept(self) -> BeliefFile:
-        """What the next one finds."""
-        return BeliefFile.of_port(self.folder, "table")
-
-    def visit(self, person: Callable[[Visit], Person]) -> Visit:
-        """Let a person come to a desk of their own."""
-        visit = Visit(self.folder, kept=self.kept, board=self.board)
-        visit.receive(lambda: person(visit))
-        return visit
-
-    def send(self, person: Callable[[Table], Person] = lambda table: iter(()), **job) -> Outcome:
-        """Send a job whose zero is confirmed."""
-        table = Table(board=self.board)
-        table.person = person(table)
-        self.sender = Sender(
-            SendJob("table", job.pop("lines", LINES), zero_confirmed=True, **job),
-            opener=lambda name, baud: table,
-            clock=table.clock,
-            kept=self.kept,
-        )
-        return self.sender.run()
-
-    def greet_nobody(self) -> None:
-        """Let the greeting of the start pass unheard."""
-        self.board.advance(0.1)
-        self.board.take_output()
 
 
 @pytest.fixture
@@ -187,6 +146,7 @@ def test_a_machine_met_in_alarm_without_a_greeting_is_unknown(tmp_path, first):
     assert shop.kept.belief == LOST
 
 
+@pytest.mark.slow
 def test_homing_makes_it_known(tmp_path):
     shop = Workshop(tmp_path, homing=True)
     shop.visit(unlock)

@@ -3,8 +3,6 @@
 
 from __future__ import annotations
 
-import contextlib
-import subprocess
 import sys
 import time
 from pathlib import Path
@@ -16,15 +14,9 @@ from CNCStepper.control.protocol.grbl.readiness import expected_settings
 from CNCStepper.control.session.client import SessionClient
 from CNCStepper.control.session.status import DONE, REFUSED, STOPPED
 from CNCStepper.machine.profile import load_machine
+from helpers.control.virtual_process import virtual_grbl
 
 LIMIT_S = 60.0
-SERVE = """
-import sys
-from CNCStepper.machine.profile import load_machine
-from CNCStepper.virtual.server.grbl_server import serve
-port = {{sys.argv[1]: sys.argv[2]}}
-serve(load_machine("table-a"), **port, speed={speed}, homing={homing}, ready=lambda address: print(address, flush=True))
-"""
 PROGRAM = [
     "G21G90G94G17",
     "M3S10000",
@@ -35,18 +27,6 @@ PROGRAM = [
     "M5",
     "M2",
 ]
-
-
-@contextlib.contextmanager
-def virtual_grbl(kind: str = "tcp", where: object = "127.0.0.1:0", speed: float = 50.0, homing: bool = False):
-    """Run a virtual grbl and yield its address."""
-    command = [sys.executable, "-c", SERVE.format(speed=speed, homing=homing), kind, str(where)]
-    with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as process:
-        assert process.stdout
-        try:
-            yield process.stdout.readline().strip()
-        finally:
-            process.terminate()
 
 
 def started(port: str, folder: Path, lines=PROGRAM) -> SessionClient:
@@ -111,6 +91,7 @@ def test_stop_in_motion_keeps_the_position(tmp_path, table):
     assert again.done and again.status.mpos_mm == outcome.status.mpos_mm
 
 
+@pytest.mark.slow
 def test_hold_and_resume_in_motion_end_at_the_same_place(tmp_path, table):
     client = started(table, tmp_path, ["G21G90G94", "G10L20P1X0Y0Z0", "G1X-40F3000", "G1X-10Y-5", "M2"])
     while client.status().machine_state != "Run":
@@ -123,6 +104,7 @@ def test_hold_and_resume_in_motion_end_at_the_same_place(tmp_path, table):
     assert outcome.done and outcome.status.wpos_mm == pytest.approx((-10, -5, 0), abs=0.013)
 
 
+@pytest.mark.slow
 def test_line_that_the_machine_refuses_is_named(tmp_path, table):
     lines = ["G21G90G94", "G10L20P1X0Y0Z0", "G1X-1F600", "G1X-2", "G2X0Y0I3J9", "G1X-4"]
     outcome = started(table, tmp_path, lines).wait(limit_s=LIMIT_S)

@@ -72,6 +72,7 @@ def test_whole_numbers_are_whole_and_narrower_bounds_are_kept() -> None:
     assert Numbers(slope=None).slope is None
 
 
+@pytest.mark.slow
 def test_any_value_is_shown_in_few_words() -> None:
     deep: Any = []
     for _ in range(100_000):

@@ -75,6 +75,7 @@ def test_forgotten_states_are_gone_and_the_others_stay(seed: int, monkeypatch: p
     assert states[half:] == expected[half:] and len(states) == len(expected)
 
 
+@pytest.mark.slow
 def test_nothing_is_left_of_forgotten_states() -> None:
     states, sizes = States(), []
     for count in (5 * PIECE, 50 * PIECE):

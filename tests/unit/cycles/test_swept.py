@@ -10,10 +10,20 @@ import numpy as np
 import pytest
 import shapely
 from shapely import Point, box
-from swept import FLAT_MM, Wanted, flattened, gouge_mm, left_by_level, left_mm, reachable, rows_of, swept
 
 from CNCStepper.state import Start
 from CNCStepper.toolpath import ARC_CCW, ARC_CW, TableBuilder, Toolpath
+from helpers.cycles.sweep_judge import (
+    FLAT_MM,
+    Wanted,
+    flattened,
+    gouge_mm,
+    left_by_level,
+    left_mm,
+    reachable,
+    rows_of,
+    swept,
+)
 
 Z_MM = -2.0
 

@@ -51,12 +51,14 @@ def lines_file(folder: Path, count: int) -> Path:
     return path
 
 
+@pytest.mark.slow
 def test_a_million_lines_are_refused_before_they_are_read(tmp_path: Path) -> None:
     sentence = refused(lines_file(tmp_path, 1_000_000))
     assert "too many entities" in sentence and f"limit {MOST_ENTITIES}" in sentence and "value 1000" in sentence
     assert len(read_dxf(lines_file(tmp_path, 1000), 0.005).layers) == 1
 
 
+@pytest.mark.slow
 def test_a_binary_drawing_is_counted_like_any_other(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     for version in ("R12", "R2010"):
         document = ezdxf.new(version, units=4)
@@ -69,6 +71,7 @@ def test_a_binary_drawing_is_counted_like_any_other(tmp_path: Path, monkeypatch:
             assert "too many entities" in refused(tmp_path / f"{version}.dxf")
 
 
+@pytest.mark.slow
 def test_lines_drawn_a_thousand_times_are_joined_in_bounded_time_and_ten_thousand_refused(tmp_path: Path) -> None:
     document = ezdxf.new(units=4)
     for _ in range(800):
@@ -149,6 +152,7 @@ def test_a_spline_that_is_none_is_left_out_and_named(tmp_path: Path, wrong: dict
     assert [(each.kind, told in each.why) for each in drawing.skipped] == [("SPLINE", True)], drawing.skipped
 
 
+@pytest.mark.slow
 def test_a_long_spline_takes_time_with_its_length_and_not_with_its_square(tmp_path: Path) -> None:
     document = ezdxf.new(units=4)
     document.modelspace().add_open_spline([(3 * k, 10 * math.sin(k)) for k in range(400)])
@@ -206,6 +210,7 @@ def test_names_and_the_words_of_ezdxf_drive_no_terminal(
     assert "\x1b" not in shown.out + shown.err
 
 
+@pytest.mark.slow
 def test_what_ezdxf_logs_does_not_reach_the_terminal(tmp_path: Path, capfd: pytest.CaptureFixture[str]) -> None:
     path = tmp_path / "a.dxf"
     new().saveas(path)
@@ -230,6 +235,7 @@ def test_a_fifo_or_a_device_is_no_drawing(tmp_path: Path) -> None:
             read_dxf(path, 0.005)
 
 
+@pytest.mark.slow
 def test_a_block_scaled_to_ellipses_a_thousand_times_is_fitted_once(tmp_path: Path) -> None:
     document = new()
     document.blocks.new("B").add_circle((0, 0), 3)
@@ -259,6 +265,7 @@ def test_curves_that_take_too_long_together_refuse_the_drawing(tmp_path: Path, m
     assert error.value.code == "dxf-large" and error.value.place and error.value.place.file
 
 
+@pytest.mark.slow
 def test_a_long_drawing_says_how_far_it_is_and_can_be_ended(tmp_path: Path) -> None:
     path, shares = lines_file(tmp_path, 3000), []
     read_dxf(path, 0.005, share=shares.append)

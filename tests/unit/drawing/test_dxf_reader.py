@@ -287,6 +287,7 @@ def test_what_is_no_drawing_is_refused(tmp_path: Path, content: bytes | None, co
     assert refusal.value.code == code and refusal.value.advice
 
 
+@pytest.mark.slow
 def test_a_damaged_drawing_is_mended_with_a_word_or_refused(tmp_path: Path) -> None:
     whole = (DATA / "A4_Landscape_plain.dxf").read_bytes().splitlines(keepends=True)
     path, outcomes = tmp_path / "damaged.dxf", Counter[str]()

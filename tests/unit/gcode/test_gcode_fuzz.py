@@ -11,7 +11,6 @@ import tracemalloc
 from datetime import timedelta
 
 import pytest
-from hostile_programs import DIALECTS, LETTERS, PROGRAMS, STARTS, TEXTS, VALUES, check, read
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
@@ -23,6 +22,7 @@ from CNCStepper.gcode.interpreter.state.system_parameters import Known
 from CNCStepper.gcode.syntax.expressions import Scanner
 from CNCStepper.gcode.syntax.words import pack, split_line, words_of
 from CNCStepper.state import Start
+from helpers.gcode.hostile_programs import DIALECTS, LETTERS, PROGRAMS, STARTS, TEXTS, VALUES, check, read
 
 CASES = int(os.environ.get("CNCSTEPPER_FUZZ", "50"))
 HOSTILE = settings(
@@ -66,6 +66,7 @@ def test_any_text_is_read_or_refused(text, name, start):
     check(read(text, name, start), text)
 
 
+@pytest.mark.slow
 @HOSTILE
 @given(PROGRAMS, DIALECTS, STARTS)
 def test_any_program_is_read_or_refused(text, name, start):

@@ -12,8 +12,6 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from round_trip_paths import Drawn, drawn_path
-from rs274_runs import run_rs274, same_call
 
 from CNCStepper.gcode.dialects import dialect, dialect_names
 from CNCStepper.gcode.interpreter.canonical_trace import canonical_calls
@@ -22,6 +20,8 @@ from CNCStepper.gcode.wire.encoder import prepare
 from CNCStepper.gcode.writer.write import WriteOptions, write, written
 from CNCStepper.state import Start
 from CNCStepper.toolpath import Toolpath
+from helpers.gcode.round_trip_toolpaths import Drawn, drawn_path
+from helpers.gcode.rs274_runs import run_rs274, same_call
 
 COLUMNS = ("kind", "end", "plane", "turns", "feed")
 PHYSICAL = ("tool", "spindle", "spindle_rpm", "mist", "flood", "work_system", "offset_mm")
@@ -64,6 +64,7 @@ def told(path: Toolpath) -> list[tuple]:
     return [(event.index, event.kind, event.value, event.text) for event in path.events if event.kind in TOLD]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("language", LANGUAGES)
 def test_what_is_written_is_read_as_the_same_table_and_written_as_the_same_text(language):
     for seed in SEEDS:
@@ -83,6 +84,7 @@ def test_what_is_written_is_read_as_the_same_table_and_written_as_the_same_text(
         assert read.states == reread.states and read.events == reread.events
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("language", LANGUAGES)
 def test_the_wire_text_is_the_program_in_every_dialect(language):
     for seed in SEEDS[:20]:
@@ -140,20 +142,21 @@ def test_the_comparison_can_fail():
     assert not same_rows(read, interpret(other, Start(), "grbl"))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("language", ["grbl", "iso"])
 def test_the_text_is_the_same_in_every_process(language):
     """Neither dates nor the order of hashes are in it, so that a program can live in version control."""
     one = drawn(language, 3)
     here = write(one.path, language, options(language, one.units))
     code = (
-        "import sys; sys.path.insert(0, sys.argv[1]); from round_trip_paths import drawn_path; "
+        "import sys; sys.path.insert(0, sys.argv[1]); from helpers.gcode.round_trip_toolpaths import drawn_path; "
         "from CNCStepper.gcode.dialects import dialect; from CNCStepper.gcode.writer.write import WriteOptions, write; "
         f"one = drawn_path(dialect('{language}'), 3); "
         f"print(write(one.path, '{language}', WriteOptions(units=one.units, work_offset='', retract=False, "
         f"tool_change='{options(language, one.units).tool_change}')), end='')"
     )
     for seed in ("1", "2"):
-        command = [sys.executable, "-c", code, str(Path(__file__).parent)]
+        command = [sys.executable, "-c", code, str(Path(__file__).parents[2])]
         environment = {**os.environ, "PYTHONHASHSEED": seed}
         run = subprocess.run(command, capture_output=True, text=True, env=environment)
         assert run.returncode == 0, run.stderr

@@ -80,6 +80,7 @@ def test_the_area_of_nearly_straight_arcs_is_not_noise() -> None:
     assert bent.area_mm2 == pytest.approx(1e6 * 4e-8 / 12, rel=1e-6)
 
 
+@pytest.mark.slow
 @given(curves())
 @settings(max_examples=60, deadline=None)
 def test_lengths_and_points_agree_with_the_segments_themselves(curve: Curve) -> None:

@@ -138,6 +138,7 @@ def test_pieces_put_together_are_the_curve() -> None:
             assert piece.length_mm > 0 and curve.distances_mm(piece.points(0.01)).max() < 1e-6, f"seed {seed}"
 
 
+@pytest.mark.slow
 def test_a_part_lies_between_its_places_and_goes_round() -> None:
     line = from_points([(0, 0), (10, 0), (10, 10)])
     assert line.part(2, 15).xy.tolist() == [[2, 0], [10, 0], [10, 5]]

@@ -57,6 +57,7 @@ def shortest_mm(stops: list[Stop], pairs: list[tuple[int, int]]) -> float:
     return best
 
 
+@pytest.mark.slow
 def test_small_tours_are_near_the_shortest() -> None:
     rng, ratios = np.random.default_rng(5), []
     for case in range(30):
@@ -69,6 +70,7 @@ def test_small_tours_are_near_the_shortest() -> None:
     assert np.mean(ratios) < 1.03 and max(ratios) < 1.35, f"mean {np.mean(ratios):.3f}, worst {max(ratios):.3f}"
 
 
+@pytest.mark.slow
 def test_a_tour_is_never_longer_than_the_order_it_was_given() -> None:
     """One-way lines, given in their shortest order: from the nearest to the next a tour stays longer here and there."""
     rng = np.random.default_rng(7)
@@ -80,6 +82,7 @@ def test_a_tour_is_never_longer_than_the_order_it_was_given() -> None:
         assert rapids_mm(given, ordered(given)) <= rapids_mm(given, visits) + 1e-9
 
 
+@pytest.mark.slow
 def test_a_thousand_holes_come_near_the_known_shortest_tour() -> None:
     """The shortest tour of n random points in an area A tends to 0.7124 sqrt(n A) (Johnson and McGeoch 1996)."""
     places = np.random.default_rng(6).uniform(0, 100, (1000, 2))

@@ -14,6 +14,7 @@ from CNCStepper.errors import GeometryError
 from CNCStepper.geometry.shapes.ellipse_dda import ellipse_by_dda, quadrant_steps
 
 
+@pytest.mark.slow
 def test_the_registers_of_a_small_case_worked_by_hand() -> None:
     # N = 4: (qx, qy) after each iteration 4,0 -> 0,1  4,1 -> 0,3  4,3 -> 0,6>=4 -> 0,2 ...
     # it  qx+=px     X   qy+=py    Y

@@ -9,11 +9,11 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 import shapely
-from random_regions import CHORD_MM
 
 from CNCStepper.errors import GeometryError
 from CNCStepper.geometry.curve import Curve, circle, from_points
 from CNCStepper.geometry.offset import parallels
+from helpers.geometry.random_regions import CHORD_MM
 
 
 def random_chain(rng: np.random.Generator) -> Curve:

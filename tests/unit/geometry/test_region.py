@@ -10,11 +10,11 @@ from collections import Counter
 import numpy as np
 import pytest
 import shapely
-from random_regions import Case, random_case, shapely_of, wanted_offset, wanted_region
 
 from CNCStepper.errors import GeometryError
 from CNCStepper.geometry.curve import Curve, circle, from_points
 from CNCStepper.geometry.region import Region
+from helpers.geometry.random_regions import Case, random_case, shapely_of, wanted_offset, wanted_region
 
 TOLERANCE_MM = 0.004
 JUDGE_MM = 0.001  # by so much the judge's chords may be off on each side

@@ -23,6 +23,7 @@ def test_every_cycle_is_estimated_and_no_example_is_long(path: Path) -> None:
     assert long_work(job) == []
 
 
+@pytest.mark.slow
 def test_the_estimate_is_near_the_cut() -> None:
     job, machine = load_job(EXAMPLES / "cycles" / "pocket.toml")
     told_mm, levels = cut_length_mm(job.operation[0], job)

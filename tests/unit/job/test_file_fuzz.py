@@ -17,7 +17,6 @@ from pathlib import Path
 from types import FrameType
 
 import pytest
-from hostile_files import BITS, BYTES, KIND, MEAN, Case, drawing_case, job_case, profile_case, tool_case
 
 from CNCStepper.drawing.dxf.reader import read_dxf
 from CNCStepper.errors import CNCStepperError
@@ -27,6 +26,7 @@ from CNCStepper.job.model import load_job
 from CNCStepper.machine.profile import load_machine
 from CNCStepper.machine.tools.tool_files import read_tools, write_tools
 from CNCStepper.motion.planner.machine_limits import Limits
+from helpers.job.hostile_files import BITS, BYTES, KIND, MEAN, Case, drawing_case, job_case, profile_case, tool_case
 
 FILES = int(os.environ.get("CNCSTEPPER_FILE_FUZZ", "100"))
 MOST_S = 60.0  # processor time of one case; the first ones compile kernels

@@ -44,6 +44,7 @@ def zigzag(passes: int, moves: int) -> TableBuilder:
     return table
 
 
+@pytest.mark.slow
 def test_a_long_program_is_thinned_and_keeps_the_ends_of_its_passes() -> None:
     toolpath = zigzag(100, 1000).toolpath()
     drawn = commands(toolpath)

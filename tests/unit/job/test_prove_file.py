@@ -4,11 +4,9 @@
 from __future__ import annotations
 
 import re
-import shutil
 import subprocess
 import sys
 from collections import Counter
-from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -16,27 +14,20 @@ import pytest
 
 from CNCStepper.control.program.certificate import Certificate
 from CNCStepper.errors import JobError, ProgramError
-from CNCStepper.gcode.interpreter import file_chunks, line_store
-from CNCStepper.gcode.wire import expanded_wire_file
-from CNCStepper.gcode.wire.wire_file import WireFile
+from CNCStepper.gcode.interpreter import file_chunks
 from CNCStepper.job import prove_file as prove_file_module
 from CNCStepper.job.certify import certificate_of
 from CNCStepper.job.prove import prove
-from CNCStepper.job.prove_file import FileProof, prove_file
-from CNCStepper.machine.profile import Machine, Motor, load_machine
+from CNCStepper.job.prove_file import prove_file
+from CNCStepper.machine.profile import Motor
 from CNCStepper.machine.tools.tool import Tool
 from CNCStepper.simulation.checks import tip_path_store
 from CNCStepper.simulation.removal import engagement
 from CNCStepper.simulation.stock import Stock
 from CNCStepper.state import Start
-from CNCStepper.toolpath import COLUMNS, Chunk
+from helpers.job.prove_runs import CORED, FLAT, STOCK, TABLE, assert_same, both, machine_with
+from helpers.simulation.seeded_programs import clean_program, faults_of
 
-sys.path.insert(0, str(Path(__file__).parents[1] / "simulation"))
-from seeded_programs import clean_program, faults_of
-
-TABLE = load_machine("table-a")
-STOCK, FLAT = Stock((60, 50, 20)), Tool(number=1, shape="flat", diameter_mm=6)
-CORED = Tool(number=2, shape="flat", diameter_mm=6, core_diameter_mm=2)
 FAULTY = (  # each line of it is there for a check that looks beyond one row
     "%\n(operation: first)\nX1 Y1\nG21 G90 G17 T1\nG1 Z-1 F300\n(MSG, look)\nG0 Z5\nM3 S10000\n(still waiting)\nG4 P1\n"
     "G4 P0.5\n"
@@ -45,53 +36,6 @@ FAULTY = (  # each line of it is there for a check that looks beyond one row
     "G0 Z-2\nM5\nX25\nG1 X26\nX27\nM3 S10000\nM0\nX30 F9000\nX31\nM5\nG0 Z9\nT2\nG0 X5\nM3 S24000\nG1 Z-25 F100\nX200\n"
     "Y-190\nG55 G0 Z9\nG92 X5\nG1 X6 Z-3\nG10 L2 P1 X3\nX0\n(MSG, end)\nM5\nM2\n%\nG1 X1000\n"
 )
-
-
-def machine_with(controller: str = "grbl", **of_axes: Any) -> Machine:
-    axes = {name: axis.model_copy(update=of_axes) for name, axis in TABLE.axis.items()}
-    return TABLE.model_copy(update={"axis": axes, "controller": controller})
-
-
-@pytest.fixture(params=[(1, 40), (3, 200), (50, 1 << 21)], ids=lambda value: f"rows{value[0]}-bytes{value[1]}")
-def pieces(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Let chunks, parts and pieces of the file be small."""
-    rows, size = request.param
-    chunks = WireFile.chunks
-
-    def small(self: WireFile) -> Iterator[Chunk]:
-        for chunk in chunks(self):
-            for first in range(0, len(chunk), rows):
-                some = (getattr(chunk, name)[first : first + rows] for name in COLUMNS)
-                yield Chunk(chunk.first + first, *some)
-
-    monkeypatch.setattr(WireFile, "chunks", small)
-    monkeypatch.setattr(prove_file_module, "PART_ROWS", 2 * rows)
-    monkeypatch.setattr(file_chunks, "PIECE", size)
-    monkeypatch.setattr(line_store, "BLOCK", rows)
-    monkeypatch.setattr(line_store, "MOST_BLOCKS", 2)
-    monkeypatch.setattr(expanded_wire_file, "BLOCKS", 2 * rows)
-
-
-def both(folder: Path, text: str, machine: Machine, dialect: str = "grbl", **more: Any) -> tuple[Any, FileProof]:
-    file = folder / "ç program.nc"
-    file.write_text(text, encoding="utf-8", newline="")
-    stock, tools, start = (more.get(name) for name in ("stock", "tools", "start"))
-    whole = prove(text, machine, file=str(file), dialect=dialect, stock=stock, tools=tools, start=start)
-    sent = folder / "sent"
-    shutil.rmtree(sent, ignore_errors=True)
-    sent.mkdir()
-    parts = prove_file(file, machine, dialect=dialect, stock=stock, tools=tools, start=start, sent=sent)
-    return whole, parts
-
-
-def assert_same(whole: Any, parts: FileProof) -> None:
-    assert parts.findings == whole.findings
-    volume, own = (proof.report.pop("removed_volume_mm3") for proof in (whole, parts))
-    assert own == (volume if volume is None else pytest.approx(volume, abs=1e-3))
-    assert parts.report == whole.report
-    for proof in (whole, parts):
-        proof.report["removed_volume_mm3"] = 0.0
-    assert certificate_of(parts).sha256 == certificate_of(whole).sha256
 
 
 @pytest.mark.parametrize("dialect", ["grbl", "grblhal", "linuxcnc"])
@@ -114,6 +58,7 @@ def test_all_that_checks_find_beyond_a_row(
     assert wanted <= codes, wanted - codes
 
 
+@pytest.mark.slow
 @pytest.mark.usefixtures("pieces")
 def test_play_is_taken_up_line_by_line(tmp_path: Path) -> None:
     machine = machine_with(backlash_mm=0.05)
@@ -125,6 +70,7 @@ def test_play_is_taken_up_line_by_line(tmp_path: Path) -> None:
     assert_same(whole, parts)
 
 
+@pytest.mark.slow
 @pytest.mark.usefixtures("pieces")
 def test_the_torque_of_motors_and_beams_that_are_never_on(tmp_path: Path) -> None:
     load = {"travel_per_turn_mm": 10.0, "mass_kg": 8.0, "inertia_kg_m2": 5e-5, "force_n": 40.0, "efficiency": 0.8}
@@ -154,6 +100,7 @@ LOADED = (  # loads rise and fall, tools change and come back, the path breaks o
 )
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("small", [False, True], ids=["all-at-once", "few-at-once"])
 @pytest.mark.usefixtures("pieces")
 def test_tools_that_say_what_they_may_meet(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, small: bool) -> None:
@@ -226,6 +173,7 @@ RASTER = "G21 G90\nG0 X0 Y0\nM4 S0\nG1 F3000\n", "G1 X{x} Y{y} S{s}\n", "M5\nM2\
 HOLES = "G21 G90\nM3 S9000\nG0 Z5\nG99 G81 X0 Y0 Z-1 R1 F300\n", "X{x} Y{y}\n", "G80\nM5\nM2\n"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("text", "dialect"), [(RASTER, "grbl"), (HOLES, "linuxcnc")], ids=["raster", "holes"])
 def test_three_times_the_lines_hold_no_more(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, text: tuple[str, str, str], dialect: str

@@ -8,7 +8,6 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from test_prove_file import assert_same, pieces  # noqa: F401  a fixture
 
 from CNCStepper.job.first_lines import FirstLines
 from CNCStepper.job.make import make_program
@@ -18,6 +17,7 @@ from CNCStepper.job.prove_file import FileProof
 from CNCStepper.job.prove_job_file import prove_job_file
 from CNCStepper.machine.profile import Machine
 from CNCStepper.toolpath import Span
+from helpers.job.prove_runs import assert_same, pieces  # noqa: F401  a fixture
 
 JOBS = Path(__file__).parents[3] / "examples" / "jobs"
 FEW = [pytest.param((50, 1 << 21), id="few-rows")]  # judging takes its time with each
@@ -36,6 +36,7 @@ def both(folder: Path, job: Job, machine: Machine, text: str) -> tuple[Any, File
     return whole, prove_job_file(job, file, machine, sent=folder)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("pieces", FEW, indirect=True)
 @pytest.mark.usefixtures("pieces")
 def test_the_job_s_own_program(tmp_path: Path, made: tuple[Job, Machine, str]) -> None:

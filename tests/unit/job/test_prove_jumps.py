@@ -8,7 +8,6 @@ from collections import Counter
 from pathlib import Path
 
 import pytest
-from test_prove_file import CORED, STOCK, TABLE, assert_same, both, machine_with, pieces  # noqa: F401  a fixture
 
 from CNCStepper.errors import ProgramError
 from CNCStepper.gcode.interpreter.line_store import LineStore
@@ -16,6 +15,7 @@ from CNCStepper.gcode.wire.expanded_wire_file import WireBlocks, wire_of_file
 from CNCStepper.job.prove import prove
 from CNCStepper.job.prove_file import prove_file
 from CNCStepper.state import Start
+from helpers.job.prove_runs import CORED, STOCK, TABLE, assert_same, both, machine_with, pieces  # noqa: F401  a fixture
 
 START = Start.with_work_zero((-200.0, -200.0, -40.0))
 HEAD = "%\nG21 G90 G17 T1\nG0 Z5\nG0 X1 Y1\nM3 S10000\nG4 P3\n"
@@ -78,6 +78,7 @@ class Jumps:
         )
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("dialect", DIALECTS)
 @pytest.mark.usefixtures("pieces")
 def test_loops_branches_and_calls(tmp_path: Path, dialect: str) -> None:
@@ -135,6 +136,7 @@ def test_a_refused_line_is_named_as_in_the_whole_text(tmp_path: Path, dialect: s
     assert str(parts.value) == str(whole.value)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("dialect", DIALECTS)
 def test_rows_and_events_of_a_loop_are_handed_on_while_it_runs(tmp_path: Path, dialect: str) -> None:
     file = tmp_path / "p.ngc"

@@ -106,6 +106,7 @@ def test_a_layer_of_a_drawing_gives_all_its_chains_and_tells_what_is_not_in_them
     assert "TEXT" in text
 
 
+@pytest.mark.slow
 def test_one_job_reads_a_bounded_number_of_drawings_and_of_points(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

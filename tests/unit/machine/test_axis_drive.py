@@ -54,6 +54,7 @@ def test_a_belt_with_microsteps() -> None:
     assert Drive(screw_pitch_mm=5, microsteps=2).pulses_per_mm == 80  # the mini-lathe
 
 
+@pytest.mark.slow
 @given(pitch=POSITIVE, steps=st.floats(1, 1000), gear=POSITIVE, feed=POSITIVE, distance=POSITIVE)
 def test_every_formula_has_its_way_back(pitch: float, steps: float, gear: float, feed: float, distance: float) -> None:
     drive = Drive(screw_pitch_mm=pitch, steps_per_turn=steps, gear_ratio=gear)

@@ -18,11 +18,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 from click.testing import CliRunner
-from cut_table import path_of, polyline, worst_distance_mm
-from test_faults_killed import machine_that_kills
 
 from CNCStepper.cli.main import group
 from CNCStepper.control.session.files import read_private, sessions
+from helpers.control.retract_bench import path_of, polyline, worst_distance_mm
+from helpers.control.virtual_process import machine_that_kills
 
 DEPTH_MM = 1.5  # deeper than where homing ends
 SIDE_MM, RADIUS_MM = 40, 5

@@ -7,7 +7,6 @@ from itertools import product
 
 import numpy as np
 import pytest
-from restart_programs import END, HEAD, PROGRAMS
 
 from CNCStepper.errors import ProgramError
 from CNCStepper.gcode.interpreter.interpret import interpret
@@ -19,6 +18,7 @@ from CNCStepper.recovery.restart.program import read_program
 from CNCStepper.recovery.restart.restart_program import Restart, restart, restart_of
 from CNCStepper.state import Start
 from CNCStepper.toolpath import RAPID, Toolpath
+from helpers.gcode.restart_programs import END, HEAD, PROGRAMS
 
 OFFSETS = {"G54": (-200.0, -150.0, -30.0), "G55": (-90.0, -60.0, -25.0), "G59": (-150.0, -40.0, -28.0)}
 START = Start(work_offsets_mm=OFFSETS, zero_known=True)
@@ -70,6 +70,7 @@ def assert_nothing_cut_on_the_way(made: Restart, told: str) -> None:
     assert np.isnan(at[2]) or np.isnan(before[0, :2]).all(), told
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", PROGRAMS)
 def test_from_every_line_the_rest_is_run_as_in_the_undisturbed_run(name: str) -> None:
     for line, made in [*restarts(name), *restarts(name, overlap_mm=3.0)[::2]]:

@@ -9,7 +9,6 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
-from play_paths import program_of_places, pushed, random_program
 
 from CNCStepper.control.stream.return_path import landed_mm, over_gaps
 from CNCStepper.gcode.interpreter.interpret import interpret
@@ -23,6 +22,7 @@ from CNCStepper.recovery.retract.path_section import stretch_moves
 from CNCStepper.simulation.tip_segments import segments
 from CNCStepper.state import Start
 from CNCStepper.toolpath import LINE, RAPID, Toolpath
+from helpers.gcode.backlash_programs import program_of_places, pushed, random_program
 
 AT_ZERO = Start.at_zero()
 STEPS_PER_MM = (80.0, 80.0, 400.0)

@@ -13,8 +13,11 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from cut_programs import PROGRAMS
-from cut_table import (
+
+from CNCStepper.gcode.wire.backlash_compensation import play_of
+from CNCStepper.recovery.retract.path import Place
+from CNCStepper.recovery.retract.prove import Held
+from helpers.control.retract_bench import (
     CORNERS_MM,
     ROUNDING_MM,
     STEP_MM,
@@ -25,10 +28,7 @@ from cut_table import (
     polyline,
     worst_distance_mm,
 )
-
-from CNCStepper.gcode.wire.backlash_compensation import play_of
-from CNCStepper.recovery.retract.path import Place
-from CNCStepper.recovery.retract.prove import Held
+from helpers.control.retract_programs import PROGRAMS
 
 pytestmark = pytest.mark.slow
 CASES = int(os.environ.get("CNCSTEPPER_CASES", "25"))

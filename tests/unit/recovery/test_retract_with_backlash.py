@@ -8,12 +8,12 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from cut_table import ROUNDING_MM, STEP_MM, Cut, path_of, polyline, worst_distance_mm
-from test_jog_in_hold import SAMPLE_MM, jogged, led, off_path
 
 from CNCStepper.control.session.command import Command
 from CNCStepper.machine.profile import Machine, load_machine
 from CNCStepper.recovery.retract.path import Place, Way
+from helpers.control.jog_in_hold import SAMPLE_MM, jogged, led, off_path
+from helpers.control.retract_bench import ROUNDING_MM, STEP_MM, Cut, path_of, polyline, worst_distance_mm
 
 pytestmark = pytest.mark.slow
 NEAR_MM = STEP_MM + ROUNDING_MM

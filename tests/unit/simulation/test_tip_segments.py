@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 import numpy as np
 import pytest
-from programs import ZERO_MM, Program, begun
 
 from CNCStepper.simulation.arc_chords import extremes
 from CNCStepper.simulation.tip_segments import chains, clipped_below, segments, split_ramps, tips_mm
 from CNCStepper.toolpath import ARC_CCW, ARC_CW, YZ, ZX
+from helpers.simulation.programs import ZERO_MM, Program, begun
 
 
 def lengths(path):

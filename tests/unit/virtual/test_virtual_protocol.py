@@ -427,6 +427,7 @@ def test_startup_lines_run_at_reset(grbl) -> None:
     assert grbl.say("$N\n") == ["$N0=", "$N1=", "ok"]
 
 
+@pytest.mark.slow
 def test_homing_finds_the_switches(talk) -> None:
     board = talk(homing=True)
     assert board.say("$H\n", 1.0) == []

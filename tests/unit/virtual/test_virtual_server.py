@@ -151,6 +151,7 @@ def test_a_second_client_is_turned_away() -> None:
         read_until(link, "<Idle")
 
 
+@pytest.mark.slow
 def test_bytes_take_their_time_on_the_line() -> None:
     with serving(TcpPort("127.0.0.1", 0), baud=1200) as address, opened(address) as link:
         read_until(link, "Grbl")
@@ -169,6 +170,7 @@ def test_speed_scales_time() -> None:
         assert 0.45 < time.monotonic() - begin_s < 2.0
 
 
+@pytest.mark.slow
 def test_trace_is_complete_after_the_end(tmp_path: Path) -> None:
     path = tmp_path / "trace.csv"
     with process(tcp="127.0.0.1:0", speed=20, trace=str(path)) as (address, _), opened(address) as link:
@@ -216,6 +218,7 @@ def test_without_terminals_the_pty_is_refused(machine: Machine, monkeypatch: pyt
         serve(machine, pty="x")
 
 
+@pytest.mark.slow
 def test_imports_without_terminals() -> None:
     code = (
         "import sys; sys.modules.update(pty=None, tty=None, termios=None, fcntl=None); "

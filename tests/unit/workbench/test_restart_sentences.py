@@ -12,7 +12,6 @@ from types import SimpleNamespace
 from typing import Any
 
 import pytest
-from test_translations import tool
 
 from CNCStepper.control.journal.entry import Group
 from CNCStepper.control.journal.progress_interval import Reached
@@ -25,7 +24,9 @@ from CNCStepper.recovery.restart.places import Where
 from CNCStepper.recovery.restart.restart_program import restart
 from CNCStepper.workbench.services import message_translation
 from CNCStepper.workers.unfinished_job import told
+from helpers.tools import load
 
+tool = load("translations")
 ROOMS = ("job", "recovery", "workers", "control/journal")
 CORE = Path(message_translation.__file__).parents[2]
 SMALL = re.compile(r"[a-zà-ÿ]{2,}")

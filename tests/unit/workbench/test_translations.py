@@ -3,27 +3,17 @@
 
 from __future__ import annotations
 
-import importlib.util
 import re
-import sys
 from pathlib import Path
-from types import ModuleType
 
 import pytest
+
+from helpers.tools import load
 
 ROOT = Path(__file__).parents[3]
 
 
-def load(path: Path) -> ModuleType:
-    """Return a script of tools/ as a module."""
-    spec = importlib.util.spec_from_file_location(f"tool_{path.stem}", path)
-    assert spec is not None and spec.loader is not None
-    module = sys.modules[spec.name] = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
-
-
-tool = load(ROOT / "tools" / "translations.py")
+tool = load("translations")
 PORTUGUESE = tool.read(tool.catalogue("_pt-BR"))
 
 
@@ -33,10 +23,12 @@ def shown() -> dict:
     return tool.texts()
 
 
+@pytest.mark.slow
 def test_every_shown_text_goes_through_tr() -> None:
     assert tool.faults() == []
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("suffix", tool.LANGUAGES)
 def test_the_catalogues_hold_what_the_source_shows(suffix: str, shown: dict) -> None:
     held, wanted = set(tool.read(tool.catalogue(suffix))), shown

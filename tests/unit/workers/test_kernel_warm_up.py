@@ -55,6 +55,7 @@ def test_it_ends_well_and_leaves_its_stamp() -> None:
     assert stamp.exists()
 
 
+@pytest.mark.slow
 def test_it_ends_with_the_window_that_started_it(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("NUMBA_CACHE_DIR", str(tmp_path))
     words = [sys.executable, "-m", "CNCStepper.workers.kernel_warm_up"]

@@ -8,44 +8,16 @@ import subprocess
 import sys
 from collections.abc import Iterator
 from pathlib import Path
-from queue import SimpleQueue
-from typing import Any
 
 import numpy as np
 import pytest
 
 from CNCStepper.control.processes.python_finder import command, environment
 from CNCStepper.job.editing.path_segments import read_lines
-from CNCStepper.machine.profile import load_machine
-from CNCStepper.workers.program_editor import Answers
+from helpers.job.edit_process import TEXT, Here
 
 LIMIT_S = 120
-TEXT = "G21 G90\nG0 X0 Y0 Z5\nG1 Z-1 F200\nG1 X40\nG2 X60 Y20 J20\nG1 X\nG0 Z5 (up)\nM2\n"
 FROM_ABOVE = np.diag([1 / 100, 1 / 100, -1 / 100, 1]).tolist()
-
-
-class Here:
-    """The worker in this process, asked and heard in turn."""
-
-    def __init__(self, folder: Path, text: str = TEXT):
-        (folder / "machine.json").write_text(load_machine("table-a").model_dump_json(), encoding="utf-8")
-        (folder / "program.nc").write_text(text, encoding="utf-8")
-        self.questions: SimpleQueue[dict[str, Any]] = SimpleQueue()
-        self.told: list[dict[str, Any]] = []
-        self.answers = Answers(folder, self.questions, self.told.append)
-        self.folder = folder
-        self.put({"as": {"dialect": "grbl", "file": "", "machine": True}}, {"text": "program.nc", "mark": 1})
-
-    def put(self, *questions: dict[str, Any]) -> None:
-        for question in questions:
-            self.questions.put(question)
-
-    def hear(self, steps: int = 1) -> list[dict[str, Any]]:
-        """Let it work and return what it told meanwhile."""
-        self.told.clear()
-        for _ in range(steps):
-            self.answers.step()
-        return list(self.told)
 
 
 @pytest.fixture
@@ -168,6 +140,7 @@ def process(tmp_path: Path) -> Iterator[subprocess.Popen[str]]:
     worker.wait()
 
 
+@pytest.mark.slow
 def test_a_process_of_its_own_answers_and_ends_with_its_input(process: subprocess.Popen[str]) -> None:
     assert process.stdin and process.stdout
     process.stdin.write(
@@ -180,6 +153,7 @@ def test_a_process_of_its_own_answers_and_ends_with_its_input(process: subproces
     assert process.wait(LIMIT_S) == 0
 
 
+@pytest.mark.slow
 def test_what_cannot_be_asked_is_an_error_and_the_end(process: subprocess.Popen[str]) -> None:
     assert process.stdin and process.stdout
     process.stdin.write('{"weather": 1}\n')

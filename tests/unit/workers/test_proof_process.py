@@ -91,6 +91,7 @@ def test_the_part_is_there_before_the_program_is_judged(
     assert not (folder / RESULT).exists()
 
 
+@pytest.mark.slow
 def test_a_refusal_comes_back_as_it_was_raised(folder: Path) -> None:
     asked(folder, "G21 G90\nG0 X1 X2\n")
     assert ended(started(folder))[0] == 1

@@ -100,6 +100,7 @@ def volume_mm3(tiles: dict[int, tuple[bytes, bytes]]) -> float:
     return float((corners.mean(axis=1) * area).sum() / 3)
 
 
+@pytest.mark.slow
 def test_material_vanishes_forwards_and_comes_back_the_same(worker: Worker, proven: tuple[Path, Proof]) -> None:
     proof = proven[1]
     times_s = np.linspace(0, proof.times_s[-1], 7)

@@ -92,6 +92,7 @@ def zigzag(tmp_path: Path) -> Path:
     return path
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("verb", ["check", "convert"])
 def test_a_check_and_a_conversion_say_how_far_they_are(verb: str, tmp_path: Path, monkeypatch) -> None:
     told: dict[str, list[float]] = {"at once": []}

@@ -139,6 +139,7 @@ def test_split_writes_a_program_for_each_tool(square: Path, tmp_path: Path) -> N
     assert sorted(path.name for path in (tmp_path / "parts").iterdir()) == ["square ç-1-T1.nc", "square ç-2-T2.nc"]
 
 
+@pytest.mark.slow
 def test_compact_tells_how_much_shorter(tmp_path: Path) -> None:
     path = tmp_path / "line.nc"
     path.write_text("G21 G90\nG0 X0 Y0\nG1 X0.1 F100\n" + "".join(f"X{k / 10}\n" for k in range(2, 50)) + "M2\n")

@@ -53,6 +53,7 @@ def run(program: Path, port: Path, *more: str, typed: str = "") -> Result:
     return CliRunner().invoke(group, arguments, input=typed)
 
 
+@pytest.mark.slow
 def test_the_pulses_arrive_at_the_plug(six: Path, tmp_path: Path) -> None:
     made = run(six, tmp_path / "gravação")
     assert made.exit_code == 0, made.output
@@ -117,6 +118,7 @@ def test_a_rate_that_no_computer_keeps_is_refused_at_rest(
     assert {(data, control) for _, data, control in read_recording(tmp_path / "pulses")} == {IDLE}
 
 
+@pytest.mark.slow
 def test_a_hold_is_heard_while_the_pulses_run_and_none_is_lost(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """Typed lines come as the pulses are made; what is written in the hold says the same again."""
     program = tmp_path / "job.nc"

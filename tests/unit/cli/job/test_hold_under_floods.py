@@ -14,8 +14,6 @@ from contextlib import contextmanager, suppress
 from pathlib import Path
 
 import pytest
-from being_sent import attached, being_sent
-from test_send import called, command
 
 from CNCStepper.control.program.send_job import SendJob, write_job
 from CNCStepper.control.service.connection_client import DeskClient
@@ -24,6 +22,8 @@ from CNCStepper.control.session.files import read_private, running_desks, sessio
 from CNCStepper.control.session.local_socket import LOOPBACK, TRANSPORT, Address
 from CNCStepper.control.session.server import STRANGER_LIMIT
 from CNCStepper.control.session.status import STOPPED
+from helpers.cli.command_line import called, command
+from helpers.cli.running_send import attached, being_sent
 
 PROGRAM = "G21 G90\nG0 Z-2\n" + "".join(f"G1 X{-10 * (1 + number % 30)} F600\n" for number in range(300)) + "M2\n"
 VIRTUAL = ("virtual", "grbl", "--tcp", "127.0.0.1:0", "--baud", "1000000")

@@ -9,12 +9,12 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
-from being_sent import attached, being_sent
-from test_send import called
 
 from CNCStepper.control.session.client import SessionClient
 from CNCStepper.control.session.files import sessions
 from CNCStepper.control.session.status import SenderStatus
+from helpers.cli.command_line import called
+from helpers.cli.running_send import attached, being_sent
 
 PROGRAM = "G21 G90\nG0 Z-2\nG1 X-30 F600\n(MSG, change to tool 2)\nM0\nG1 X-300 F600\nM2\n"
 VIRTUAL = ("virtual", "grbl", "--tcp", "127.0.0.1:0", "--speed", "2")

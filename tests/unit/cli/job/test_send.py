@@ -6,44 +6,21 @@ The controller and the sender are processes of their own always, the command lin
 
 from __future__ import annotations
 
-import io
-import signal
 import subprocess
-import sys
 from collections.abc import Iterator
-from contextlib import redirect_stderr, redirect_stdout
 from pathlib import Path
 
 import numpy as np
 import pytest
 
-from CNCStepper.cli.main import main
 from CNCStepper.control.program.bundle import Lines, Numbers
 from CNCStepper.control.program.certificate import Certificate, digest_of_text
 from CNCStepper.control.program.send_job import SendJob
 from CNCStepper.control.session.status import DONE, Outcome, SenderStatus
+from helpers.cli.command_line import called, command
 
 CONFIRMED = ("--machine", "table-a", "--zero-confirmed")
 PROGRAM = "G21 G90\nG0 Z5\nG0 X10 Y0\nG1 Z-1 F300\n(MSG, look)\nM0\nG3 X10 Y0 I-10 J0 F2000\nG0 Z5\nM2\n"
-
-
-def command(*arguments: str | Path) -> list[str]:
-    return [sys.executable, "-m", "CNCStepper.cli", *map(str, arguments)]
-
-
-def called(*arguments: str | Path, answer: str = "") -> subprocess.CompletedProcess[str]:
-    """Run the command line in this process, which costs no second start of Python."""
-    out, err = (io.TextIOWrapper(io.BytesIO(), "utf-8") for _ in range(2))
-    on_sigterm = signal.getsignal(signal.SIGTERM)
-    with pytest.MonkeyPatch.context() as here, redirect_stdout(out), redirect_stderr(err):
-        here.setattr(sys, "argv", ["cncstepper", *map(str, arguments)])
-        here.setattr(sys, "stdin", io.StringIO(answer))
-        with pytest.raises(SystemExit) as end:
-            main()
-    signal.signal(signal.SIGTERM, on_sigterm)
-    for stream in (out, err):
-        stream.seek(0)
-    return subprocess.CompletedProcess(arguments, int(end.value.code or 0), out.read(), err.read())
 
 
 @pytest.fixture
@@ -96,12 +73,14 @@ def test_a_stop_at_the_pause_is_exit_1(program: Path, table: tuple[str, Path]) -
     assert "stop" in sent.stdout.lower()
 
 
+@pytest.mark.slow
 def test_nobody_to_ask_means_no_cut(program: Path, table: tuple[str, Path]) -> None:
     sent = send(program, table[0])
     assert sent.returncode == 1
     assert "--zero-confirmed" in sent.stderr and "Traceback" not in sent.stderr
 
 
+@pytest.mark.slow
 def test_a_port_that_is_not_there(program: Path) -> None:
     sent = send(program, "/dev/no-such-port", "--zero-confirmed")
     assert sent.returncode == 1

@@ -9,10 +9,10 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from being_sent import attached, being_sent
-from test_send import called
 
 from CNCStepper.control.session.status import SenderStatus
+from helpers.cli.command_line import called
+from helpers.cli.running_send import attached, being_sent
 
 PROGRAM = "G21 G90\nG0 Z-2\nG1 X-5 F3000\nM5\nT2 M6\nG1 X-10\nM2\n"
 VIRTUAL = ("virtual", "grbl", "--firmware", "grblhal", "--tcp", "127.0.0.1:0")

@@ -133,7 +133,7 @@ if sys.platform != "win32":
         import pty
         import subprocess
 
-        from test_send import command
+        from helpers.cli.command_line import command
 
         monkeypatch.setenv("XDG_STATE_HOME", str(tmp_path / "peça 1"))
         board = subprocess.Popen(

@@ -8,7 +8,6 @@ from collections.abc import Callable, Iterator
 
 import click
 import pytest
-from test_send import called, command
 
 from CNCStepper.cli.machine.console import Session, converse
 from CNCStepper.cli.machine.jog import jog_line
@@ -18,6 +17,7 @@ from CNCStepper.control.session.files import session_folder
 from CNCStepper.control.session.status import SenderStatus
 from CNCStepper.control.stream.position_trust import LOST, NOTHING_AGAINST
 from CNCStepper.errors import MachineRefusal
+from helpers.cli.command_line import called, command
 
 
 class FakeTalk:

@@ -35,6 +35,7 @@ def test_the_published_six_pulses_as_letters_and_as_bytes(six: Path) -> None:
     assert read_board(made)[:, 0].tolist() == [1, 1, 1, 1, -1, -1]
 
 
+@pytest.mark.slow
 def test_every_form_to_a_file_is_what_is_printed(six: Path, tmp_path: Path) -> None:
     for form in FORMS:
         out = tmp_path / "saída" / f"six.{form}"

@@ -7,7 +7,8 @@ import json
 from pathlib import Path
 
 import pytest
-from test_send import called
+
+from helpers.cli.command_line import called
 
 ROOT = Path(__file__).parents[4]
 EXAMPLES = ROOT / "examples" / "jobs"

@@ -10,8 +10,6 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
-from being_sent import attached, being_sent
-from test_send import called, command
 
 from CNCStepper.control.program.send_job import write_job
 from CNCStepper.control.service.connection_client import DeskClient
@@ -20,6 +18,8 @@ from CNCStepper.gcode.wire.encoder import prepare
 from CNCStepper.job.certify import send_job
 from CNCStepper.machine.profile import load_machine
 from CNCStepper.workers.path_retract import answered
+from helpers.cli.command_line import called, command
+from helpers.cli.running_send import attached, being_sent
 
 PROGRAM = "G21 G90\nG0 Z-2\nG0 X-5 Y-5\nM3 S8000\nG4 P3\nG1 Z-5 F300\nG1 X-390 F500\nG0 Z-2\nM5\nM2\n"
 VIRTUAL = ("virtual", "grbl", "--tcp", "127.0.0.1:0", "--speed", "5")

@@ -10,12 +10,12 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
-from test_send import command
 
 from CNCStepper.control.session.client import SessionClient
 from CNCStepper.control.session.files import sessions
 from CNCStepper.control.session.status import SenderStatus
 from CNCStepper.machine.profile import load_machine
+from helpers.cli.command_line import command
 
 pytestmark = [pytest.mark.slow, pytest.mark.skipif(sys.platform == "win32", reason="its pins cannot be typed there")]
 PROFILE = Path(load_machine.__code__.co_filename).parent / "profiles" / "table-a.toml"

@@ -11,7 +11,6 @@ import time
 
 import pytest
 from click.testing import CliRunner
-from test_virtual_controller import virtual_grbl
 
 from CNCStepper.cli.recovery.resume import command
 from CNCStepper.control.journal.replay import KILLED, RUNNING, read_story
@@ -21,6 +20,7 @@ from CNCStepper.control.program.send_job import SendJob
 from CNCStepper.control.service.position_trust_file import BeliefFile
 from CNCStepper.control.session.client import SessionClient
 from CNCStepper.control.stream.position_trust import LOST, NOTHING_AGAINST
+from helpers.control.virtual_process import virtual_grbl
 
 KILLS = 8
 LIMIT_S = 60.0

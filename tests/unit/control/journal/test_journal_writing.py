@@ -10,8 +10,6 @@ from collections.abc import Sequence
 from concurrent.futures import Executor, Future
 
 import pytest
-from fake_controller import FakeClock, FakeController, FakeLink
-from fault_disk import AtOnce
 
 from CNCStepper.control.journal import journal_file
 from CNCStepper.control.journal.journal_file import JournalFile
@@ -28,6 +26,8 @@ from CNCStepper.control.session.status import DONE, FAILED, REFUSED, STOPPED
 from CNCStepper.control.stream.feeder import Feeder
 from CNCStepper.control.stream.journal_protocol import NoJournal
 from CNCStepper.errors import JobError
+from helpers.control.fake_controller import FakeClock, FakeController, FakeLink
+from helpers.control.fault_disk import AtOnce
 
 LINES = tuple(f"G1X{number}Y{number % 7}F600" for number in range(400))
 SLOW_BAUD = 1200  # at which a journal is as little ahead as it ever is
@@ -256,6 +256,7 @@ def begun(folder, clock, lines, baud=SLOW_BAUD):
     return journal
 
 
+@pytest.mark.slow
 def test_a_million_lines_need_a_small_file_and_no_memory(tmp_path, monkeypatch):
     monkeypatch.setattr(journal_file.os, "fsync", lambda descriptor: None)
     clock = FakeClock()

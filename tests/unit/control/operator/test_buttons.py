@@ -6,8 +6,6 @@ from __future__ import annotations
 import threading
 
 import pytest
-from desk_table import Visit
-from fake_controller import FakeClock, FakeController, FakeLink
 
 from CNCStepper.control.operator.button_actions import buttons_of
 from CNCStepper.control.operator.buttons import POLL_S, Buttons, quicker
@@ -19,6 +17,8 @@ from CNCStepper.control.session.command import Command
 from CNCStepper.control.session.status import DONE, STOPPED
 from CNCStepper.errors import JobError, LinkError
 from CNCStepper.machine.input_pins import Act, Input
+from helpers.control.fake_controller import FakeClock, FakeController, FakeLink
+from helpers.control.service_bench import Visit
 
 LIMIT_S = 20.0
 LINE = ("G21G90G94", "G1X-20F1500")

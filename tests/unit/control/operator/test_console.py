@@ -4,10 +4,10 @@
 from __future__ import annotations
 
 import pytest
-from desk_table import Visit
 
 from CNCStepper.control.operator.console_line import HOME, JOG, PROGRAM, QUESTION, SETTING, UNLOCK, kind_of
 from CNCStepper.errors import MachineRefusal
+from helpers.control.service_bench import Visit
 
 
 @pytest.fixture
@@ -152,6 +152,7 @@ def test_setting_is_taken_over_and_other_steps_cost_the_position(visit):
     assert known == [True, False] and answers(visit) == ["ok", "ok"]
 
 
+@pytest.mark.slow
 def test_home_and_unlock_are_the_desks_own(tmp_path):
     visit = Visit(tmp_path, homing=True)
 

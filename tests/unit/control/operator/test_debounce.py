@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from itertools import pairwise
 
+import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -46,6 +47,7 @@ def test_without_debouncing_every_look_counts():
     assert edges(samples("11"), 0.0) == []
 
 
+@pytest.mark.slow
 @given(st.lists(st.tuples(st.booleans(), st.floats(0.001, 0.2)), max_size=60))
 def test_edges_alternate_and_each_level_had_lasted(steps):
     looks, now_s = [], 0.0

@@ -4,13 +4,13 @@
 from __future__ import annotations
 
 import pytest
-from desk_table import Person, Table
 
 from CNCStepper.control.operator.homing import HOME
 from CNCStepper.control.program.send_job import SendJob
 from CNCStepper.control.protocol.grbl.driver import RESET
 from CNCStepper.control.service.sender import Sender
 from CNCStepper.control.session.status import DONE, REFUSED, STOPPED, Outcome
+from helpers.control.service_bench import Person, Table
 
 LINES = ("G21G90G54", "G1X-40Y-30F1000", "G1X-42")
 
@@ -32,6 +32,7 @@ class Bench:
         return b"".join(data for _, data in self.table.written).split(b"\n")
 
 
+@pytest.mark.slow
 def test_locked_machine_homes_itself_and_cuts() -> None:
     bench = Bench(True, homing=True)
     outcome = bench.run()

@@ -7,45 +7,17 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from cut_programs import PROGRAMS
-from cut_table import ROUNDING_MM, STEP_MM, Cut, path_of, polyline, worst_distance_mm
 
 from CNCStepper.control.session.command import Command
 from CNCStepper.machine.profile import load_machine
 from CNCStepper.virtual.grbl.states import State
+from helpers.control.jog_in_hold import NEAR_MM, SAMPLE_MM, jogged, led, off_path
+from helpers.control.retract_bench import Cut, path_of, polyline
+from helpers.control.retract_programs import PROGRAMS
 
 pytestmark = pytest.mark.slow
-NEAR_MM = STEP_MM + ROUNDING_MM
 SQUARE = "G21 G90\nG0 Z-2\nG0 X-5 Y-5\nM3 S8000\nG1 Z-5 F600\nG1 X-25 F1200\nY-25\nX-5\nY-5\nG0 Z-2\nM5\nM2\n"
 DEEP = -3.0  # no cut is above
-SAMPLE_MM = 0.1  # between two points of the trace, at the speed of a jog
-
-
-def jogged(cut: Cut, **way_mm: float):
-    """Jog once and wait for the end of it."""
-    way = dict.fromkeys(("x_mm", "y_mm", "z_mm"), 0.0) | {"feed_mm_min": 2000.0} | way_mm
-    cut.sender.ask(Command("jog", way))
-    yield lambda: cut.sender.status().machine_state == "Jog"
-    yield lambda: cut.sender.status().machine_state == "Idle"
-
-
-def led(cut: Cut, kind: str, length_mm: float = 0.0):
-    """Find the place and go along a leg from there: "aside", "back" by a length, or the "rest"."""
-    found = []
-    yield from cut.find(found)
-    held = found[0]
-    leg = held.along(held.back_by(length_mm)) if kind == "back" else getattr(held, kind)()
-    yield from cut.go(leg)
-    if kind != "rest":
-        yield cut.arrived
-
-
-def off_path(cut: Cut, program: str) -> list[np.ndarray]:
-    """Return each stretch of the trace that is off the program's path, with the points around it that are on it."""
-    line = polyline(path_of(program))
-    off = np.array([worst_distance_mm(point[None], line) > NEAR_MM for point in cut.trace])
-    begins, ends = (np.flatnonzero(np.diff(off.astype(int)) == sign) for sign in (1, -1))
-    return [cut.trace[begin : end + 2] for begin, end in zip(begins, ends, strict=True)]
 
 
 def test_who_jogs_out_of_a_hold_is_taken_back_to_the_cut(tmp_path: Path) -> None:

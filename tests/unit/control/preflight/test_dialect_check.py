@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import pytest
-from desk_table import Visit
 
 from CNCStepper.control.preflight.dialect import check_sendable
 from CNCStepper.control.program.certificate import FORMAT, VERSION, Certificate
@@ -15,6 +14,7 @@ from CNCStepper.gcode.dialects import dialect_names
 from CNCStepper.gcode.wire.encoder import prepare
 from CNCStepper.job.certify import send_job
 from CNCStepper.virtual.grbl.firmware import FIRMWARES
+from helpers.control.service_bench import Visit
 
 READ = {"grbl": {"grbl"}, "grblhal": {"grbl", "grblhal"}, "fluidnc": {"grbl", "fluidnc"}}
 THESIS = ("G90X40Y0F300", "G0X0Y0")  # cuts there; rapids to grbl

@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import pytest
-from test_sender import Bench
 
 from CNCStepper.control.preflight.modal_state import (
     cuts_at_granted_speed,
@@ -13,6 +12,7 @@ from CNCStepper.control.preflight.modal_state import (
     said_before_cut,
 )
 from CNCStepper.control.session.status import REFUSED
+from helpers.control.sender_bench import Bench
 
 MODES = "G21G17G90G94"
 WHOLE = ("G21G17G90G94", "G54", "G0X10", "G20", "G91", "M2")

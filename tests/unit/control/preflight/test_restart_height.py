@@ -6,11 +6,11 @@ from __future__ import annotations
 from typing import Any
 
 import pytest
-from desk_table import Table
 
 from CNCStepper.control.program.send_job import SendJob
 from CNCStepper.control.service.sender import Sender
 from CNCStepper.control.session.status import DONE, REFUSED, Outcome
+from helpers.control.service_bench import Table
 
 LINES = ("G21G90G54", "G0Z5", "X-10", "G1Z4F600")
 LIFT = {"system": "G54", "z_mm": 5.0, "height_mm": 5.0}
@@ -58,6 +58,7 @@ def test_one_that_stands_below_goes_up(lift: dict[str, Any]) -> None:
     assert moved(table)
 
 
+@pytest.mark.slow
 def test_a_machine_that_has_just_homed_goes_down_and_says_so() -> None:
     table, told = Table(homing=True), list[str]()
     assert sent(table, told, lift=LIFT, home_first=True).kind == DONE

@@ -15,7 +15,6 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
-from fake_controller import FakeServer
 
 from CNCStepper.control.journal import store
 from CNCStepper.control.journal.journal_file import JournalFile
@@ -46,6 +45,7 @@ from CNCStepper.control.session.files import (  # fmt: skip
 from CNCStepper.control.session.status import STOPPED
 from CNCStepper.errors import CNCStepperError, JobError, LinkError, MachineRefusal
 from CNCStepper.workers import connection_service
+from helpers.control.fake_controller import FakeServer
 
 LIMIT_S = 20.0
 OWNER = """
@@ -316,6 +316,7 @@ def impatient(monkeypatch):
     monkeypatch.setattr(files, "MEND_LIMIT_S", 0.5)
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(not hasattr(signal, "SIGSTOP"), reason="a process that is stopped by a signal")
 def test_a_process_that_does_not_answer_is_no_job_that_has_ended(tmp_path, impatient):
     with cutting(tmp_path) as client:
@@ -332,6 +333,7 @@ def test_a_process_that_does_not_answer_is_no_job_that_has_ended(tmp_path, impat
             client._process.send_signal(signal.SIGCONT)
 
 
+@pytest.mark.slow
 def test_a_living_process_with_a_damaged_file_keeps_ports_from_being_opened(tmp_path, impatient):
     path = tmp_path / f"a{SESSION}"
     with owner_of(path):
@@ -343,6 +345,7 @@ def test_a_living_process_with_a_damaged_file_keeps_ports_from_being_opened(tmp_
     assert session_at("COM4", tmp_path) is None
 
 
+@pytest.mark.slow
 def test_a_connection_that_breaks_is_made_again_while_the_process_lives(tmp_path):
     with cutting(tmp_path) as client:
         client._connection.shutdown(2)

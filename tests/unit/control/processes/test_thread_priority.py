@@ -11,12 +11,12 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import pytest
-from fake_controller import FakeServer
 
 from CNCStepper.control.processes.thread_priority import SLICE_NS, go_first
 from CNCStepper.control.program.send_job import SendJob
 from CNCStepper.control.session.client import SessionClient
 from CNCStepper.control.session.files import read_private
+from helpers.control.fake_controller import FakeServer
 
 pytestmark = pytest.mark.skipif(not sys.platform.startswith("linux"), reason="Linux's scheduler")
 LIMIT_S = 20.0
@@ -80,6 +80,7 @@ def test_no_real_time_where_the_system_would_kill_a_thread_for_using_it_long(mon
     assert how != "real time" and own == os.SCHED_OTHER
 
 
+@pytest.mark.slow
 def test_sender_session_and_journal_are_of_real_time_where_it_is_permitted(tmp_path):
     asked = subprocess.run([sys.executable, "-c", ASK], capture_output=True, check=True, text=True).stdout.strip()
     wanted = SESSION_AND_SENDER_AND_JOURNAL if asked == "real time" else 0

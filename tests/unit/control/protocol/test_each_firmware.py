@@ -4,12 +4,12 @@
 from __future__ import annotations
 
 import pytest
-from desk_table import Visit
 
 from CNCStepper.control.protocol.grbl.readiness import expected_settings
 from CNCStepper.machine.profile import load_machine
 from CNCStepper.virtual.grbl.firmware import FIRMWARES, FLUIDNC, GRBL, GRBLHAL
 from CNCStepper.virtual.grbl.settings import INCHES
+from helpers.control.service_bench import Visit
 
 LINES = ("G17G21G90G94", "G1X-3F1500", "G1X-1Y-2")
 EXPECTED = expected_settings(load_machine("table-a"))

@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import pytest
-from fake_controller import FakeClock, FakeController, FakeLink
 
 from CNCStepper.control.program.send_job import SendJob
 from CNCStepper.control.program.wire_line import check_length
@@ -16,6 +15,7 @@ from CNCStepper.control.protocol.grbl.timeouts import Timing
 from CNCStepper.control.service.sender import Sender
 from CNCStepper.control.session.status import DONE, REFUSED
 from CNCStepper.errors import MachineRefusal, ProgramError
+from helpers.control.fake_controller import FakeClock, FakeController, FakeLink
 
 # The numbers of each firmware's own table, read from its source.
 NUMBERS = {

@@ -4,11 +4,11 @@
 from __future__ import annotations
 
 import pytest
-from fake_controller import FakeClock, Unqueued
 
 from CNCStepper.control.protocol.grbl.driver import Grbl
 from CNCStepper.control.protocol.grbl.motion_interlock import MotionInterlock
 from CNCStepper.errors import LinkError
+from helpers.control.fake_controller import FakeClock, Unqueued
 
 
 class Echoing(Unqueued):

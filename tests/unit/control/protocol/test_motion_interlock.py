@@ -9,7 +9,6 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 import pytest
-from desk_table import Person, Visit
 
 import CNCStepper
 from CNCStepper.control.operator.button_actions import COMMANDS
@@ -23,6 +22,7 @@ from CNCStepper.control.stream.position_trust import LOST
 from CNCStepper.errors import MachineRefusal
 from CNCStepper.machine.profile import load_machine
 from CNCStepper.virtual.grbl.machine import Grbl
+from helpers.control.service_bench import Person, Visit
 
 STEP = {"x_mm": -1.0, "y_mm": 0.0, "z_mm": 0.0, "feed_mm_min": 3000.0}
 ASKS, JOGS, STAYS = "asks for the position", "moves by a jog or by homing", "does not move"

@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import pytest
-from fake_controller import FakeClock, Unqueued
 
 from CNCStepper.control.operator.console_line import kind_of, setting_of
 from CNCStepper.control.protocol.grbl.connect import read_modes, read_offsets
@@ -15,6 +14,7 @@ from CNCStepper.control.protocol.grbl.timeouts import Timing
 from CNCStepper.control.stream.controller_buffer import Capacity
 from CNCStepper.control.stream.status_snapshot import moment, tell_words
 from CNCStepper.errors import LinkError, MachineRefusal
+from helpers.control.fake_controller import FakeClock, Unqueued
 
 LONG = "9" * 5000
 NO_NUMBERS = [

@@ -4,11 +4,11 @@
 from __future__ import annotations
 
 import pytest
-from desk_table import Visit
 
 from CNCStepper.control.program.wire_line import pauses
 from CNCStepper.virtual.grbl.firmware import GRBLHAL
 from CNCStepper.virtual.grbl.states import State
+from helpers.control.service_bench import Visit
 
 LINES = ("G21G90G94", "G1X-2F1500", "T2M6", "G1X-4")
 

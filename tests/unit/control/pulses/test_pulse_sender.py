@@ -74,6 +74,7 @@ def test_an_error_on_the_way_stops_the_pulses_and_says_so(tmp_path: Path) -> Non
     assert seen[-1] == REST and (9, 0) not in seen
 
 
+@pytest.mark.slow
 def test_no_more_is_made_than_half_a_second_ahead_of_its_time(tmp_path: Path) -> None:
     """A hold would not be heard before what is made already has been sent."""
     made: list[int] = []

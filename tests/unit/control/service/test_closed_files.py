@@ -273,6 +273,7 @@ def is_open_to_others() -> bool:
         return False
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(os.geteuid() != 0, reason="takes the administrator, to act as another user")
 @pytest.mark.parametrize("lives", [True, False], ids=["lives", "has ended"])
 def test_another_user_does_not_stumble_over_the_administrators_file(tmp_path_factory, locked, lives):

@@ -13,7 +13,6 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
-from fake_controller import FakeServer
 
 from CNCStepper.control.processes import python_finder
 from CNCStepper.control.processes.process_file import OwnFile
@@ -25,6 +24,7 @@ from CNCStepper.control.session.files import DESK, LOG, OUTCOME, desk_at, new_se
 from CNCStepper.control.session.status import DONE, STOPPED
 from CNCStepper.control.transport.port_list import PortChoice, port_list
 from CNCStepper.errors import CNCStepperError, MissingPackage
+from helpers.control.fake_controller import FakeServer
 
 LIMIT_S = 40.0
 LONG = ("G21G90G94", *(f"G1X{-(number % 2) * 20}F1500" for number in range(400)))
@@ -105,6 +105,7 @@ def ended(path: Path) -> bool:
     return not path.exists() and path.with_suffix(OUTCOME).exists()
 
 
+@pytest.mark.slow
 def test_launch_connects_runs_a_job_and_leaves_nothing(window, tmp_path):
     client = window.client
     assert running_desks(tmp_path) == [client.session_file]
@@ -232,6 +233,7 @@ def test_port_that_is_not_there_is_gone_with_its_sentence(tmp_path):
     assert window.heard("connection")[-1] == "gone" and window.client.poll() == []
 
 
+@pytest.mark.slow
 def test_controller_that_vanishes_is_gone_with_its_sentence(tmp_path):
     with FakeServer() as server:
         window = Window(DeskClient.launch(server.url, folder=tmp_path))

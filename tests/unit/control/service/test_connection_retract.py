@@ -10,13 +10,13 @@ from typing import Any
 
 import numpy as np
 import pytest
-from cut_table import ROUNDING_MM, STANDS, STEP_MM, Cut, path_of, polyline, worst_distance_mm
-from desk_table import Person, Visit
 
 from CNCStepper.control.program.send_job import write_job
 from CNCStepper.control.service.connection_service import Desk
 from CNCStepper.control.session.command import Command
 from CNCStepper.control.session.status import DONE, STOPPED, Outcome
+from helpers.control.retract_bench import ROUNDING_MM, STANDS, STEP_MM, Cut, path_of, polyline, worst_distance_mm
+from helpers.control.service_bench import Person, Visit
 
 PROGRAM = (
     "G21 G90\nG0 Z-2\nG0 X-5 Y-5\nM3 S8000\nG1 Z-5 F600\nG1 X-15 F1200\nG2 X-17 Y-7 I0 J-2\nG1 Y-15\nX-5\nY-5\n"
@@ -100,6 +100,7 @@ def test_way_back_and_forward_again_is_exact_in_a_job_of_the_desk(tmp_path: Path
     assert worst_distance_mm(cut.trace, line) <= STEP_MM + ROUNDING_MM
 
 
+@pytest.mark.slow
 def test_retreat_leaves_what_the_desk_knew_of_the_position(tmp_path: Path) -> None:
     cut, known = DeskCut(tmp_path, PROGRAM), []
 

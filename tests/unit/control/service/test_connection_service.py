@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import pytest
-from desk_table import Visit
 
 from CNCStepper.control.operator.jog import LAPSE_S
 from CNCStepper.control.program.certificate import FORMAT, VERSION, Certificate, digest_of_lines
@@ -16,6 +15,7 @@ from CNCStepper.errors import LinkError
 from CNCStepper.machine.profile import load_machine
 from CNCStepper.virtual.grbl import suspend
 from CNCStepper.virtual.grbl.states import State
+from helpers.control.service_bench import Visit
 
 SQUARE = ("G21G90G94", "G1X-20F1500", "G1Y-20", "G1X0", "G1Y0")
 
@@ -518,6 +518,7 @@ def test_what_makes_no_sense_at_rest_is_refused_in_words(visit, name):
 # --- jobs ------------------------------------------------------------------------------------------
 
 
+@pytest.mark.slow
 def test_jobs_run_one_after_another_over_one_link(visit):
     def person():
         visit.job(*SQUARE)
@@ -642,6 +643,7 @@ def test_job_is_compared_with_settings_read_anew(visit):
     assert visit.phase == "idle"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("text", ["", "[1, 2]", '"x"', "{}", '{"lines": 5}', "\x00"])
 def test_file_that_holds_no_job_is_refused(visit, tmp_path, text):
     file = tmp_path / "broken.json"
@@ -845,6 +847,7 @@ def greeting_at_rest(visit):
     yield lambda: visit.desk.status().position_known is False
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("loses", [reset_in_motion, hard_limit_in_motion, supply_lost_in_motion, greeting_at_rest])
 def test_machine_whose_position_is_unknown_takes_no_program_until_its_zero_is_set(visit, loses):
     def person():
@@ -867,6 +870,7 @@ def test_machine_whose_position_is_unknown_takes_no_program_until_its_zero_is_se
     assert again.kind == DONE and visit.refusals() == []
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("old_mm", [0.0, -3.0])
 def test_after_a_greeting_no_job_begins_before_the_zero_is_set_and_a_stop_does_not_cost_it(visit, old_mm):
     visit.table.board.memory.places[54][0] = old_mm

@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import pytest
-from fake_controller import FakeClock, FakeController, FakeLink
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -15,45 +14,12 @@ from CNCStepper.control.protocol.grbl.connect import Found
 from CNCStepper.control.protocol.grbl.driver import Grbl
 from CNCStepper.control.protocol.grbl.readiness import expected_settings
 from CNCStepper.control.protocol.grbl.timeouts import Timing
-from CNCStepper.control.service.sender import Sender
-from CNCStepper.control.session.status import DONE, FAILED, REFUSED, STOPPED, Outcome
+from CNCStepper.control.session.status import DONE, FAILED, REFUSED, STOPPED
 from CNCStepper.control.stream.overrides import override_byte
 from CNCStepper.errors import JobError, LinkError, MachineRefusal, Place, ProgramError
 from CNCStepper.gcode.wire.encoder import prepare
 from CNCStepper.machine.profile import load_machine
-
-LINES = tuple(f"G1X{number}Y{number % 7}F600" for number in range(60))
-
-
-class Bench:
-    """One sender and one controller in memory."""
-
-    def __init__(self, lines=LINES, *, timing: Timing | None = None, seed=0, line_s=0.002, rx_bytes=128, **job):
-        self.clock = FakeClock()
-        self.controller = FakeController(self.clock, seed=seed, line_s=line_s, rx_bytes=rx_bytes)
-        self.link = FakeLink(self.controller, self.clock)
-        self.told: list[tuple[str, str]] = []
-        job = {"zero_confirmed": True, "file": "part.nc"} | job
-        self.sender = Sender(
-            SendJob("fake", lines, **job),
-            opener=lambda name, baud: self.link,
-            timing=timing,
-            clock=self.clock,
-            tell=self.tell,
-        )
-        self.on_phase: dict[str, object] = {}
-
-    def tell(self, kind: str, text: str) -> None:
-        self.told.append((kind, text))
-        action = self.on_phase.pop(text, None) if kind == "phase" else None
-        if action:
-            action()
-
-    def phases(self) -> list[str]:
-        return [text for kind, text in self.told if kind == "phase"]
-
-    def run(self) -> Outcome:
-        return self.sender.run()
+from helpers.control.sender_bench import LINES, Bench
 
 
 def test_job_is_done_when_all_lines_are_acknowledged_and_the_machine_is_idle():
@@ -77,6 +43,7 @@ def test_done_waits_for_the_motion_after_the_last_ok():
     assert bench.clock() - begin_s > 3.0
 
 
+@pytest.mark.slow
 @settings(max_examples=60, deadline=None)
 @given(
     lengths=st.lists(st.integers(1, 79), min_size=1, max_size=60),

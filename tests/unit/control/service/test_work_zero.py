@@ -8,11 +8,11 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
-from desk_table import Visit
 
 from CNCStepper.control.service.work_zero import start_of
 from CNCStepper.control.session.status import SenderStatus
 from CNCStepper.state import Start
+from helpers.control.service_bench import Visit
 
 OFFSETS = {"G54": (-200.0, -150.0, -30.0), "G55": (0.0, 0.0, 0.0), "G28": (1.0, 1.0, 1.0), "G92": (0.0, 0.0, 0.0)}
 KNOWN = SenderStatus(phase="idle", homed=True, work_system="G54", work_offsets_mm={**OFFSETS, "TLO": (0.0,)})
@@ -56,6 +56,7 @@ def test_a_status_keeps_its_zero_on_its_way() -> None:
     assert SenderStatus.from_json(json.loads(json.dumps(SenderStatus().to_json()))) == SenderStatus()
 
 
+@pytest.mark.slow
 def test_homing_gives_the_place_and_a_new_zero_moves_it(visit: Visit) -> None:
     seen: list[Start | None] = [start_of(visit.desk.status())]
 

@@ -13,7 +13,6 @@ import time
 from pathlib import Path
 
 import pytest
-from fake_controller import FakeServer
 
 from CNCStepper.control.processes import python_finder
 from CNCStepper.control.processes.bootstrap import BEHIND, python_version, see_packages
@@ -27,6 +26,7 @@ from CNCStepper.control.session.files import OUTCOME, RECENT_S, WIRE, new_sessio
 from CNCStepper.control.session.local_socket import Address
 from CNCStepper.control.session.status import DONE, FAILED, REFUSED, STOPPED
 from CNCStepper.errors import LinkError, MachineRefusal, MissingPackage
+from helpers.control.fake_controller import FakeServer
 
 LINES = [f"G1X{number}F600" for number in range(40)]
 LIMIT_S = 20.0
@@ -75,6 +75,7 @@ def peer_of(client: SessionClient) -> socket.socket:
     return Address.of(json.loads(client.session_file.read_text())).connect(5.0)
 
 
+@pytest.mark.slow
 def test_a_port_that_ones_own_job_has_is_refused_with_its_name(untouched, tmp_path):
     server, client = untouched
     folder = client.session_file.parent
@@ -109,6 +110,7 @@ def test_job_runs_in_its_own_process_and_nothing_is_left(tmp_path):
     assert sessions(tmp_path) == []
 
 
+@pytest.mark.slow
 def test_client_leaves_and_another_comes_back(held):
     server, client = held
     assert client.status().message == "turn the part"
@@ -124,6 +126,7 @@ def test_client_leaves_and_another_comes_back(held):
     client._reap()
 
 
+@pytest.mark.slow
 def test_answer_to_another_stand_is_refused_with_its_error(held):
     _, client = held
     present = client.status().stand
@@ -137,6 +140,7 @@ def test_answer_to_another_stand_is_refused_with_its_error(held):
     assert client.wait(limit_s=LIMIT_S).done
 
 
+@pytest.mark.slow
 def test_session_file_and_its_outcome_are_the_users_own(held):
     _, client = held
     content = json.loads(client.session_file.read_text())
@@ -196,6 +200,7 @@ def test_sigterm_stops_safely(held):
     assert client._process.returncode == 1
 
 
+@pytest.mark.slow
 def test_session_that_was_killed_is_lost_with_its_position(held):
     _, client = held
     client._process.kill()
@@ -221,6 +226,7 @@ def test_hold_resume_and_stop_over_the_session(tmp_path):
     assert outcome.kind == STOPPED and outcome.position_known
 
 
+@pytest.mark.slow
 def test_error_crosses_the_process_with_its_class_and_place(tmp_path):
     with FakeServer() as server:
         server.controller.on_line[5] = "error:33"
@@ -306,6 +312,7 @@ def test_a_python_that_lacks_nothing_keeps_to_its_own_packages(monkeypatch, tmp_
     assert sys.path[-1] == str(tmp_path)
 
 
+@pytest.mark.slow
 def test_a_python_is_sought_without_waiting(monkeypatch):
     find_python.cache_clear()
     begin_s = time.monotonic()

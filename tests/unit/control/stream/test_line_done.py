@@ -6,9 +6,9 @@ from __future__ import annotations
 from math import floor
 
 import pytest
-from desk_table import Visit
 
 from CNCStepper.virtual.grbl.firmware import FIRMWARES
+from helpers.control.service_bench import Visit
 
 STEP_MM = 0.03
 LINES = ("G21G90G94F1200", *(f"G1X-{number}" for number in range(1, 61)))

@@ -8,13 +8,22 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from cut_programs import THRICE
-from cut_table import CORNERS_MM, ROUNDING_MM, STEP_MM, Cut, along_mm, path_of, polyline, worst_distance_mm
 
 from CNCStepper.control.session.command import Command
 from CNCStepper.machine.profile import load_machine
 from CNCStepper.recovery.retract.path import Place, Way
 from CNCStepper.recovery.retract.prove import Held
+from helpers.control.retract_bench import (
+    CORNERS_MM,
+    ROUNDING_MM,
+    STEP_MM,
+    Cut,
+    along_mm,
+    path_of,
+    polyline,
+    worst_distance_mm,
+)
+from helpers.control.retract_programs import THRICE
 
 pytestmark = pytest.mark.slow
 SQUARE = "G21 G90\nG0 Z-2\nG0 X-5 Y-5\nM3 S8000\nG1 Z-5 F600\nG1 X-25 F1200\nY-25\nX-5\nY-5\nG0 Z-2\nM5\nM2\n"

@@ -9,7 +9,6 @@ import tracemalloc
 
 import numpy as np
 import pytest
-from fake_controller import FakeClock, FakeController, FakeLink
 
 from CNCStepper.control.program.send_job import SendJob
 from CNCStepper.control.protocol.grbl.driver import Grbl
@@ -18,6 +17,7 @@ from CNCStepper.control.service.sender import Sender
 from CNCStepper.control.stream.path_watch import held_words
 from CNCStepper.control.stream.planned_path import PlannedPath, arc_points
 from CNCStepper.state import Start
+from helpers.control.fake_controller import FakeClock, FakeController, FakeLink
 
 NEAR_MM = (0.027, 0.027, 0.007)
 SQUARE = ("G21G90G94G17", "G1X10F600", "Y10", "X0", "Y0")

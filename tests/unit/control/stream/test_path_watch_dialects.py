@@ -4,8 +4,6 @@
 from __future__ import annotations
 
 import pytest
-from desk_table import Visit
-from fake_controller import FakeClock, FakeController, FakeLink
 
 from CNCStepper.control.program.send_job import SendJob
 from CNCStepper.control.service.sender import Sender
@@ -13,6 +11,8 @@ from CNCStepper.control.stream.path_watch import held_words
 from CNCStepper.control.stream.planned_path import PlannedPath
 from CNCStepper.state import Start
 from CNCStepper.virtual.grbl.firmware import FLUIDNC, GRBLHAL
+from helpers.control.fake_controller import FakeClock, FakeController, FakeLink
+from helpers.control.service_bench import Visit
 
 NEAR_MM = (0.027, 0.027, 0.007)
 DRILLING = (

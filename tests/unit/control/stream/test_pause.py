@@ -4,12 +4,12 @@
 from __future__ import annotations
 
 import pytest
-from desk_table import Visit
 
 from CNCStepper.control.journal.replay import RUNNING, read_story
 from CNCStepper.control.session.status import DONE, FAILED
 from CNCStepper.control.stream.pause import way_back
 from CNCStepper.virtual.grbl.states import State
+from helpers.control.service_bench import Visit
 
 BEFORE = ("G21G90G94", "M3S9000", "G1Z-4F400", "G1X-20F1500", "G0Z-1", "M5")
 AFTER = ("M3S9000", "G1X-30F1500", "G1Z-6F400", "M2")
@@ -131,6 +131,7 @@ def test_resume_waits_for_a_jog_and_then_takes_it_back(visit):
     assert visit.table.board.axes.position_mm == pytest.approx((-30, 0, -6), abs=0.01)
 
 
+@pytest.mark.slow
 def test_way_back_can_be_held_and_taken_up_again(visit):
     def person():
         visit.job(*CHANGE)
@@ -168,6 +169,7 @@ def test_way_back_out_of_the_travel_is_refused_and_the_job_stays_paused(tmp_path
     assert visit.refused[0][0] == "resume" and "15" in visit.refused[0][1].code
 
 
+@pytest.mark.slow
 def test_controller_that_restarts_at_the_pause_ends_the_job(visit):
     def person():
         visit.job(*CHANGE)
@@ -180,6 +182,7 @@ def test_controller_that_restarts_at_the_pause_ends_the_job(visit):
     assert outcome.kind == FAILED and outcome.error.code == "controller-restarted" and not outcome.position_known
 
 
+@pytest.mark.slow
 def test_hold_at_the_machine_during_the_pause_needs_two_resumes(visit):
     def person():
         visit.job(*CHANGE)
@@ -220,6 +223,7 @@ def damage(visit: Visit, line: bytes, by: bytes) -> None:
     visit.table.write = lambda data: write(data.replace(line, by))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("zero", ["", "Z", "XZ"])
 def test_path_is_compared_again_after_the_stand(visit, zero):
     def person():
@@ -238,6 +242,7 @@ def test_path_is_compared_again_after_the_stand(visit, zero):
     assert visit.outcomes[0].error.place.line == 1 + CHANGE.index("G1X-30F1500")
 
 
+@pytest.mark.slow
 def test_path_that_was_given_up_before_the_stand_is_told_of_once(visit):
     def person():
         visit.job("G21G90G94", "$G", *CHANGE[1:])
@@ -251,6 +256,7 @@ def test_path_that_was_given_up_before_the_stand_is_told_of_once(visit):
     assert visit.outcomes[0].kind == DONE and len(told) == 1
 
 
+@pytest.mark.slow
 def test_time_at_a_stand_does_not_count_as_cutting(visit):
     remaining_s = []
 
@@ -323,6 +329,7 @@ def test_stepping_can_begin_and_end_in_the_middle(visit):
     assert 3 < seen[0] < len(lines) and visit.outcomes[0].kind == DONE
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("zero", ["", "Z"])
 def test_journal_knows_the_zero_that_was_set_at_the_pause_before_the_next_line_goes_out(tmp_path, zero):
     visit = Visit(tmp_path, journals=tmp_path)

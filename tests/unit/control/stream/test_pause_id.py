@@ -4,13 +4,13 @@
 from __future__ import annotations
 
 import pytest
-from desk_table import Visit
 
 from CNCStepper.control.session.command import Command
 from CNCStepper.control.session.status import DONE
 from CNCStepper.control.stream.pause_id import StandCount
 from CNCStepper.errors import MachineRefusal
 from CNCStepper.virtual.grbl.input_pins import DOOR
+from helpers.control.service_bench import Visit
 
 TWO_PAUSES = ("G21G90G94", "G1X-4F1500", "M0", "G1X-8", "M0", "G1X-12")
 WORDS = {2: "change to tool 1", 4: "change to tool 2"}
@@ -69,6 +69,7 @@ def test_answer_to_a_hold_does_not_end_the_pause_that_came_after_it(visit):
     assert visit.outcomes[0].kind == DONE
 
 
+@pytest.mark.slow
 def test_answer_to_one_job_does_not_let_the_next_one_go_on(visit):
     def person():
         for job in (1, 2):

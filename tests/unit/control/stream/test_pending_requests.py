@@ -6,12 +6,12 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from cut_programs import THRICE
-from cut_table import Cut
-from desk_table import Visit
 
 from CNCStepper.machine.input_pins import Input
 from CNCStepper.machine.profile import Machine, load_machine
+from helpers.control.retract_bench import Cut
+from helpers.control.retract_programs import THRICE
+from helpers.control.service_bench import Visit
 
 pytestmark = pytest.mark.slow
 BUTTONS = Input(pin="P", act="back", back_mm=2.0), Input(pin="X", act="start")

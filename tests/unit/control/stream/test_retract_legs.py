@@ -110,6 +110,7 @@ def test_what_is_told_is_read_back(tmp_path: Path) -> None:
         Retrace(PROGRAM).tell(driver, "held", tmp_path / "nowhere" / "held.zip", jogged=False)
 
 
+@pytest.mark.slow
 def test_memory_does_not_grow_with_the_leg(tmp_path: Path) -> None:
     def most_bytes(count: int) -> int:
         file, retrace = write_leg(tmp_path / f"{count}.zip", ["G1X10.123Y20.456"] * count), Retrace(PROGRAM)

@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import pytest
-from desk_table import Visit
 
 from CNCStepper.control.program.send_job import SendJob
 from CNCStepper.control.session.status import DONE, FAILED
@@ -14,6 +13,7 @@ from CNCStepper.control.stream.tool_power import ToolPower
 from CNCStepper.machine.profile import Machine, load_machine
 from CNCStepper.virtual.grbl.firmware import GRBLHAL
 from CNCStepper.virtual.grbl.states import State
+from helpers.control.service_bench import Visit
 
 LASER = {32: 1.0}
 TURN_S = 0.02  # from a line that switches on to the move behind it
@@ -85,6 +85,7 @@ def wire(visit: Visit) -> list[str]:
 # --- a beam -----------------------------------------------------------------------------------------
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("word", ["M3", "M4"])
 def test_beam_is_off_at_a_pause_and_cuts_on_with_its_power(tmp_path, word):
     visit = Visit(tmp_path, settings=LASER)
@@ -103,6 +104,7 @@ def test_beam_is_off_before_each_line_of_a_job_that_is_stepped(tmp_path):
     assert trace.on_way(0, -5) == trace.on_way(-5, -10) == {9000.0} and trace.on_way(-10, -15) == {4000.0}
 
 
+@pytest.mark.slow
 def test_beam_that_the_program_switches_itself_is_not_switched_on_before(tmp_path):
     visit = Visit(tmp_path, settings=LASER)
     run(visit, "G21G90G94", "M3S9000", "G1X-2F1500", "M0", "M0", "M5", "M3S700", "G1X-3", "M2")
@@ -122,6 +124,7 @@ def test_power_that_cannot_be_switched_ends_the_job(tmp_path):
 # --- a torch, a spindle -----------------------------------------------------------------------------
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("outputs", "laser"), [("off", False), (None, True), ("keep", True)])
 def test_profile_says_that_a_tool_cuts_standing(tmp_path, outputs, laser):
     visit = Visit(tmp_path)
@@ -133,6 +136,7 @@ def test_profile_says_that_a_tool_cuts_standing(tmp_path, outputs, laser):
     assert sent[on + 1] == ("G1X-10" if laser else "G4P1")  # a torch pierces
 
 
+@pytest.mark.slow
 def test_spindle_goes_on_turning_at_a_pause(tmp_path):
     visit = Visit(tmp_path)
     trace = run(visit, *CUT, retrace={"machine": machine_with().model_dump(mode="json")})
@@ -140,6 +144,7 @@ def test_spindle_goes_on_turning_at_a_pause(tmp_path):
     assert wire(visit).count("M5") == 1
 
 
+@pytest.mark.slow
 def test_spindle_is_stopped_for_a_new_tool_and_waited_for_behind_it(tmp_path):
     visit = Visit(tmp_path, firmware=GRBLHAL)
     lines = ("G21G90G94", "M3S9000", "G1X-5F1500", "T2M6", "G1X-10", "M2")

@@ -4,10 +4,10 @@
 from __future__ import annotations
 
 import pytest
-from test_never_blind import Workshop
 
 from CNCStepper.control.session.status import DONE
 from CNCStepper.control.stream.work_offset_watch import OffsetWatch
+from helpers.control.workshop import Workshop
 
 SYSTEMS = ("G54", "G55", "G56", "G57", "G58", "G59")
 ENDS = ("M2", "M30", "M02", "G1X-4M30")

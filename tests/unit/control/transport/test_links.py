@@ -11,7 +11,6 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 
 import pytest
-from fake_controller import FakeServer
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -22,6 +21,7 @@ from CNCStepper.control.protocol.grbl.timeouts import Timing
 from CNCStepper.control.transport.link import open_link
 from CNCStepper.control.transport.telnet import DO, DONT, IAC, SB, SE, WILL, WONT, plain_bytes, socket_url
 from CNCStepper.errors import LinkError
+from helpers.control.fake_controller import FakeServer
 
 OFFERS = bytes([IAC, WILL, 1, IAC, DO, 34, IAC, SB, 34, 1, 2, IAC, SE])
 Pump = Callable[[socket.socket, socket.socket], None]

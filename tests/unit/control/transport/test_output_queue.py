@@ -7,7 +7,6 @@ import socket
 import sys
 
 import pytest
-from fake_controller import FakeClock
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -15,6 +14,7 @@ from CNCStepper.control.protocol.grbl.driver import Grbl
 from CNCStepper.control.protocol.grbl.motion_interlock import MotionInterlock
 from CNCStepper.control.transport.link import Link
 from CNCStepper.control.transport.output_queue import QUEUE_BYTES, WireQueue
+from helpers.control.fake_controller import FakeClock
 
 WAKING_S = 0.0003  # what a thread that is woken comes late
 UNLOCKED = MotionInterlock(lambda: False)

@@ -12,7 +12,6 @@ import time
 from types import SimpleNamespace
 
 import pytest
-from fake_controller import FakeServer
 
 from CNCStepper.control.processes.process_file import OwnFile
 from CNCStepper.control.program.send_job import SendJob
@@ -25,6 +24,7 @@ from CNCStepper.control.stream.position_trust import AT_HOME, LOST, NOTHING_AGAI
 from CNCStepper.control.transport import port_identity
 from CNCStepper.control.transport.port_identity import LOOK_UP_S, PortIdentity, identify, is_same_port
 from CNCStepper.errors import MachineRefusal
+from helpers.control.fake_controller import FakeServer
 
 FROM_HERE = LOST._replace(counts_from_here=True)
 
@@ -415,6 +415,7 @@ def send(folder, port: str, lines=("G1X1F600", "G1X2")) -> SessionClient:
     return SessionClient.start(SendJob(port, list(lines), zero_confirmed=True), python=sys.executable, folder=folder)
 
 
+@pytest.mark.slow
 def test_what_one_name_has_lost_is_refused_at_another_name(tmp_path):
     with FakeServer() as server:
         server.controller.on_line = {0: "ALARM:1"}
@@ -427,6 +428,7 @@ def test_what_one_name_has_lost_is_refused_at_another_name(tmp_path):
         assert send(tmp_path, server.url).wait(limit_s=20).kind == DONE
 
 
+@pytest.mark.slow
 def test_a_job_is_found_and_held_under_another_name_of_its_port(tmp_path):
     with FakeServer() as server:
         client = send(tmp_path, server.url, ["G1X1F600", "M0", "G1X2"])

@@ -11,11 +11,6 @@ from functools import cache
 import numpy as np
 import pytest
 import shapely
-from cases import SEEDS
-from engaged import met_by
-from judged import cut, judged, tool
-from random_areas import Drawn, path_of, random_area
-from swept import Wanted, gouge_mm, left_mm, reachable, swept
 
 from CNCStepper.cycles.clearing.engagement import clearing_map
 from CNCStepper.cycles.clearing.engagement.engagement_pattern import engagement_pattern
@@ -27,6 +22,11 @@ from CNCStepper.geometry.region import Region
 from CNCStepper.simulation.checks.report import report
 from CNCStepper.simulation.removal.engagement import engagement
 from CNCStepper.simulation.stock import Stock
+from helpers.cycles.engagement_judge import met_by
+from helpers.cycles.product_verdict import cut, judged, tool
+from helpers.cycles.random_areas import Drawn, path_of, random_area
+from helpers.cycles.seeds import SEEDS
+from helpers.cycles.sweep_judge import Wanted, gouge_mm, left_mm, reachable, swept
 
 TOLERANCE_MM = 0.01
 MARGIN_DEG = 5.0
@@ -195,6 +195,7 @@ def test_the_products_own_simulation_sees_no_more_either():
     assert np.nanmax(met.angle_deg[met.row >= entry.last]) <= 60.0 + MARGIN_DEG
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("climb", [True, pytest.param(False, marks=pytest.mark.slow)])
 def test_the_material_is_on_the_side_asked_for(climb):
     room = Region.of([from_points([(0, 0), (14, 0), (14, 9), (0, 9)], closed=True)])

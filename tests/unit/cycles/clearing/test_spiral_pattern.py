@@ -8,15 +8,15 @@ import math
 import numpy as np
 import pytest
 import shapely
-from cases import SEEDS
-from random_areas import DEEP_MM, TOLERANCE_MM, path_of, polygon
-from swept import Wanted, gouge_mm, left_mm, reachable, swept
 
 from CNCStepper.cycles.clearing.pattern import Area
 from CNCStepper.cycles.clearing.spiral_pattern import spiral
 from CNCStepper.errors import CycleError
 from CNCStepper.geometry.curve import Curve, circle, from_points
 from CNCStepper.geometry.region import Region
+from helpers.cycles.random_areas import DEEP_MM, TOLERANCE_MM, path_of, polygon
+from helpers.cycles.seeds import SEEDS
+from helpers.cycles.sweep_judge import Wanted, gouge_mm, left_mm, reachable, swept
 
 KINDS = ("circle", "box", "stadium", "hull", "waves", "sliver")
 
@@ -68,6 +68,7 @@ def turns_apart_mm(curve: Curve) -> float:
     return float((size - inner).max())
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("climb", [True, pytest.param(False, marks=pytest.mark.slow)])
 def test_a_round_room_gets_even_turns(climb: bool) -> None:
     (run,) = spiral(area_of(circle((0, 0), 25.0), 3.0, 2.4, climb))
@@ -102,6 +103,7 @@ def test_an_island_is_refused_with_advice() -> None:
         spiral(Area(room, 3.0, 2.0, TOLERANCE_MM, True))
 
 
+@pytest.mark.slow
 def test_the_turns_are_as_far_apart_as_is_told() -> None:
     (run,) = spiral(area_of(circle((0, 0), 25.0), 3.0, 2.5))
     assert run.apart_mm == pytest.approx(22 / 9, rel=0.005)

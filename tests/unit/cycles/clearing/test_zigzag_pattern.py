@@ -9,15 +9,15 @@ import time
 import numpy as np
 import pytest
 import shapely
-from cases import SEEDS
-from random_areas import DEEP_MM, TOLERANCE_MM, Drawn, path_of, random_area
-from swept import Wanted, gouge_mm, left_mm, reachable, swept
 
 from CNCStepper.cycles.clearing.pattern import Area, Run
 from CNCStepper.cycles.clearing.zigzag_pattern import zigzag
 from CNCStepper.errors import CycleError
 from CNCStepper.geometry.curve import Curve, circle, from_points
 from CNCStepper.geometry.region import Region
+from helpers.cycles.random_areas import DEEP_MM, TOLERANCE_MM, Drawn, path_of, random_area
+from helpers.cycles.seeds import SEEDS
+from helpers.cycles.sweep_judge import Wanted, gouge_mm, left_mm, reachable, swept
 
 BOX = from_points([(0, 0), (60, 0), (60, 40), (0, 40)], closed=True)
 

@@ -8,9 +8,6 @@ import math
 import numpy as np
 import pytest
 import shapely
-from judged import cut, judged, tool
-from pocket_sweep import runs, spans
-from swept import Wanted, gouge_mm, swept
 
 from CNCStepper.cycles.contours.contour import Contour
 from CNCStepper.cycles.cycle import Setup
@@ -18,6 +15,9 @@ from CNCStepper.errors import CycleError
 from CNCStepper.geometry.curve import Curve, circle, from_points
 from CNCStepper.state import Start
 from CNCStepper.toolpath import ARC_CW, LINE, RAPID, TableBuilder, Toolpath
+from helpers.cycles.ellipse_judge import runs, spans
+from helpers.cycles.product_verdict import cut, judged, tool
+from helpers.cycles.sweep_judge import Wanted, gouge_mm, swept
 
 BOX = from_points([(-20, -15), (20, -15), (20, 15), (-20, 15)], closed=True)
 HOLE = circle((0.0, 0.0), 9.0)

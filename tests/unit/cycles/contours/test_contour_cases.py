@@ -14,16 +14,16 @@ from typing import Any
 import numpy as np
 import pytest
 import shapely
-from cases import SEEDS
-from judged import Verdict, cut, judged, tool
-from random_outlines import Outlines, enclosed, random_line, random_outlines
 from shapely.geometry.base import BaseGeometry
-from swept import DEEP_MM, Wanted, band, flattened, gouge_mm, left_mm, reachable, rows_of, swept
 
 from CNCStepper.cycles.contours.contour import Contour
 from CNCStepper.errors import CycleError
 from CNCStepper.geometry.curve import Curve
 from CNCStepper.simulation.stock import Stock
+from helpers.cycles.product_verdict import Verdict, cut, judged, tool
+from helpers.cycles.random_outlines import Outlines, enclosed, random_line, random_outlines
+from helpers.cycles.seeds import SEEDS
+from helpers.cycles.sweep_judge import DEEP_MM, Wanted, band, flattened, gouge_mm, left_mm, reachable, rows_of, swept
 
 TOLERANCE_MM = 0.01
 ERROR_MM = 0.0025  # of the judges, the writer's rounding included
@@ -200,6 +200,7 @@ def touched(operation: Contour, radius_mm: float) -> np.ndarray:
     return (places + operation.stock_to_leave_mm * out)[fits]
 
 
+@pytest.mark.slow
 def test_the_generator_tries_what_is_hard() -> None:
     seeds = range(1, 101)
     cases = [closed_case(seed) for seed in seeds]
@@ -214,6 +215,7 @@ def test_the_generator_tries_what_is_hard() -> None:
     assert sum(operation.ramp_deg > 0 and operation.overcut_mm > 0 for operation in boned) >= 5
 
 
+@pytest.mark.slow
 def test_few_open_contours_are_refused() -> None:
     refused, seeds = 0, range(1, 31)
     for operation, tool_mm in map(open_case, seeds):
@@ -239,6 +241,7 @@ def test_few_are_refused_and_many_collapse() -> None:
     assert refused <= 0.3 * len(seeds) and collapsed >= 0.1 * len(seeds)
 
 
+@pytest.mark.slow
 def test_a_plain_contour_with_a_hole() -> None:
     case = closed_case(1)
     found = tried(case.operation, case.outlines.tool_mm)

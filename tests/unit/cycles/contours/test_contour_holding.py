@@ -9,10 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 import shapely
-from judged import Verdict, cut, judged, tool
-from pocket_sweep import runs
 from shapely.geometry.base import BaseGeometry
-from swept import swept
 
 from CNCStepper.cycles.contours.contour import Contour
 from CNCStepper.cycles.cycle import Answer, Setup
@@ -26,6 +23,9 @@ from CNCStepper.job.prove import prove_job
 from CNCStepper.machine.profile import load_machine
 from CNCStepper.state import Start
 from CNCStepper.toolpath import RAPID, TableBuilder, Toolpath
+from helpers.cycles.ellipse_judge import runs
+from helpers.cycles.product_verdict import Verdict, cut, judged, tool
+from helpers.cycles.sweep_judge import swept
 
 BOX = from_points([(-20, -15), (20, -15), (20, 15), (-20, 15)], closed=True)
 ELL = from_points([(-25, -20), (25, -20), (25, 0), (5, 0), (5, 20), (-25, 20)], closed=True)

@@ -7,13 +7,13 @@ import math
 
 import numpy as np
 import pytest
-from judged import cut, tool
-from pocket_sweep import FLAT_MM, runs, spans
 from shapely import LineString, points
 
 from CNCStepper.cycles.contours.engrave import Engrave
 from CNCStepper.geometry.curve import Curve, circle, from_points
 from CNCStepper.toolpath import ARC_CCW, ARC_CW, LINE, RAPID, Toolpath
+from helpers.cycles.ellipse_judge import FLAT_MM, runs, spans
+from helpers.cycles.product_verdict import cut, tool
 
 OPEN = Curve(np.array([(0.0, 0), (10, 0), (10, 10)]), np.array([0.0, math.tan(math.pi / 8)]))
 SQUARE = from_points([(0, 0), (5, 0), (5, 5), (0, 5)], closed=True)

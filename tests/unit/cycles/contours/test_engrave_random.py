@@ -9,14 +9,14 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
-from cases import SEEDS
-from judged import cut, judged, tool
 from shapely import MultiLineString, STRtree, get_coordinates, get_parts, points, segmentize
-from swept import flattened, rows_of
 
 from CNCStepper.cycles.contours.engrave import Engrave
 from CNCStepper.geometry.curve import Curve, circle, from_points
 from CNCStepper.toolpath import RAPID, Toolpath
+from helpers.cycles.product_verdict import cut, judged, tool
+from helpers.cycles.seeds import SEEDS
+from helpers.cycles.sweep_judge import flattened, rows_of
 
 WRITTEN_MM = 0.002  # what three decimals add to a point, and to an arc's centre
 APART_MM = 0.1

@@ -9,11 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 import pytest
 import shapely
-from cases import SEEDS
-from judged import cut, judged, tool
-from random_areas import polygon
 from shapely import Point, Polygon
-from swept import DEEP_MM, Wanted, band, gouge_mm, left_mm, swept
 
 from CNCStepper.cycles.cycle import Setup
 from CNCStepper.cycles.facing.face import Face
@@ -23,6 +19,10 @@ from CNCStepper.geometry.shapes.rectangle import rectangle
 from CNCStepper.simulation.stock import Stock
 from CNCStepper.state import Start
 from CNCStepper.toolpath import RAPID, TableBuilder, Toolpath
+from helpers.cycles.product_verdict import cut, judged, tool
+from helpers.cycles.random_areas import polygon
+from helpers.cycles.seeds import SEEDS
+from helpers.cycles.sweep_judge import DEEP_MM, Wanted, band, gouge_mm, left_mm, swept
 
 PLACES = ("stock", "inside", "across", "sliver", "two")
 STOCK = Stock((80, 50, 10))

@@ -10,9 +10,6 @@ from random import Random
 import numpy as np
 import pytest
 import shapely
-from cases import SEEDS
-from judged import cut, judged, tool
-from swept import Wanted, gouge_mm, left_mm, swept
 
 from CNCStepper.cycles.holes.bore import Bore
 from CNCStepper.cycles.holes.hole_patterns import placed
@@ -20,6 +17,9 @@ from CNCStepper.errors import CycleError
 from CNCStepper.geometry.curve import circle
 from CNCStepper.machine.tools.tool import Tool
 from CNCStepper.toolpath import ARC_CCW, ARC_CW, Toolpath
+from helpers.cycles.product_verdict import cut, judged, tool
+from helpers.cycles.seeds import SEEDS
+from helpers.cycles.sweep_judge import Wanted, gouge_mm, left_mm, swept
 
 POINTS = {"kind": "points", "points_mm": [(0, 0), (40, 5)]}
 
@@ -95,6 +95,7 @@ def test_a_finish_leaves_the_roughing_helix_room():
     assert cut(bore, tool(6))[1].figures["passes"] == 1
 
 
+@pytest.mark.slow
 def test_the_cases_are_fairly_spread():
     seeds = range(1, 201)
     shares = [cutter.diameter_mm / operation.diameter_mm for operation, cutter in map(random_bore, seeds)]

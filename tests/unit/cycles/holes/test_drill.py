@@ -8,8 +8,6 @@ from random import Random
 
 import numpy as np
 import pytest
-from cases import SEEDS
-from judged import cut, judged, tool
 from pydantic import TypeAdapter
 
 from CNCStepper.cycles.holes.drill import Drill
@@ -23,6 +21,8 @@ from CNCStepper.simulation.removal.heightmap import height_map
 from CNCStepper.simulation.stock import Stock
 from CNCStepper.state import Start
 from CNCStepper.toolpath import LINE, RAPID, Toolpath
+from helpers.cycles.product_verdict import cut, judged, tool
+from helpers.cycles.seeds import SEEDS
 
 POINTS = {"kind": "points", "points_mm": [(0, 0), (20, 5), (3, 14)]}
 

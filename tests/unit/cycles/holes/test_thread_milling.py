@@ -9,9 +9,6 @@ from random import Random
 import numpy as np
 import pytest
 import shapely
-from cases import SEEDS
-from judged import cut, judged, tool
-from swept import Wanted, gouge_mm, left_mm, swept
 
 from CNCStepper.cycles.contours.contour import Contour
 from CNCStepper.cycles.cycle import Cycle
@@ -22,6 +19,9 @@ from CNCStepper.errors import CycleError
 from CNCStepper.geometry.curve import circle
 from CNCStepper.machine.tools.tool import Tool
 from CNCStepper.toolpath import ARC_CCW, ARC_CW, Toolpath
+from helpers.cycles.product_verdict import cut, judged, tool
+from helpers.cycles.seeds import SEEDS
+from helpers.cycles.sweep_judge import Wanted, gouge_mm, left_mm, swept
 
 POINTS = {"kind": "points", "points_mm": [(0, 0), (60, 5)]}
 ONE = {"kind": "points", "points_mm": [(0, 0)]}

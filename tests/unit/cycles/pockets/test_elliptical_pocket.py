@@ -12,16 +12,16 @@ from functools import cache
 
 import numpy as np
 import pytest
-from cases import SEEDS
-from judged import cut, judged, tool
-from pocket_sweep import OUTLINE_MM, runs, spans, unreachable_mm, wanted
 from shapely import LinearRing, LineString, Point, Polygon, points, prepare
-from swept import Wanted, band, gouge_mm, left_by_level
 
 from CNCStepper.cycles.cycle import Answer
 from CNCStepper.cycles.pockets.elliptical_pocket import EllipticalPocket
 from CNCStepper.errors import CycleError
 from CNCStepper.toolpath import RAPID, Toolpath
+from helpers.cycles.ellipse_judge import OUTLINE_MM, runs, spans, unreachable_mm, wanted
+from helpers.cycles.product_verdict import cut, judged, tool
+from helpers.cycles.seeds import SEEDS
+from helpers.cycles.sweep_judge import Wanted, band, gouge_mm, left_by_level
 
 EXAMPLE = EllipticalPocket(
     tool=1,
@@ -232,6 +232,7 @@ def test_every_dda_ring_keeps_to_its_own_ellipse(seed: int) -> None:
         assert ellipse.distance(points((own[1:] + own[:-1]) / 2)).max() <= allowed_mm + 1e-4
 
 
+@pytest.mark.slow
 def test_the_job_example_has_part_c_s_numbers() -> None:
     path, answer = cut(EXAMPLE)
     assert answer.figures == {
@@ -247,6 +248,7 @@ def test_the_job_example_has_part_c_s_numbers() -> None:
     assert len(finishing) == 6 and max(finishing) <= 32
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("units", ["mm", pytest.param("inch", marks=pytest.mark.slow)])
 def test_the_job_example_is_clean_on_its_way_through_text(units: str) -> None:
     found = judged(EXAMPLE, units=units)
@@ -277,6 +279,7 @@ def changed(path: Toolpath, change: Callable[[np.ndarray, int, int], None], numb
     return replace(path, chunks=[replace(table, end=end, centre=centre)])
 
 
+@pytest.mark.slow
 def test_the_judge_sees_a_shifted_ring() -> None:
     path, _ = cut(EXAMPLE)
 

@@ -7,11 +7,8 @@ import math
 
 import numpy as np
 import pytest
-from judged import cut, tool
-from random_pockets import box, slot
 from shapely import LineString, buffer, difference, get_parts, union_all
 from shapely import box as rectangle
-from swept import Wanted, flattened, gouge_mm, left_mm, rows_of, swept
 
 from CNCStepper.cycles.clearing.reachable_regions import corners_of
 from CNCStepper.cycles.cycle import Answer
@@ -20,6 +17,9 @@ from CNCStepper.errors import CNCStepperError, CycleError, GeometryError
 from CNCStepper.geometry.curve import Curve, circle, from_points
 from CNCStepper.geometry.segments import complex_of, xy_of
 from CNCStepper.toolpath import RAPID, Toolpath
+from helpers.cycles.product_verdict import cut, tool
+from helpers.cycles.random_pockets import box, slot
+from helpers.cycles.sweep_judge import Wanted, flattened, gouge_mm, left_mm, rows_of, swept
 
 OUTLINE = [(30, 25), (70, 22), (85, 40), (120, 30), (130, 60), (100, 85), (60, 70), (35, 85)]
 ISLANDS = (circle((60, 48), 7), from_points([(90, 50), (104, 48), (106, 62), (92, 64)], True))

@@ -12,16 +12,16 @@ from functools import cache
 
 import numpy as np
 import pytest
-from cases import SEEDS
-from judged import Verdict, cut, judged, tool
-from random_pockets import Shapes, random_shapes
 from shapely.geometry.base import BaseGeometry
-from swept import Wanted, band, gouge_mm, left_mm, reachable, swept
 
 from CNCStepper.cycles.passes import whole_passes
 from CNCStepper.cycles.pockets.pocket import Pocket
 from CNCStepper.errors import CNCStepperError
 from CNCStepper.geometry.region import Region
+from helpers.cycles.product_verdict import Verdict, cut, judged, tool
+from helpers.cycles.random_pockets import Shapes, random_shapes
+from helpers.cycles.seeds import SEEDS
+from helpers.cycles.sweep_judge import Wanted, band, gouge_mm, left_mm, reachable, swept
 
 DEPTH_MM = 2.0
 TOLERANCE_MM = 0.01

@@ -9,11 +9,8 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 import shapely
-from cases import SEEDS
-from judged import cut, judged, tool
 from shapely import Polygon
 from shapely.affinity import rotate
-from swept import Wanted, band, gouge_mm, left_by_level
 
 from CNCStepper.cycles.cycle import Setup
 from CNCStepper.cycles.pockets.circular_pocket import CircularPocket
@@ -24,6 +21,9 @@ from CNCStepper.geometry.shapes.rectangle import rectangle
 from CNCStepper.machine.profile import validated
 from CNCStepper.state import Start
 from CNCStepper.toolpath import TableBuilder
+from helpers.cycles.product_verdict import cut, judged, tool
+from helpers.cycles.seeds import SEEDS
+from helpers.cycles.sweep_judge import Wanted, band, gouge_mm, left_by_level
 
 PATTERNS = ("offset", "zigzag", "spiral")
 Pocket = CircularPocket | RectangularPocket
@@ -118,6 +118,7 @@ def test_round_corners_as_large_as_the_tool_leave_nothing() -> None:
     assert cut(pocket, tool(6.0))[1].figures["rest_corners"] == 0
 
 
+@pytest.mark.slow
 def test_a_circle_is_cleared_in_one_spiral_without_lifting_within_a_level() -> None:
     found = judged(CircularPocket(tool=1, radius_mm=20, depth_mm=4, stepdown_mm=2, stepover_mm=2.4), tool(6.0))
     assert found.clean and found.gouge_mm <= 0.01 and found.left_mm <= 0.01

@@ -10,8 +10,6 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from dialect_jobs import one_job
-from gcode_paths import row_points
 
 from CNCStepper.errors import ProgramError
 from CNCStepper.gcode.conversion.convert import convert
@@ -22,6 +20,8 @@ from CNCStepper.gcode.writer.write import WriteOptions, write_split, written
 from CNCStepper.machine.profile import load_machine
 from CNCStepper.state import Start
 from CNCStepper.toolpath import LINE, TableBuilder, Toolpath
+from helpers.gcode.dialect_jobs import one_job
+from helpers.gcode.writer_toolpaths import row_points
 
 ZERO = Start.at_zero()
 ROOT = Path(__file__).parents[4]
@@ -280,6 +280,7 @@ M2
 NAMES = [name for name in dialect_names() if name not in ("mini-lathe", "linuxcnc")]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", NAMES)
 def test_a_converted_program_makes_the_same_moves(name):
     made = convert(PROGRAM, "linuxcnc", name, ZERO, leave_out=LEFT_OUT)

@@ -9,7 +9,6 @@ from random import Random
 
 import numpy as np
 import pytest
-from curve_distance import farthest, frechet, stretches
 
 from CNCStepper.errors import ProgramError
 from CNCStepper.gcode.edit.compact import compact
@@ -18,6 +17,7 @@ from CNCStepper.job.make import make_program
 from CNCStepper.job.model import load_job
 from CNCStepper.state import Start
 from CNCStepper.toolpath import Toolpath
+from helpers.gcode.curve_distance import farthest, frechet, stretches
 
 EXAMPLE = Path(__file__).parents[4] / "examples" / "jobs" / "elliptical-pocket.toml"
 
@@ -128,6 +128,7 @@ def test_a_circle_of_small_lines_becomes_arcs_in_its_plane() -> None:
         assert made.count("\n") <= 9
 
 
+@pytest.mark.slow
 def test_a_helix_of_small_lines_becomes_helices() -> None:
     way = [(5 * math.cos(k / 20), 5 * math.sin(k / 20), -k / 100) for k in range(200)]
     lines = [f"X{x:.3f} Y{y:.3f} Z{z:.3f}" for x, y, z in way]

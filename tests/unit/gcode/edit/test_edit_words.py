@@ -7,7 +7,6 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from edit_programs import random_program
 
 from CNCStepper.errors import ProgramError
 from CNCStepper.gcode.edit.feed_scaling import scale_feeds
@@ -16,6 +15,7 @@ from CNCStepper.gcode.edit.line_tokens import tokens_of
 from CNCStepper.gcode.edit.renumber import renumber, without_numbers
 from CNCStepper.gcode.edit.transform_verbs import convert_units, mirror, offset, rotate, scale
 from CNCStepper.gcode.interpreter.interpret import interpret
+from helpers.gcode.edit_programs import random_program
 
 PROGRAM = "%\n(top F80)\nG21 G90\nN7 G0 X10 Y5.\n/G1 Z-1 F200\nG1 X20. F800 (edge F800)\ny15 f80.5 ;F80\nM2\n%\n"
 

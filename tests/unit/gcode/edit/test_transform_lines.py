@@ -5,7 +5,6 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from edit_programs import random_program
 
 from CNCStepper.errors import ProgramError
 from CNCStepper.gcode.edit.edit_result import Edited
@@ -13,6 +12,7 @@ from CNCStepper.gcode.edit.transform_verbs import convert_units, mirror, offset,
 from CNCStepper.gcode.interpreter.interpret import interpret
 from CNCStepper.state import Start
 from CNCStepper.toolpath import Toolpath
+from helpers.gcode.edit_programs import random_program
 
 SEEDS = range(60)
 PARKED = {5161: 0.0, 5162: 0.0, 5163: -1.0}  # where G28 goes

@@ -10,7 +10,6 @@ import re
 from pathlib import Path
 
 import pytest
-from rs274_runs import rs274_calls
 
 from CNCStepper.errors import ProgramError
 from CNCStepper.gcode.interpreter.flow.o_words import leads
@@ -18,6 +17,7 @@ from CNCStepper.gcode.interpreter.interpret import interpret
 from CNCStepper.gcode.interpreter.line_interpreter import Interpreter
 from CNCStepper.gcode.syntax.words import program_lines
 from CNCStepper.state import Start
+from helpers.gcode.rs274_runs import rs274_calls
 
 FOLDER = Path(__file__).parents[3] / "bad"
 PROGRAMS = sorted(FOLDER.glob("*.nc"))

@@ -9,7 +9,6 @@ from random import Random
 
 import numpy as np
 import pytest
-from rs274_runs import rs274_calls
 
 from CNCStepper.errors import ProgramError
 from CNCStepper.gcode.interpreter.canonical_trace import canonical_calls, motion_calls
@@ -17,6 +16,7 @@ from CNCStepper.gcode.interpreter.interpret import interpret
 from CNCStepper.gcode.writer.write import WriteOptions, write
 from CNCStepper.state import Start
 from CNCStepper.toolpath import LINE, Span, Toolpath
+from helpers.gcode.rs274_runs import rs274_calls
 
 SEEDS = range(1, 1 + int(os.environ.get("CNCSTEPPER_CASES", "25")))
 HERE = Start.with_work_zero((0.0, 0.0, 0.0))

@@ -6,12 +6,12 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from rs274_runs import rs274_calls as rs274
-from rs274_runs import run_rs274
-from rs274_runs import same_call as same
 
 from CNCStepper.errors import ProgramError
 from CNCStepper.gcode.interpreter.canonical_trace import canonical_calls, motion_calls, traced_path
+from helpers.gcode.rs274_runs import rs274_calls as rs274
+from helpers.gcode.rs274_runs import run_rs274
+from helpers.gcode.rs274_runs import same_call as same
 
 PROGRAMS = sorted((Path(__file__).parents[3] / "data" / "ngc").glob("*.ngc"))
 

@@ -10,10 +10,10 @@ import subprocess
 from pathlib import Path
 
 import pytest
-from rs274_runs import run_rs274, same_call
 
 from CNCStepper.errors import ProgramError
 from CNCStepper.gcode.interpreter.canonical_trace import canonical_calls
+from helpers.gcode.rs274_runs import run_rs274, same_call
 
 FOLDER = Path("/usr/share/linuxcnc/ncfiles")  # tools/setup.sh installs linuxcnc-uspace
 PROGRAMS = sorted(FOLDER.rglob("*.ngc"))

@@ -6,11 +6,11 @@ from __future__ import annotations
 import json
 import os
 from collections import Counter
+from itertools import product
 from pathlib import Path
 from typing import Any
 
 import pytest
-from plain_programs import PlainPrograms, Watched, outcome, refusals, seen
 
 from CNCStepper.errors import ProgramError
 from CNCStepper.gcode.dialects import dialect_names
@@ -20,6 +20,7 @@ from CNCStepper.gcode.interpreter.flow.program_flow import refusals as refusals_
 from CNCStepper.gcode.interpreter.line_interpreter import Interpreter
 from CNCStepper.gcode.wire.encoder import prepare
 from CNCStepper.state import Start
+from helpers.gcode.fast_path_programs import PlainPrograms, Watched, outcome, refusals, seen
 
 MANY = max(20, int(os.environ.get("CNCSTEPPER_CASES", "0")) // 8)  # seeds a dialect
 TESTS = Path(__file__).parents[3]
@@ -66,6 +67,7 @@ def check_random(dialect: str, seed: int, count: int) -> Watched:
     return check_both(text, start, dialect)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("dialect", ["grbl", "linuxcnc"])
 def test_the_random_programs_hold_the_hard_cases_and_the_kernel_runs_them(dialect: str) -> None:
     found: Counter[str] = Counter()
@@ -90,11 +92,11 @@ def test_the_random_programs_hold_the_hard_cases_and_the_kernel_runs_them(dialec
     assert refused <= set(codes), codes
 
 
-@pytest.mark.parametrize("dialect", dialect_names())
+@pytest.mark.slow
 @pytest.mark.parametrize("path", FILES, ids=lambda path: path.stem)
-def test_files_are_read_alike(path: Path, dialect: str) -> None:
+def test_files_are_read_alike(path: Path) -> None:
     text = path.read_text("utf-8")
-    for start in STARTS:
+    for dialect, start in product(dialect_names(), STARTS):
         check_both(text, start, dialect)
 
 
@@ -103,14 +105,13 @@ def whole(text: str, dialect: str) -> dict[str, Any]:
     return outcome(reader, list(refusals_of_all(reader, text)))
 
 
-@pytest.mark.parametrize("dialect", ["grbl", "linuxcnc"])
 @pytest.mark.parametrize("path", FILES, ids=lambda path: path.stem)
-def test_whole_programs_are_read_alike(path: Path, dialect: str, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_whole_programs_are_read_alike(path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """Those with O-words too: their first lines are read in runs."""
     text = path.read_text("utf-8")
-    line_by_line = whole(text, dialect)
+    line_by_line = {dialect: whole(text, dialect) for dialect in ("grbl", "linuxcnc")}
     monkeypatch.setattr(policy, "PAYS", 0)
-    assert whole(text, dialect) == line_by_line
+    assert {dialect: whole(text, dialect) for dialect in line_by_line} == line_by_line
 
 
 @pytest.mark.parametrize("text", ["F254\nG20\nG1 X1 F10", "G20 F254\nG1 X1 F254", "F100\nG20\nG1 X1", "F9\nG1 F8 X1"])
@@ -138,6 +139,7 @@ def prepared(text: str, dialect: str) -> tuple[Any, ...]:
     return wire.lines, wire.file_lines.tobytes(), dict(wire.messages)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("dialect", dialect_names())
 def test_wire_text_is_made_alike(dialect: str, monkeypatch: pytest.MonkeyPatch) -> None:
     """Random programs without the lines that are refused, so that most can be sent."""

@@ -44,6 +44,7 @@ def points_of(path: Toolpath, count: int = 50) -> np.ndarray:
     return np.vstack(points)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("text", "nurbs"),
     [

@@ -8,12 +8,12 @@ import re
 from dataclasses import replace
 
 import pytest
-from modal_lines import PAIRED, Case, Difference, differences, pairs, random_cases
 
 from CNCStepper.errors import ProgramError
 from CNCStepper.gcode.interpreter.canonical_trace import canonical_calls
 from CNCStepper.gcode.interpreter.interpret import interpret
 from CNCStepper.state import Start
+from helpers.gcode.modal_lines import PAIRED, Case, Difference, differences, pairs, random_cases
 
 CASES = int(os.environ.get("CNCSTEPPER_CASES", "0"))
 FEW, MANY = 150, max(3000, 40 * CASES)

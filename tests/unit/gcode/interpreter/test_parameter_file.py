@@ -6,7 +6,6 @@ from __future__ import annotations
 from dataclasses import replace
 
 import pytest
-from rs274_runs import run_rs274, same_call
 
 from CNCStepper.errors import ProgramError
 from CNCStepper.gcode.interpreter.canonical_trace import BARE_UNIT_MM, bare_start, canonical_calls
@@ -14,6 +13,7 @@ from CNCStepper.gcode.interpreter.functions.tools import read_tool_table
 from CNCStepper.gcode.interpreter.interpret import interpret
 from CNCStepper.gcode.interpreter.state.parameter_file import read_parameters, with_parameters
 from CNCStepper.state import Start
+from helpers.gcode.rs274_runs import run_rs274, same_call
 
 KEPT = {31: 7.25, 5161: 1, 5162: 2, 5163: 3, 5181: -4, 5183: 0.5}
 SECOND = {5220: 2, 5221: 9, 5241: 1.5, 5242: -2.5, 5243: 0.25, 5244: 10, 5250: 30, 5263: -1}

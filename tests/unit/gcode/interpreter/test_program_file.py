@@ -6,7 +6,6 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from plain_programs import COLUMNS, PlainPrograms
 
 from CNCStepper.errors import ProgramError
 from CNCStepper.gcode.interpreter import file_chunks
@@ -15,6 +14,7 @@ from CNCStepper.gcode.interpreter.interpret import interpret
 from CNCStepper.gcode.interpreter.program_file import FileReading, interpret_file
 from CNCStepper.state import Start
 from CNCStepper.toolpath import Toolpath
+from helpers.gcode.fast_path_programs import COLUMNS, PlainPrograms
 
 ZERO = Start.at_zero()
 LOOP = "G0 X0 F100\n#1=0\no1 while [#1 LT 3]\n#1=[#1+1]\nG1 X#1\no1 endwhile\nX7\nM2\n"

@@ -6,7 +6,6 @@ from __future__ import annotations
 from random import Random
 
 import pytest
-from rs274_runs import rs274_calls, run_rs274, same_call
 
 from CNCStepper.errors import ProgramError
 from CNCStepper.gcode.dialects import dialect
@@ -18,6 +17,7 @@ from CNCStepper.gcode.interpreter.state.system_parameters import Known
 from CNCStepper.gcode.syntax.expressions import Scanner
 from CNCStepper.gcode.syntax.words import pack
 from CNCStepper.state import Start
+from helpers.gcode.rs274_runs import rs274_calls, run_rs274, same_call
 
 ZERO = Start.at_zero()
 VALUES = {

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import re
 
+import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
@@ -35,6 +36,7 @@ def read(line: str) -> list[Word]:
     return words
 
 
+@pytest.mark.slow
 @settings(max_examples=100, deadline=None)
 @given(LINES)
 def test_an_edit_finds_the_words_that_are_read(line: str) -> None:
@@ -46,6 +48,7 @@ def test_an_edit_finds_the_words_that_are_read(line: str) -> None:
         assert float("".join(line[token.first : token.last].split())) == token.number
 
 
+@pytest.mark.slow
 @settings(max_examples=100, deadline=None)
 @given(LINES)
 def test_every_word_that_is_read_is_coloured_as_one(line: str) -> None:

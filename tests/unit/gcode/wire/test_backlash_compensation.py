@@ -10,7 +10,6 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
-from play_paths import random_program
 
 from CNCStepper.errors import ProgramError
 from CNCStepper.gcode.dialects import dialect, dialect_names
@@ -23,6 +22,7 @@ from CNCStepper.machine.profile import load_machine
 from CNCStepper.motion.planner.backlash import tool_moves
 from CNCStepper.simulation.tip_segments import segments
 from CNCStepper.state import Start
+from helpers.gcode.backlash_programs import random_program
 
 PLAY = Play((0.05, 0.1, 0.02), (-1, 1, -1), (80.0, 80.0, 400.0))
 AT_ZERO = Start.at_zero()
@@ -123,6 +123,7 @@ def test_the_tool_goes_where_the_program_says(seed: int) -> None:
     assert set(tool.table().line) == set(wanted.table().line)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("unit", "arm"), [("G21", "0.123204"), ("G20", "0.1237044")])
 def test_the_pieces_of_incremental_circles_add_up_to_nothing(unit: str, arm: str) -> None:
     """An arm of more digits than are written, in mm and in inches."""

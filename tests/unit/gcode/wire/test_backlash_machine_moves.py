@@ -8,7 +8,6 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from play_paths import program_of_places, pushed
 
 from CNCStepper.gcode.interpreter.interpret import interpret
 from CNCStepper.gcode.wire.encoder import prepare
@@ -16,6 +15,7 @@ from CNCStepper.gcode.wire.read_back import read_back
 from CNCStepper.machine.backlash import Play
 from CNCStepper.recovery.retract.path import Way
 from CNCStepper.state import Start
+from helpers.gcode.backlash_programs import program_of_places, pushed
 
 PLAY = Play((0.05, 0.1, 0.02), (-1, 1, -1), (80.0, 80.0, 400.0))
 STEP_MM = 0.018  # of X, Y and Z at once
@@ -64,6 +64,7 @@ def test_place_that_is_named_is_where_the_motor_stands() -> None:
     assert sent("X-5\nG53 G0 X3\nG92 X0\nG1 Y5") == ["X-5", "G53G0X3", "G92X0", "G1X0.05", "G1Y5"]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", range(8))
 def test_every_feed_move_begins_and_ends_with_the_tool_where_the_text_says(seed: int) -> None:
     print("seed", seed)

@@ -29,6 +29,7 @@ not a program any more
 """
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("text", "sent"),
     [
@@ -143,6 +144,7 @@ WORDS = st.one_of(
 LINES = st.lists(st.lists(WORDS, max_size=4, unique_by=lambda word: word.strip()[:1]).map(" ".join), max_size=12)
 
 
+@pytest.mark.slow
 @given(LINES)
 @settings(max_examples=150, deadline=None)
 def test_wire_and_file_are_the_same_program(lines):

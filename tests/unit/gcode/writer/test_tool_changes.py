@@ -9,8 +9,6 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from gcode_paths import two_tools
-from rs274_runs import run_rs274, same_call
 
 from CNCStepper.errors import ProgramError
 from CNCStepper.gcode.interpreter.canonical_trace import canonical_calls
@@ -19,6 +17,8 @@ from CNCStepper.gcode.writer.write import WriteOptions, write
 from CNCStepper.simulation.tip_segments import tips_mm
 from CNCStepper.state import Start
 from CNCStepper.toolpath import Toolpath
+from helpers.gcode.rs274_runs import run_rs274, same_call
+from helpers.gcode.writer_toolpaths import two_tools
 
 LENGTHS = {1: 41.5, 2: 63.25}
 OPTIONS = WriteOptions(title="Peça nº 1", spin_up_s=3, tools={1: "flat 6 mm", 2: "ball 2 mm"}, tool_lengths_mm=LENGTHS)

@@ -8,7 +8,6 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from gcode_paths import CUTTING, random_path, row_points, two_tools
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -20,6 +19,7 @@ from CNCStepper.gcode.wire.encoder import prepare
 from CNCStepper.gcode.writer.write import WriteOptions, write, write_split
 from CNCStepper.state import Start, State
 from CNCStepper.toolpath import ARC_CCW, ARC_CW, LINE, RAPID, TableBuilder, Toolpath
+from helpers.gcode.writer_toolpaths import CUTTING, random_path, row_points, two_tools
 
 TOOLS = {1: "flat 6 mm", 2: "ball 2 mm"}
 OPTIONS = WriteOptions(title="Peça nº 1", spin_up_s=3, coolant="flood", tools=TOOLS)

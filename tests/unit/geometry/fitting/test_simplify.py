@@ -52,6 +52,7 @@ def zigzag(count: int) -> np.ndarray:
     return np.column_stack([i, (-1.0) ** i * (count - i)])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "xy",
     [freehand(50_000, 1), zigzag(50_000), pytest.param(zigzag(300_000), marks=pytest.mark.slow)],

@@ -7,11 +7,11 @@ import inspect
 from pathlib import Path
 
 import pytest
-from test_program_editor import TEXT, Here
 
 from CNCStepper.errors import CNCStepperError, ProgramError
 from CNCStepper.job.editing.edit_verbs import CONVERT, VERBS, edited
 from CNCStepper.machine.profile import load_machine
+from helpers.job.edit_process import TEXT, Here
 
 GOOD = TEXT.replace("G2 X60 Y20 J20", "G2 X60 Y20 I0 J20").replace("G1 X\n", "G1 Y20\n")
 

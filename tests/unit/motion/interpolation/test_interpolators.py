@@ -91,6 +91,7 @@ def test_the_linear_dda_keeps_the_vector_speed_in_every_direction() -> None:
         assert ticks[-1] == math.isqrt(end[0] ** 2 + end[1] ** 2)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("steps", [(800, 333, 41), (-7, 640, 399), (160, -160, 2), (1, 2, -1200)])
 def test_bresenham_steps_as_the_firmware_does(steps: tuple[int, ...]) -> None:
     """So fast from the begin that the firmware does not smooth: it does that below 8000 events a second."""
@@ -101,6 +102,7 @@ def test_bresenham_steps_as_the_firmware_does(steps: tuple[int, ...]) -> None:
     assert np.array_equal(run(stream)[1], run(bresenham(steps))[1])
 
 
+@pytest.mark.slow
 def test_the_published_registers_of_the_circular_dda() -> None:
     ticks, positions = run(circular_dda((2, 11), (11, 2), (1, 1), clockwise=True, published=True))
     moved = np.diff(positions, axis=0)
@@ -177,6 +179,7 @@ def test_arcs_of_several_turns_and_what_has_no_radius() -> None:
         circular_dda((5, 5), (5, 5), (5, 5), True)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("radii_mm", [(40.0, 25.0), (25.0, 40.0), (3.3, 3.3), (0.7, 9.1)])
 @pytest.mark.parametrize("steps_per_mm", [(80.0, 80.0), (80.0, 100.0), (160.0, 53.3)])
 def test_ellipses_close_and_keep_near_the_true_one(

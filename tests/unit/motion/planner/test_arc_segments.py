@@ -22,6 +22,7 @@ def chords(radius, angle):
     return math.floor(0.5 * angle * radius / math.sqrt(TOLERANCE_MM * (2 * radius - TOLERANCE_MM)))
 
 
+@pytest.mark.slow
 @settings(deadline=None)
 @given(
     st.floats(0.05, 2000), st.floats(0, 2 * math.pi), st.floats(0.01, 6.27), st.sampled_from([0, 1, 2]), st.booleans()

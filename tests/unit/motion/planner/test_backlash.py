@@ -41,6 +41,7 @@ def moves_of(random_of: random.Random) -> Toolpath:
     return table.toolpath()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", range(6))
 @pytest.mark.parametrize("homing", ["min", "max"])
 def test_every_pulse_through_the_gap_leaves_the_tool_on_its_way(seed: int, homing: str) -> None:

@@ -67,6 +67,7 @@ def everything(stream):
     return np.concatenate(rows), switches
 
 
+@pytest.mark.slow
 def test_a_program_that_is_read_meanwhile_gives_the_pulses_of_the_whole_table(tmp_path, monkeypatch):
     path = program(tmp_path)
     whole = FileReading(path, Start.at_zero())

@@ -5,7 +5,6 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from ramp_programs import RAMPS, table_of
 
 from CNCStepper.errors import MachineRefusal
 from CNCStepper.gcode.interpreter.interpret import interpret
@@ -15,6 +14,7 @@ from CNCStepper.motion.planner.feed_hold import REST_S, REST_TICKS, Reins
 from CNCStepper.motion.signals.parallel_port import pin_levels, port_chunks
 from CNCStepper.motion.signals.pulse_stream import moves_of, pulse_stream
 from CNCStepper.state import Start
+from helpers.motion.ramp_programs import RAMPS, table_of
 
 MACHINE = load_machine("table-a")
 ZIGZAG = [((4.0 * (number % 3), 2.0 * number, 0.0), 3000, number % 4 == 0) for number in range(1, 20)]
@@ -44,12 +44,14 @@ def meddled(stream, reins, seed):
             reins.slow(rng.uniform(0.2, 1.0))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("limits", RAMPS)
 def test_without_a_word_the_pulses_are_those_of_the_whole_pass(limits):
     whole, held = (steps_of(pulse_stream(table_of(ZIGZAG), limits, reins=reins)) for reins in (None, Reins()))
     assert (whole[0] == held[0]).all() and (whole[1] == held[1]).all()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("limits", RAMPS)
 @pytest.mark.parametrize("seed", range(4))
 def test_meddling_changes_no_pulse_but_its_time(limits, seed):
@@ -108,6 +110,7 @@ def test_a_share_slows_feeds_and_rapids_and_is_never_above_what_was_tried():
             reins.slow(share)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("laser", "lit"), [(True, False), (False, True)])
 def test_a_beam_goes_out_in_a_hold_and_comes_back_with_the_pulses_a_spindle_turns_on(laser, lit):
     """What is written while it is held says so again and again, for who waits for writes."""

@@ -43,6 +43,7 @@ def pulses(motion):
     return np.abs(np.diff(positions, axis=0)).sum(axis=0).tolist()
 
 
+@pytest.mark.slow
 def test_it_takes_the_time_that_the_planner_states():
     table = TableBuilder(Start.at_zero())
     for target in TARGETS:
@@ -101,6 +102,7 @@ def test_meddling_never_costs_a_pulse(acts):
     assert pulses(motion) == pulses(plain)
 
 
+@pytest.mark.slow
 @settings(max_examples=20, deadline=None)
 @given(st.integers(0, 300), st.floats(0.1, 2.0))
 def test_holds_and_overrides_keep_to_the_acceleration(after, factor):
@@ -152,6 +154,7 @@ def test_a_hold_at_rest_is_complete_at_once():
     assert motion.position_steps == (80, 0, 0) and motion.idle
 
 
+@pytest.mark.slow
 def test_reset_in_motion_says_so_and_reset_when_held_does_not():
     motion = Motion(LIMITS, record=True)
     motion.line((30, 0, 0), 3000)

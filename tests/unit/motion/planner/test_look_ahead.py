@@ -41,6 +41,7 @@ def live_s(blocks, pieces):
     return motion.time_s, motion.position_steps
 
 
+@pytest.mark.slow
 def test_a_longer_ring_runs_short_lines_faster_up_to_one_long_line():
     taken = [live_s(blocks, 300)[0] for blocks in (2, 4, 15, 60, 150)]
     assert all(more < less - 0.02 for less, more in pairwise(taken[:4]))

@@ -10,44 +10,15 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from ramp_programs import RAMPS
 
 from CNCStepper.motion.planner.live_motion import Motion
+from helpers.motion.meddling import WAY, meddled
+from helpers.motion.ramp_programs import RAMPS
 
 acts = st.lists(
     st.tuples(st.integers(1, 60), st.sampled_from(["hold", "resume", "feed", "rapid", "starve"]), st.floats(0.1, 2.0)),
     max_size=14,
 )
-WAY = np.cumsum(np.random.default_rng(3).normal(0, 0.8, (40, 3)) * (1, 1, 0.1), axis=0)
-
-
-def meddled(limits, acts):
-    """Run WAY through a live motion, with acts so many time steps apart; returns it when all is done."""
-    motion = Motion(limits, record=True)
-    waiting, acts = [tuple(point) for point in WAY], list(acts)
-    clock = 0
-    while waiting or acts or not motion.idle:
-        while waiting and motion.room:
-            motion.line(waiting.pop(0), 1800, rapid=len(waiting) % 7 == 0)
-        motion.advance(0.005)
-        clock += 1
-        if acts and clock % acts[0][0] == 0:
-            meddle(motion, *acts.pop(0)[1:])
-        if not acts:
-            motion.resume()
-        assert motion.time_s < 900
-    return motion
-
-
-def meddle(motion, act, factor):
-    if act == "hold":
-        motion.hold()
-    elif act == "resume":
-        motion.resume()
-    elif act == "starve":
-        motion.advance(0.7)
-    else:
-        motion.override(*((factor, 1.0) if act == "feed" else (1.0, min(factor, 1.0))))
 
 
 def pulses(motion):
@@ -65,6 +36,7 @@ def test_holds_resumes_and_overrides_never_cost_a_pulse(limits, acts):
     assert pulses(motion) == pulses(meddled(limits, ()))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("limits", RAMPS)
 def test_meddling_at_every_moment_of_a_ramp_costs_no_pulse(limits):
     plain = pulses(meddled(limits, ()))
@@ -97,8 +69,8 @@ def test_holds_and_overrides_keep_to_the_acceleration(limits, after, factor):
 
 SMALL = """
 from dataclasses import replace
-from ramp_programs import RAMPS, table_of
-from test_meddling import meddled
+from helpers.motion.meddling import meddled
+from helpers.motion.ramp_programs import RAMPS, table_of
 from CNCStepper.motion.planner.plan import times_s
 from CNCStepper.state import State
 blend = State(path_mode="blend", blend_mm=0.2)
@@ -120,7 +92,7 @@ def said_by_small(disable):
     environment = {
         **os.environ,
         "NUMBA_DISABLE_JIT": disable,
-        "PYTHONPATH": os.pathsep.join(map(str, Path(__file__).parents[:2])),
+        "PYTHONPATH": str(Path(__file__).parents[3]),
     }
     command = [sys.executable, "-c", SMALL]
     return subprocess.run(command, capture_output=True, text=True, check=True, env=environment).stdout

@@ -8,7 +8,6 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from test_plan import in_chunks
 
 from CNCStepper.machine.profile import load_machine
 from CNCStepper.motion.planner.chunk_window import ChunkWindow
@@ -16,6 +15,7 @@ from CNCStepper.motion.planner.machine_limits import Limits
 from CNCStepper.motion.planner.plan import duration_s, step_events, times_s
 from CNCStepper.state import Start, State
 from CNCStepper.toolpath import COLUMNS, Chunk, TableBuilder
+from helpers.motion.chunks import in_chunks
 
 LIMITS = replace(Limits.of(load_machine("table-a")), steps_per_mm=(1000.0,) * 3, acceleration_mm_s2=(250.0,) * 3)
 SQUARE = [(10, 0, 0), (10, 10, 0), (0, 10, 0), (0, 0, 0)]

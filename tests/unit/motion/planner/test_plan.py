@@ -17,11 +17,11 @@ from CNCStepper.machine.profile import load_machine
 from CNCStepper.motion.planner.machine_limits import Limits
 from CNCStepper.motion.planner.plan import duration_s, sample, step_events, times_s
 from CNCStepper.state import UNKNOWN, Start, State
-from CNCStepper.toolpath import ARC_CCW, Chunk, TableBuilder, Toolpath
+from CNCStepper.toolpath import ARC_CCW, TableBuilder
+from helpers.motion.chunks import in_chunks
 
 MACHINE = load_machine("table-a")
 LIMITS = Limits.of(MACHINE)
-COLUMNS = ("kind", "end", "centre", "plane", "turns", "feed", "state", "line")
 coordinate = st.floats(-20, 20)
 moves = st.lists(
     st.tuples(st.tuples(coordinate, coordinate, st.floats(-4, 4)), st.floats(30, 6000), st.booleans()),
@@ -40,15 +40,6 @@ def table_of(rows, start=None):
 def random_table(count, seed=7, spread=0.3):
     steps = np.random.default_rng(seed).normal(0, spread, (count, 3)) * (1, 1, 0.05)
     return table_of([(end, 1500, False) for end in np.cumsum(steps, axis=0)])
-
-
-def in_chunks(toolpath, rows):
-    whole = toolpath.table()
-    pieces = [
-        Chunk(first, *(getattr(whole, name)[first : first + rows] for name in COLUMNS))
-        for first in range(0, len(whole), rows)
-    ]
-    return Toolpath(toolpath.start, pieces, toolpath.states, toolpath.events)
 
 
 def all_steps(toolpath, limits=LIMITS):
@@ -186,6 +177,7 @@ def test_the_way_along_an_unknown_axis_counts_as_nothing():
     assert ends[0] == ends[1] == 0.0 and ends[2] > 0.3
 
 
+@pytest.mark.slow
 def test_a_chunk_of_100_000_short_blocks_is_planned_within_a_second():
     toolpath = random_table(100_000)
     duration_s(random_table(50), MACHINE)

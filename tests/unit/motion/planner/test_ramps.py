@@ -7,11 +7,22 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from ramp_programs import GRID_S, RAMPS, S_CURVE, TRAPEZOID, WINDOW_S, all_steps, moves, speeds_mm_s, table_of, targets
 
 from CNCStepper.motion.planner import plan
 from CNCStepper.state import Start, State
 from CNCStepper.toolpath import ARC_CCW, TableBuilder
+from helpers.motion.ramp_programs import (
+    GRID_S,
+    RAMPS,
+    S_CURVE,
+    TRAPEZOID,
+    WINDOW_S,
+    all_steps,
+    moves,
+    speeds_mm_s,
+    table_of,
+    targets,
+)
 
 
 def shrunk(rows, scale):

@@ -8,7 +8,6 @@ from functools import cache
 
 import numpy as np
 import pytest
-from recordings import NAMES, end_steps, limits_of, recording, toolpath_of
 
 from CNCStepper.motion.planner.buffers import TICKS_PER_S
 from CNCStepper.motion.planner.machine_limits import Limits
@@ -16,6 +15,7 @@ from CNCStepper.motion.planner.plan import sample, step_events
 from CNCStepper.motion.planner.table_planning import CHORD_TICKS, LINE_TICKS
 from CNCStepper.state import Start, State
 from CNCStepper.toolpath import TableBuilder, Toolpath
+from helpers.motion.firmware_recordings import NAMES, end_steps, limits_of, recording, toolpath_of
 
 LOOK_AHEAD_BOUND = "ellipse-fine_b"  # braking takes all 15 blocks: here the processor's own pace shows
 SAMPLES = "samples_t_s_x_y_z_steps"

@@ -6,11 +6,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from hypothesis import given, settings
-from ramp_programs import TABLE, all_steps, moves, table_of, targets
 
 from CNCStepper.machine.step_wait_tables import counted_down_s, pull_out_s
 from CNCStepper.motion.planner.buffers import TICKS_PER_S
 from CNCStepper.motion.planner.table_planning import LINE_TICKS
+from helpers.motion.ramp_programs import TABLE, all_steps, moves, table_of, targets
 
 
 def intervals(limits, steps, feed=None):
@@ -47,6 +47,7 @@ def test_the_interval_counts_down_to_the_constant_one_and_up_again():
     assert (intervals(limits, 11) * 1000).tolist() == pytest.approx(expected)
 
 
+@pytest.mark.slow
 @settings(max_examples=10, deadline=None)
 @given(rows=moves)
 def test_by_table_every_axis_turns_round_in_the_start_stop_region(rows):

@@ -14,6 +14,7 @@ def letters(text, axes=1):
     return PulseStream(read_letters([text]), axes, None)
 
 
+@pytest.mark.slow
 def test_the_published_six_pulses():
     made = b"".join(Board("x").bytes_of(letters(b"A A A A D D")))
     assert made.hex(" ").upper() == "0A 10 09 10 05 10 06 10 05 10 09"

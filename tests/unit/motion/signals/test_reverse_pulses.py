@@ -39,6 +39,7 @@ def columns(chunks):
     return tuple(np.concatenate(column) for column in zip(*kept, strict=True)) if kept else (np.empty(0),) * 3
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", range(5))
 def test_from_any_point_the_pulses_lead_back_to_the_begin(seed, monkeypatch):
     monkeypatch.setattr(plan, "SEGMENT_ROWS", 100)

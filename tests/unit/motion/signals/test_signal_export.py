@@ -50,6 +50,7 @@ def random_stream(seed, ticks_per_s=TICKS_PER_S):
     return PulseStream(chunks, 3, ticks_per_s, (5, -3, 0))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", range(4))
 def test_a_dump_holds_every_edge_at_its_time(seed):
     timeline = Timeline(random_stream(seed), Signals(motors=("x", "y", "z", "-y")))
@@ -61,6 +62,7 @@ def test_a_dump_holds_every_edge_at_its_time(seed):
         assert found == {name: level >> bit & 1 for bit, name in enumerate(timeline.lines)}
 
 
+@pytest.mark.slow
 def test_the_table_of_positions_tells_place_time_and_switches():
     stream = random_stream(1)
     text = b"".join(position_csv(stream)).decode("ascii")
@@ -81,6 +83,7 @@ def test_a_stream_without_a_clock_counts_its_rounds():
     assert text.splitlines()[1].startswith(f"{first},")
 
 
+@pytest.mark.slow
 def test_the_table_of_port_writes():
     chunk = PortChunk(np.array([0, 800]), np.array([0, 0xA5], np.uint8), np.array([0x0B, 0x03], np.uint8))
     text = b"".join(port_csv([chunk], TICKS_PER_S, 0x278)).decode("ascii")

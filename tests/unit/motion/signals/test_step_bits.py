@@ -34,6 +34,7 @@ def positions(segment, first, last):
     return places
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("axes", range(1, 9))
 def test_every_tick_steps_as_the_closed_form_says(axes):
     rng = np.random.default_rng(SEED + axes)

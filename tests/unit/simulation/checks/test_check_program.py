@@ -4,7 +4,6 @@
 import numpy as np
 import pytest
 import shapely
-from programs import BALL, FLAT, Program, begun, square_pocket, square_removal
 
 from CNCStepper.cycles.cycle import Removal
 from CNCStepper.errors import Place
@@ -14,6 +13,7 @@ from CNCStepper.simulation.checks.check_program import check
 from CNCStepper.simulation.finding import Finding, refused
 from CNCStepper.simulation.stock import HeightField, Stock
 from CNCStepper.toolpath import ARC_CCW, ARC_CW, ZX
+from helpers.simulation.programs import BALL, FLAT, Program, begun, square_pocket, square_removal
 
 MACHINE = load_machine("table-a")
 STOCK = Stock((60, 50, 20))

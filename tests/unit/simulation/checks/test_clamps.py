@@ -3,7 +3,6 @@
 
 import numpy as np
 import pytest
-from programs import FLAT, begun
 
 from CNCStepper.errors import JobError
 from CNCStepper.machine.profile import load_machine
@@ -11,6 +10,7 @@ from CNCStepper.machine.tools.tool import Tool
 from CNCStepper.simulation.checks.check_program import check
 from CNCStepper.simulation.checks.clamps import Clamp
 from CNCStepper.simulation.stock import Cylinder, Stock
+from helpers.simulation.programs import FLAT, begun
 
 MACHINE = load_machine("table-a")
 STOCK = Stock((60, 50, 20))

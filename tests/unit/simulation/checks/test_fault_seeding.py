@@ -8,12 +8,12 @@ import random
 from collections import Counter
 
 import pytest
-from seeded_programs import FAULTS, MACHINE, Fault, Program, clean_program, faults_of
 
 from CNCStepper.gcode.wire.encoder import prepare
 from CNCStepper.gcode.wire.read_back import read_back
 from CNCStepper.simulation.checks.check_program import check
 from CNCStepper.simulation.finding import Finding
+from helpers.simulation.seeded_programs import FAULTS, MACHINE, Fault, Program, clean_program, faults_of
 
 CASES = int(os.environ.get("CNCSTEPPER_CASES", "0"))  # what `make soak` asks for
 QUICK, MANY = 1, 60  # programs, those of each batch
@@ -58,6 +58,7 @@ def seeded(first: int, count: int, at_least: int) -> None:
     assert min(planted[kind] for kind in FAULTS) >= at_least
 
 
+@pytest.mark.slow
 def test_faults_in_a_few_programs_are_found():
     seeded(SEED, QUICK, at_least=0)
 

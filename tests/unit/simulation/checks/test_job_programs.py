@@ -34,6 +34,7 @@ def findings(name, change=lambda text: text, diameter_mm=0.0):
     return [(finding.code, round(finding.value or 0, 3)) for finding in found]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["elliptical-pocket.toml", "brazil-engraving.toml"])
 def test_the_examples_are_clean(name):
     assert findings(name) == []

@@ -3,7 +3,6 @@
 
 import numpy as np
 import pytest
-from programs import FLAT, begun, square_pocket
 
 from CNCStepper.machine.profile import load_machine
 from CNCStepper.machine.tools.tool import Tool
@@ -11,6 +10,7 @@ from CNCStepper.simulation.checks.check_program import check
 from CNCStepper.simulation.removal.engagement import engagement
 from CNCStepper.simulation.stock import Stock
 from CNCStepper.toolpath import ARC_CCW
+from helpers.simulation.programs import FLAT, begun, square_pocket
 
 MACHINE = load_machine("table-a")
 STOCK = Stock((60, 50, 20))

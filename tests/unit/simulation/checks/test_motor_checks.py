@@ -7,11 +7,11 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
-from programs import begun
 
 from CNCStepper.machine.profile import Machine, Motor, load_machine
 from CNCStepper.simulation.checks.check_program import check
 from CNCStepper.state import Start
+from helpers.simulation.programs import begun
 
 MACHINES = Path(__file__).parents[4] / "docs" / "user-guide" / "machines.md"
 MACHINE = load_machine("table-a")  # X: 5000 mm/min, 250 mm/s²

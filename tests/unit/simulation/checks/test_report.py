@@ -3,7 +3,6 @@ import json
 
 import numpy as np
 import pytest
-from programs import FLAT, Program, begun, square_pocket, square_removal
 
 from CNCStepper.machine.profile import load_machine
 from CNCStepper.simulation.checks.check_program import check
@@ -11,6 +10,7 @@ from CNCStepper.simulation.checks.report import report
 from CNCStepper.simulation.exact.swept_area import judge
 from CNCStepper.simulation.removal.heightmap import height_map
 from CNCStepper.simulation.stock import Stock
+from helpers.simulation.programs import FLAT, Program, begun, square_pocket, square_removal
 
 STOCK = Stock((60, 50, 20))
 

@@ -12,7 +12,6 @@ import random
 
 import numpy as np
 import pytest
-from seeded_programs import MACHINE, Program, clean_program
 
 from CNCStepper.errors import ProgramError
 from CNCStepper.gcode.interpreter.interpret import interpret
@@ -24,6 +23,7 @@ from CNCStepper.simulation.prior_programs import followed
 from CNCStepper.simulation.removal.heightmap import height_map
 from CNCStepper.simulation.tip_segments import tips_mm
 from CNCStepper.toolpath import RAPID, Toolpath
+from helpers.simulation.seeded_programs import MACHINE, Program, clean_program
 
 CASES = int(os.environ.get("CNCSTEPPER_CASES", "0"))
 FEW, MANY = 1, max(4, CASES)
@@ -107,6 +107,7 @@ def seeded(first: int, count: int) -> None:
     assert made >= count // 2, "hardly any place was entered"
 
 
+@pytest.mark.slow
 def test_random_programs_restarted_at_random_places_are_cut_whole():
     seeded(SEED, FEW)
 

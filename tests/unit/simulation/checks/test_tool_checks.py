@@ -3,13 +3,13 @@
 
 import numpy as np
 import pytest
-from programs import Program, begun
 
 from CNCStepper.machine.profile import load_machine
 from CNCStepper.machine.tools.tool import Tool
 from CNCStepper.simulation.checks.check_program import check
 from CNCStepper.simulation.stock import Stock
 from CNCStepper.toolpath import ARC_CCW, ARC_CW, ZX
+from helpers.simulation.programs import Program, begun
 
 MACHINE = load_machine("table-a")
 STOCK = Stock((60, 50, 20))

@@ -4,7 +4,6 @@
 import numpy as np
 import pytest
 import shapely
-from programs import Program, begun
 
 from CNCStepper.cycles.cycle import Removal
 from CNCStepper.machine.profile import load_machine
@@ -15,6 +14,7 @@ from CNCStepper.simulation.removal.heightmap import height_map
 from CNCStepper.simulation.stock import Stock
 from CNCStepper.state import UNKNOWN
 from CNCStepper.toolpath import ARC_CCW
+from helpers.simulation.programs import Program, begun
 
 SHEET = Stock((60, 50, 3))
 MACHINE = load_machine("table-a")

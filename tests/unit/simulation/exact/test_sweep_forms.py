@@ -4,7 +4,6 @@
 import numpy as np
 import pytest
 import shapely
-from programs import begun
 from shapely import affinity
 
 from CNCStepper.cycles.cycle import Removal
@@ -15,6 +14,7 @@ from CNCStepper.simulation.cutter_profile import form_of
 from CNCStepper.simulation.cutter_solid import Cutter
 from CNCStepper.simulation.exact.swept_area import judge
 from CNCStepper.simulation.stock import Stock
+from helpers.simulation.programs import begun
 
 MACHINE = load_machine("table-a")
 STOCK = Stock((60, 50, 20))

@@ -4,12 +4,12 @@
 import numpy as np
 import pytest
 import shapely
-from programs import BALL, FLAT, Program, begun, square_pocket, square_removal
 
 from CNCStepper.cycles.cycle import Removal
 from CNCStepper.simulation.exact.swept_area import judge
 from CNCStepper.simulation.stock import HeightField, Stock
 from CNCStepper.toolpath import ARC_CCW
+from helpers.simulation.programs import BALL, FLAT, Program, begun, square_pocket, square_removal
 
 STOCK = Stock((60, 50, 20))
 

@@ -5,8 +5,6 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from programs import BALL, FLAT, begun
-from test_mesh_faces import flux_mm3
 
 from CNCStepper.simulation.meshes.changed_tiles import Relief
 from CNCStepper.simulation.meshes.mesh_faces import Faces, faces_of, step_of
@@ -15,6 +13,8 @@ from CNCStepper.simulation.removal.timeline import Timeline
 from CNCStepper.simulation.stock import Cylinder, Stock
 from CNCStepper.simulation.views.coloured_faces import drawn, height_range_mm
 from CNCStepper.toolpath import ARC_CCW
+from helpers.simulation.mesh_volume import flux_mm3
+from helpers.simulation.programs import BALL, FLAT, begun
 
 STOCK = Stock((60, 50, 20))
 CELL_MM = 0.15  # 400 x 334 cells: four by three tiles, none of which ends where the stock does
@@ -49,6 +49,7 @@ def pieces(faces: Faces, x_mm: np.ndarray, y_mm: np.ndarray) -> dict[tuple, np.n
     return found
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("tool", "stock"),
     [
@@ -67,6 +68,7 @@ def test_all_tiles_together_are_the_part_drawn_whole(tool, stock) -> None:
     assert ours.keys() == theirs.keys() and len(ours) > 1000
 
 
+@pytest.mark.slow
 def test_any_way_to_a_part_gives_the_same_faces_and_untouched_tiles_none() -> None:
     line = timeline()
     relief = Relief(line.parts[0].grid)

@@ -11,6 +11,7 @@ from CNCStepper.simulation.meshes.mesh_faces import Faces, faces_of
 from CNCStepper.simulation.removal.heightmap import HeightMap
 from CNCStepper.simulation.stock import Stock
 from CNCStepper.simulation.tip_segments import Segments
+from helpers.simulation.mesh_volume import flux_mm3
 
 
 def cut(*ends: tuple[float, float, float], form: Form, cell_mm: float = 0.1) -> HeightMap:
@@ -18,13 +19,6 @@ def cut(*ends: tuple[float, float, float], form: Form, cell_mm: float = 0.1) -> 
     points = np.array(ends, float)
     part.cut(form, Segments(points[:-1], points[1:], np.zeros(len(points) - 1, np.int64)))
     return part
-
-
-def flux_mm3(faces: Faces) -> float:
-    """Return the volume that closed faces enclose when all are turned outwards (divergence theorem)."""
-    corners = faces.corners.astype(float)
-    area = np.cross(corners[:, 2] - corners[:, 0], corners[:, 3] - corners[:, 1]) / 2
-    return float((corners.mean(axis=1) * area).sum() / 3)
 
 
 def outward(faces: Faces) -> np.ndarray:

@@ -7,12 +7,12 @@ import struct
 
 import numpy as np
 import pytest
-from programs import BALL, FLAT, begun
 
 from CNCStepper.machine.tools.tool import Tool
 from CNCStepper.simulation.meshes.stl_mesh import Mesh, mesh_of
 from CNCStepper.simulation.removal.heightmap import HeightMap, height_map
 from CNCStepper.simulation.stock import Cylinder, HeightField, Stock
+from helpers.simulation.programs import BALL, FLAT, begun
 
 STOCK = Stock((30, 22, 6))
 HILL = HeightField((30, 22, 6), heights_mm=np.array([[3.0, 4, 3], [4, 6, 4], [3, 4, 3]]))

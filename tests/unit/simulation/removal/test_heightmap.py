@@ -3,11 +3,11 @@
 
 import numpy as np
 import pytest
-from programs import BALL, FLAT, begun
 
 from CNCStepper.simulation.removal.heightmap import height_map
 from CNCStepper.simulation.stock import Stock
 from CNCStepper.toolpath import ARC_CCW
+from helpers.simulation.programs import BALL, FLAT, begun
 
 STOCK = Stock((60, 50, 20))
 R = 3.0

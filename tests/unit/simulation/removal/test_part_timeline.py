@@ -5,7 +5,6 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from programs import BALL, FLAT, begun, square_pocket
 
 from CNCStepper.errors import JobError
 from CNCStepper.machine.profile import load_machine
@@ -16,6 +15,7 @@ from CNCStepper.simulation.removal.tiles import Tile
 from CNCStepper.simulation.removal.timeline import Timeline
 from CNCStepper.simulation.stock import Stock
 from CNCStepper.toolpath import ARC_CCW, ZX
+from helpers.simulation.programs import BALL, FLAT, begun, square_pocket
 
 STOCK = Stock((60, 50, 20))
 CELL_MM = 0.4

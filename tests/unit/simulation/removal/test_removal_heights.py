@@ -8,7 +8,6 @@ import random
 
 import numpy as np
 import pytest
-from programs import begun
 
 from CNCStepper.machine.tools.tool import Tool
 from CNCStepper.simulation.cutter_profile import Form, form_of, height_at
@@ -17,6 +16,7 @@ from CNCStepper.simulation.removal.removal_moves import Moves, moves_of
 from CNCStepper.simulation.removal.tiles import Grid, Part
 from CNCStepper.simulation.stock import Stock
 from CNCStepper.toolpath import ARC_CCW, ARC_CW, YZ, ZX
+from helpers.simulation.programs import begun
 
 TOOLS = {
     "flat": {},
@@ -94,6 +94,7 @@ def test_heights_of_lines_agree_with_a_walk(shape: str) -> None:
         assert_cut_as(part, begin * (1 - share) + end * share, shape)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "shape", [one if one == "ball" else pytest.param(one, marks=pytest.mark.slow) for one in TOOLS]
 )

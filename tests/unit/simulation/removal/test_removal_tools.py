@@ -5,7 +5,6 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from programs import begun
 
 from CNCStepper.errors import JobError
 from CNCStepper.machine.profile import validated
@@ -13,6 +12,7 @@ from CNCStepper.machine.tools.tool import Tool
 from CNCStepper.simulation.removal.heightmap import height_map
 from CNCStepper.simulation.stock import Stock
 from CNCStepper.toolpath import ARC_CCW
+from helpers.simulation.programs import begun
 
 SHEET = Stock((40, 30, 3))
 

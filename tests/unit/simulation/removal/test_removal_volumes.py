@@ -8,13 +8,13 @@ import math
 import numpy as np
 import pytest
 import shapely
-from programs import Program, begun
 
 from CNCStepper.machine.tools.tool import Tool
 from CNCStepper.simulation.cutter_profile import form_of, height_at
 from CNCStepper.simulation.removal.heightmap import height_map
 from CNCStepper.simulation.stock import Stock
 from CNCStepper.toolpath import ARC_CCW, ARC_CW
+from helpers.simulation.programs import Program, begun
 
 STOCK = Stock((40, 32, 20))
 R, DEPTH = 3.0, 2.0
@@ -77,6 +77,7 @@ def test_a_line(tool: Tool, turn: float) -> None:
     assert_volume(program, tool, plunged(tool) + 15 * 2 * integral(deep, out))
 
 
+@pytest.mark.slow
 @one_tool_quickly
 @pytest.mark.parametrize("fall", [pytest.param(0.5, marks=pytest.mark.slow), 4.0])
 def test_a_ramp(tool: Tool, fall: float) -> None:
@@ -109,6 +110,7 @@ def test_an_arc(tool: Tool) -> None:
     assert_volume(program, tool, plunged(tool) + np.pi / 2 * 9 * 2 * integral(deep, out))
 
 
+@pytest.mark.slow
 @one_tool_quickly
 @pytest.mark.parametrize(("radius", "pitch"), [(2.0, 0.8), pytest.param(6.0, 1.5, marks=pytest.mark.slow)])
 def test_a_helix(tool: Tool, radius: float, pitch: float) -> None:

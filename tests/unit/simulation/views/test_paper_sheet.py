@@ -32,6 +32,7 @@ def words(figure: Figure) -> list[str]:
     return [text.get_text() for legend in figure.legends for text in legend.get_texts()]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("text", [PLATE, TALL, LATHED])
 @pytest.mark.parametrize("title", ["part.nc", LONG, "W" * 100])
 def test_nothing_runs_off_the_paper_or_over_another(text: str, title: str) -> None:

@@ -2,7 +2,6 @@
 import numpy as np
 import pytest
 from matplotlib.image import imread
-from programs import FLAT, Program, begun, square_pocket
 
 from CNCStepper.errors import JobError
 from CNCStepper.simulation.removal.heightmap import height_map
@@ -11,6 +10,7 @@ from CNCStepper.simulation.views.picture import facts_of, save_picture
 from CNCStepper.simulation.views.picture_style import duration_text
 from CNCStepper.simulation.views.scene import scene_at
 from CNCStepper.toolpath import ARC_CCW
+from helpers.simulation.programs import FLAT, Program, begun, square_pocket
 
 STOCK = Stock((60, 50, 20))
 
@@ -35,6 +35,7 @@ def test_pictures_are_the_same_for_the_same_program_and_differ_for_another(tmp_p
     assert (edge == 1.0).all()  # nothing is cut off
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "size_mm",
     [

@@ -7,7 +7,6 @@ from pathlib import Path
 
 import numpy as np
 from PIL import Image
-from programs import FLAT, begun
 
 from CNCStepper.job.prove import prove
 from CNCStepper.machine.profile import load_machine
@@ -15,6 +14,7 @@ from CNCStepper.simulation.removal.heightmap import HeightMap, height_map
 from CNCStepper.simulation.stock import Stock
 from CNCStepper.simulation.views.depth_colours import MATERIAL
 from CNCStepper.simulation.views.quick_picture import LONG_SIDE, save_first_picture
+from helpers.simulation.programs import FLAT, begun
 
 STOCK = Stock((40, 20, 5))
 FLOOR, TOP = (tuple(bytes.fromhex(MATERIAL[k][1:])) for k in (0, -1))

@@ -11,7 +11,6 @@ import pytest
 from matplotlib.colors import to_rgb
 from matplotlib.image import imread
 from PIL import Image
-from programs import FLAT, begun
 
 from CNCStepper.errors import JobError
 from CNCStepper.machine.profile import load_machine
@@ -26,6 +25,7 @@ from CNCStepper.simulation.views.picture_style import COLOURS, GROUND
 from CNCStepper.simulation.views.scene import Scene, scene_at
 from CNCStepper.simulation.views.single_view import VIEWS, save_animation, save_view
 from CNCStepper.toolpath import ARC_CCW
+from helpers.simulation.programs import FLAT, begun
 
 STOCK = Stock((60, 50, 20))
 CELL_MM = 0.25
@@ -74,11 +74,13 @@ def tinted(picture: np.ndarray, name: str) -> np.ndarray:
     return found
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("view", SOME_VIEWS)
 def test_views_are_as_stored(view: str, tmp_path: Path, stored_picture: Callable[[str, np.ndarray], None]) -> None:
     stored_picture(f"view-{view}", drawn(tmp_path, view, scene_of(11.3, BALL)))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("view", SOME_VIEWS)
 @pytest.mark.parametrize(
     "other",
@@ -145,6 +147,7 @@ def test_a_cylinder_is_round_and_a_hole_is_seen_through(tmp_path: Path) -> None:
         assert (colours[..., 3] == 0.0).mean() == pytest.approx(open_share, abs=0.02)
 
 
+@pytest.mark.slow
 def test_before_the_first_move_there_is_neither_path_nor_tool(tmp_path: Path) -> None:
     scene = scene_of(0.0)
     assert scene.tip_mm is None and not len(scene.path((0, 1)).points_mm)

@@ -8,10 +8,6 @@ from functools import cache
 from math import inf
 from pathlib import Path
 
-from fault_disk import AtOnce, Disk
-from fault_judge import Claim, MachineTrace, Reference, Run
-from fault_switches import HOMED, LOCKED, NONE, board_of, homed_board
-
 from CNCStepper.control.journal.writer import MENDED, Journal
 from CNCStepper.control.program.send_job import SendJob
 from CNCStepper.control.protocol.grbl.readiness import expected_settings
@@ -26,6 +22,9 @@ from CNCStepper.virtual.faults.plan import Fault, FaultPlan
 from CNCStepper.virtual.grbl.machine import Grbl
 from CNCStepper.virtual.server.fault_proxy import FaultyLink
 from CNCStepper.virtual.server.serial_line import Link
+from helpers.control.fault_disk import AtOnce, Disk
+from helpers.control.fault_judge import Claim, MachineTrace, Reference, Run
+from helpers.control.limit_switches import HOMED, LOCKED, NONE, board_of, homed_board
 
 STEP_S, QUIET_STEP_S = 0.01, 0.02
 LIMIT_S = 240.0  # no run of these tests takes so long; a sender that waits for ever does

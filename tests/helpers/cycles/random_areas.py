@@ -9,7 +9,6 @@ from functools import reduce
 
 import numpy as np
 import shapely
-from judged import tool
 from shapely import Polygon
 from shapely.geometry.base import BaseGeometry
 
@@ -20,6 +19,7 @@ from CNCStepper.geometry.curve import Curve, circle, from_points
 from CNCStepper.geometry.region import Region
 from CNCStepper.state import Start
 from CNCStepper.toolpath import TableBuilder, Toolpath
+from helpers.cycles.product_verdict import tool
 
 CHORD_MM = 1e-4
 DEEP_MM = 1.0

@@ -25,7 +25,7 @@ from dataclasses import dataclass
 from itertools import accumulate, pairwise
 from math import dist
 
-from fault_judge import NEAR_STEPS, Place, Reference, Row, distance, reached, spot
+from helpers.control.fault_judge import NEAR_STEPS, Place, Reference, Row, distance, reached, spot
 
 NEAR_CUT_STEPS = 4 * NEAR_STEPS  # along the path: where its corners are passed, and a machine stopped dead coasts
 ENTRY_LINES = 5  # of one way into the cut: over it, down, and a lead-in of three moves

@@ -9,10 +9,9 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
-from test_send import command
-
 from CNCStepper.control.session.client import SessionClient
 from CNCStepper.control.session.files import sessions
+from helpers.cli.command_line import command
 
 CHECKED = ("--machine", "table-a")
 TYPED_AT = {"stdin": subprocess.PIPE, "stdout": subprocess.PIPE, "stderr": subprocess.DEVNULL}

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import time
 
-from fake_controller import FakeController, FakeServer, _vector
+from helpers.control.fake_controller import FakeController, FakeServer, _vector
 
 LONG = "9" * 5000
 PLACE = "MPos:-90.000,-40.000,-10.000"

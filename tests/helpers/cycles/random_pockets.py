@@ -11,10 +11,10 @@ from dataclasses import dataclass
 
 import numpy as np
 import shapely
-from random_outlines import polygon
 from shapely.geometry.base import BaseGeometry
 
 from CNCStepper.geometry.curve import Curve, circle, from_points
+from helpers.cycles.random_outlines import polygon
 
 LAYOUTS = ("islands", "neck", "sliver", "slot", "tangle", "arcs", "touching", "points")
 SHARES = (0.1, 0.3, 0.5, 0.7, 0.95, 1.0)

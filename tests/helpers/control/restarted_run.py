@@ -7,10 +7,6 @@ from dataclasses import replace
 from pathlib import Path
 from shutil import copyfile
 
-from fault_bench import FILE, STEP_S, FaultBench, job_of
-from fault_judge import Claim, Row, Run
-from fault_restart import Interval
-
 from CNCStepper.control.journal.replay import Story, read_story
 from CNCStepper.control.journal.summary import told_of
 from CNCStepper.control.program.send_job import SendJob
@@ -23,6 +19,9 @@ from CNCStepper.virtual.faults.plan import FaultPlan
 from CNCStepper.virtual.grbl.machine import Grbl
 from CNCStepper.virtual.grbl.settings import HOMING
 from CNCStepper.virtual.grbl.states import State
+from helpers.control.fault_bench import FILE, STEP_S, FaultBench, job_of
+from helpers.control.fault_judge import Claim, Row, Run
+from helpers.control.restart_judge import Interval
 
 NOTHING_CUT, NOTHING_LEFT = "restart-at-start", "restart-nothing-left"
 RESET, UNLOCK = b"\x18", b"$X\n"

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The product's own verdict on a cycle: program text by the writer, read back, planned, judged, every check.
 
-`swept.py` has the second, independent one: from the table of moves alone, with shapely.
+`sweep_judge.py` has the second, independent one: from the table of moves alone, with shapely.
 
     found = judged(operation, tool(6))
     assert found.clean and found.gouge_mm <= 0.01 and found.left_mm <= 0.01

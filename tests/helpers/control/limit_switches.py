@@ -9,13 +9,12 @@ from __future__ import annotations
 
 from random import Random
 
-from fault_cases import plan_of
-
 from CNCStepper.machine.profile import load_machine
 from CNCStepper.virtual.faults.plan import IN, OUT, Fault, FaultPlan
 from CNCStepper.virtual.grbl.machine import Grbl
 from CNCStepper.virtual.grbl.settings import DEBOUNCE_MS, HOMING_FEED, HOMING_SEEK
 from CNCStepper.virtual.grbl.states import State
+from helpers.control.fault_cases import plan_of
 
 NONE, HOMED, LOCKED = "", "homed", "locked"
 SHARE = 0.25  # of the runs

@@ -17,12 +17,11 @@ from itertools import pairwise
 from pathlib import Path
 from random import Random
 
-from rs274_runs import same_call
-
 from CNCStepper.errors import ProgramError
 from CNCStepper.gcode.dialects.codes import RS274
 from CNCStepper.gcode.interpreter.canonical_trace import _Calls, bare_start
 from CNCStepper.gcode.interpreter.line_interpreter import Interpreter
+from helpers.gcode.rs274_runs import same_call
 
 ENDS = {"M2", "M30", "M99"}  # nothing is read after them
 PROFILES = {"G70", "G71", "G71.1", "G71.2", "G72", "G72.1", "G72.2"}  # need a subroutine, a program of their own

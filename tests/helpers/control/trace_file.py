@@ -7,7 +7,7 @@ from collections.abc import Iterable, Sequence
 from itertools import islice
 from pathlib import Path
 
-from fault_judge import Row
+from helpers.control.fault_judge import Row
 
 STEPS_PER_MM = (80, 80, 400)  # of the table a
 UNTOLD = (5, 0.0)  # the trace tells of no spindle

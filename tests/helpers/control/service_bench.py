@@ -7,9 +7,6 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 from unittest.mock import patch
 
-from fake_controller import FakeClock, Unqueued
-from fault_disk import AtOnce
-
 from CNCStepper.control.journal import writer
 from CNCStepper.control.program.send_job import SendJob, write_job
 from CNCStepper.control.protocol.grbl.timeouts import Timing
@@ -22,6 +19,8 @@ from CNCStepper.machine.profile import load_machine
 from CNCStepper.virtual.grbl.firmware import GRBL, Firmware
 from CNCStepper.virtual.grbl.machine import Grbl
 from CNCStepper.virtual.server.serial_line import Link
+from helpers.control.fake_controller import FakeClock, Unqueued
+from helpers.control.fault_disk import AtOnce
 
 STEP_S, LONG_STEP_S = 0.002, 0.01
 LIMIT_S = 60.0

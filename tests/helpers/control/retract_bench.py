@@ -12,7 +12,6 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from desk_table import Person, Table
 
 from CNCStepper.control.service.sender import Sender
 from CNCStepper.control.session.command import Command
@@ -29,6 +28,7 @@ from CNCStepper.recovery.retract.path import Place, Way
 from CNCStepper.recovery.retract.prove import Held, held
 from CNCStepper.state import Start
 from CNCStepper.toolpath import ARC_CW, Toolpath
+from helpers.control.service_bench import Person, Table
 
 STANDS = ("held", "paused", "retreated")
 STEP_MM = float(np.hypot.reduce([1 / 80, 1 / 80, 1 / 400]))  # of table-a

@@ -8,10 +8,10 @@ from dataclasses import dataclass
 
 import numpy as np
 from shapely import Polygon
-from swept import left_mm, reachable
 
 from CNCStepper.cycles.pockets.elliptical_pocket import EllipticalPocket
 from CNCStepper.toolpath import ARC_CCW, ARC_CW, LINE, RAPID, Toolpath
+from helpers.cycles.sweep_judge import left_mm, reachable
 
 OUTLINE_MM = 2e-4
 FLAT_MM = 2e-4
