@@ -25,7 +25,7 @@ from typing import Any
 
 from CNCStepper.control.program.certificate import FORMAT, VERSION, Certificate, digest_of_lines, sendable
 from CNCStepper.control.program.send_job import SendJob
-from CNCStepper.control.service.connection_client import DeskClient
+from CNCStepper.control.service.connection_client import ConnectionClient
 from CNCStepper.control.session.client import SessionClient
 from CNCStepper.control.session.files import read_private, sessions
 from CNCStepper.control.session.status import SenderStatus
@@ -134,7 +134,7 @@ def show_desk(port: str, count: int, folder: Path) -> None:
     """Print the memory of a desk with the certificate of a program, and how long reading it takes."""
     file = folder / "job.zip"
     write_certificate(file, count)
-    client = DeskClient.launch(port, BAUD, folder)
+    client = ConnectionClient.launch(port, BAUD, folder)
 
     def status() -> SenderStatus:
         for event in client.poll():

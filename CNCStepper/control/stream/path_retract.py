@@ -80,7 +80,7 @@ class Leg:
         return tuple(self.content["ahead_mm"])
 
 
-class Retrace:
+class PathRetract:
     """Remembers for one run; used by its thread alone."""
 
     def __init__(self, program: SendJob):
@@ -97,7 +97,7 @@ class Retrace:
         """How many of the program's lines lie before those of the leg that is its rest."""
         return len(self.program.lines) - len(self.leg.job.lines) if self.leg and self.leg.is_rest else 0
 
-    def begin(self, driver: Grbl, found: connect.Found) -> None:
+    def begin(self, driver: Grbl, found: connect.ControllerInfo) -> None:
         """Note where the machine stands before the first line, and with which offsets."""
         offsets_mm = {name: driver.mm(offset) for name, offset in found.offsets.items()}
         self._origin = {
@@ -169,13 +169,13 @@ class Retrace:
         self._reports.clear()
 
     @property
-    def leads_to_stand(self) -> bool:
+    def leads_to_pause(self) -> bool:
         """Whether the lines are those of a leg after which the machine waits."""
         return self.leg is not None and not self.leg.is_rest
 
     def ends_leg(self) -> bool:
         """Note that all lines are cut; return whether they were a leg after which the machine waits."""
-        self._is_over = self.leads_to_stand
+        self._is_over = self.leads_to_pause
         return self._is_over
 
     # --- inside --------------------------------------------------------------------------------
@@ -225,7 +225,7 @@ def _kept(content: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def write_leg(file: Path, leg: Mapping[str, Any]) -> None:
-    """Write a leg that `recovery.retract.prove` makes to a file, as `Retrace.read` takes it."""
+    """Write a leg that `recovery.retract.prove` makes to a file, as `PathRetract.read` takes it."""
     certificate: Certificate = leg["certificate"]
     content = {**leg, "certificate": certificate.head()}
     members: dict[str, Iterable[bytes]] = {
@@ -238,13 +238,13 @@ def write_leg(file: Path, leg: Mapping[str, Any]) -> None:
 
 
 def read_held(file: Path) -> dict[str, Any]:
-    """Return what `Retrace.tell` wrote, with the lines of the program and of its leg, which are held whole."""
+    """Return what `PathRetract.tell` wrote, with the lines of the program and of its leg, which are held whole."""
     bundle = read_bundle(file)
     program = {**bundle.head["program"], "lines": list(bundle.lines), "file_lines": list(bundle.file_lines)}
     return {**bundle.head, "program": program, "leg_lines": list(bundle.columns[LEG_WIRE])}
 
 
-def stand_reset(driver: Grbl, timing: Timing) -> connect.Found:
+def reset_at_rest(driver: Grbl, timing: Timing) -> connect.ControllerInfo:
     """Reset a machine that stands, and return what it is then; raises LinkError when its position is lost by it."""
     if not stop_sequence.reset(driver, timing):
         what = "the controller has not kept its position through the reset at standstill"

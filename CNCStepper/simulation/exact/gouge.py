@@ -52,7 +52,7 @@ class Worst:
 
 
 @dataclass(frozen=True)
-class Kept:
+class ProtectedMaterial:
     """What is to stay: U(b) by falling bottom b, between the stock's bottom and top, or under a field's heights."""
 
     bottoms_mm: tuple[float, ...]
@@ -102,7 +102,7 @@ class PathEntries:
 
     cutter: Cutter
     blocks: Blocks
-    kept: Kept
+    kept: ProtectedMaterial
     engraves: Callable[[Entries], np.ndarray]
 
     def __iter__(self) -> Iterator[tuple[Entries, Entries]]:
@@ -146,7 +146,7 @@ def _before(place: tuple[float, ...], row: int, radius_mm: float, pieces: Segmen
     return pieces[near]
 
 
-def entries(cutter: Cutter, pieces: Segments, kept: Kept, lowest_mm: float) -> Entries:
+def entries(cutter: Cutter, pieces: Segments, kept: ProtectedMaterial, lowest_mm: float) -> Entries:
     """Return the pieces (ramps in short parts) with the bound of their gouge.
 
     lowest_mm: of the whole path's tips; the discs that stand for the cutter depend on it.
@@ -183,7 +183,7 @@ def _hull(heights: np.ndarray, radii: np.ndarray) -> tuple[np.ndarray, np.ndarra
     return heights[some[: max(len(some) - 1, 1)]], radii[some[min(len(some) - 1, 1) :]]
 
 
-def _bound(inside, tip, tops, kept: Kept, heights, radii) -> tuple[np.ndarray, np.ndarray]:
+def _bound(inside, tip, tops, kept: ProtectedMaterial, heights, radii) -> tuple[np.ndarray, np.ndarray]:
     """Return for each piece the deepest entry of its discs, and which disc that is."""
     z = tip[:, None] + heights
     depth = tops[:, None] - z
@@ -243,7 +243,7 @@ def _joined(some: Entries, more: Entries) -> Entries:
     return Entries(some.cutter, joined([some.pieces, more.pieces]), *columns)
 
 
-def deepest(ranked: Ranked, kept: Kept) -> Worst:
+def deepest(ranked: Ranked, kept: ProtectedMaterial) -> Worst:
     """Return the exact deepest gouge of a path.
 
     Pieces are looked at by falling bound, until no bound is deeper than what was found: slivers between removals that
@@ -261,7 +261,7 @@ def deepest(ranked: Ranked, kept: Kept) -> Worst:
     return best
 
 
-def _deepest_of(worst: Entries, found: Ranked, kept: Kept) -> Worst:
+def _deepest_of(worst: Entries, found: Ranked, kept: ProtectedMaterial) -> Worst:
     """Return the deepest gouge of some pieces, of all those found."""
     centres, index = _centres(worst.pieces, kept)
     centres, index = _promising(centres, index, worst, kept)
@@ -277,7 +277,9 @@ def _deepest_of(worst: Entries, found: Ranked, kept: Kept) -> Worst:
     return Worst(depth, place, _first_row(place, found, kept, int(worst.pieces.row[best.piece])))
 
 
-def _promising(centres: np.ndarray, index: np.ndarray, worst: Entries, kept: Kept) -> tuple[np.ndarray, np.ndarray]:
+def _promising(
+    centres: np.ndarray, index: np.ndarray, worst: Entries, kept: ProtectedMaterial
+) -> tuple[np.ndarray, np.ndarray]:
     """Return the centres of those pieces that can enter deeper than the first few do, by more than nothing."""
     few = index < FEW_PIECES
     angles = np.tile(ROUND_RAD, (int(few.sum()), 1))
@@ -287,7 +289,7 @@ def _promising(centres: np.ndarray, index: np.ndarray, worst: Entries, kept: Kep
     return centres[rest], index[rest]
 
 
-def _first_row(place: tuple[float, ...], found: Ranked, kept: Kept, row: int) -> int:
+def _first_row(place: tuple[float, ...], found: Ranked, kept: ProtectedMaterial, row: int) -> int:
     """Return the row that cuts the place first: not the one that leaves a hole, but the one that makes it."""
     first = row
     for some in found.before(place, row):
@@ -299,7 +301,7 @@ def _first_row(place: tuple[float, ...], found: Ranked, kept: Kept, row: int) ->
     return first
 
 
-def _climbed_inside(best: _Best, worst: Entries, kept: Kept) -> tuple[float, ...]:
+def _climbed_inside(best: _Best, worst: Entries, kept: ProtectedMaterial) -> tuple[float, ...]:
     """Return the place moved to where it is deepest within the discs of those pieces that go as low."""
     z_mm = best.place[2]
     tip = np.maximum(worst.pieces.low_mm, kept.stock_bottom_mm)
@@ -315,7 +317,9 @@ def _climbed_inside(best: _Best, worst: Entries, kept: Kept) -> tuple[float, ...
     return climbed_place if depth(found[None, :])[0] > best.depth else best.place
 
 
-def _on_face(best: _Best, centres: np.ndarray, index: np.ndarray, worst: Entries, kept: Kept) -> tuple[float, ...]:
+def _on_face(
+    best: _Best, centres: np.ndarray, index: np.ndarray, worst: Entries, kept: ProtectedMaterial
+) -> tuple[float, ...]:
     """Return the deepest place on the lower face of a cutter that is not flat.
 
     At any place seen from above the tool enters deepest where it is lowest, so that only x and y are looked for:
@@ -355,7 +359,7 @@ class _Best:
     angle: float
 
 
-def _best_on_discs(centres, tip, index, worst: Entries, kept: Kept, angles: np.ndarray, shares) -> _Best:
+def _best_on_discs(centres, tip, index, worst: Entries, kept: ProtectedMaterial, angles: np.ndarray, shares) -> _Best:
     """Return the deepest of points on the discs about the centres, at these angles and shares of the radius."""
     arms = np.stack([np.cos(angles), np.sin(angles)], axis=2)
     reach = worst.radius_mm[index][:, None] * np.asarray(shares)
@@ -368,7 +372,7 @@ def _best_on_discs(centres, tip, index, worst: Entries, kept: Kept, angles: np.n
     return _Best(float(depth[k]), place, int(centre), int(index[centre]), float(angles[centre, angle]))
 
 
-def _centres(pieces: Segments, kept: Kept) -> tuple[np.ndarray, np.ndarray]:
+def _centres(pieces: Segments, kept: ProtectedMaterial) -> tuple[np.ndarray, np.ndarray]:
     """Return both ends of the pieces and their points nearest to each wall, with the index of the piece."""
     points = [pieces.begin, pieces.end]
     flat = flat_edges(pieces)

@@ -21,10 +21,10 @@ from CNCStepper.simulation.cutter_profile import form_of
 from CNCStepper.simulation.cutter_solid import BEAM, POINT, Cutter, Tools, tool_numbered
 from CNCStepper.simulation.exact.beams import beam_cuts, through
 from CNCStepper.simulation.exact.edge_tree import EdgeTree, flat_edges
-from CNCStepper.simulation.exact.gouge import SMALL_MM, Entries, Kept, PathEntries, Ranked, Worst, deepest
-from CNCStepper.simulation.exact.remaining_material import SAME_LEVEL_MM, Island, Left, left_over
+from CNCStepper.simulation.exact.gouge import SMALL_MM, Entries, PathEntries, ProtectedMaterial, Ranked, Worst, deepest
+from CNCStepper.simulation.exact.remaining_material import SAME_LEVEL_MM, Island, Leftover, left_over
 from CNCStepper.simulation.exact.segment_blocks import Blocks, Cuts
-from CNCStepper.simulation.exact.stored_cuts import KeptCuts
+from CNCStepper.simulation.exact.stored_cuts import StoredCuts
 from CNCStepper.simulation.exact.wall_distance import Region
 from CNCStepper.simulation.stock import HeightField, Stock
 from CNCStepper.simulation.tip_segments import Segments, clipped_below, segments
@@ -57,7 +57,7 @@ class Judgement:
     gouge_tolerance_mm: float
     left_over: Worst
     islands: list[Island]
-    removals: list[Left]
+    removals: list[Leftover]
     levels: list[Level]
 
     @property
@@ -93,7 +93,7 @@ def judge_cuts(cuts: Cuts, removals: Sequence[Removal], stock: Stock | None = No
     areas, _ = _areas_and_lines(removals)
     kept, levels = _kept(areas, stock), _LevelSums()
     engraves = partial(_engraves, lines=lines, alone=not areas)
-    with closing(KeptCuts()) as engraved:
+    with closing(StoredCuts()) as engraved:
         ranked = [_ranked(PathEntries(cutter, blocks, kept, engraves), engraved, levels) for cutter, blocks in cuts]
         centres = [(POINT, blocks.held()) for _, blocks in engraved.by_cutter()]
         gouge = max(
@@ -112,7 +112,7 @@ def judge_cuts(cuts: Cuts, removals: Sequence[Removal], stock: Stock | None = No
     )
 
 
-def _ranked(path: PathEntries, engraved: KeptCuts, levels: _LevelSums) -> Ranked:
+def _ranked(path: PathEntries, engraved: StoredCuts, levels: _LevelSums) -> Ranked:
     """Return the entries of a path that may gouge deepest; what engraves is kept apart."""
     ranked = Ranked(path)
     for rest, centres in path:
@@ -176,7 +176,7 @@ def _areas_and_lines(removals: Sequence[Removal]) -> tuple[list[Removal], list[R
     return areas, lines
 
 
-def _kept(areas: list[Removal], stock: Stock | None) -> Kept:
+def _kept(areas: list[Removal], stock: Stock | None) -> ProtectedMaterial:
     """Return what is to stay: by falling bottom the union of removals and air at or below it."""
     beside = []
     if stock is not None:
@@ -188,7 +188,7 @@ def _kept(areas: list[Removal], stock: Stock | None) -> Kept:
         bottoms, unions = [*bottoms, stock_bottom_mm], [*unions, beside]
     regions = tuple(Region(shapely.union_all(union)) for union in unions)
     field = stock if isinstance(stock, HeightField) else None
-    return Kept(tuple(bottoms), regions, 0.0, stock_bottom_mm, field)
+    return ProtectedMaterial(tuple(bottoms), regions, 0.0, stock_bottom_mm, field)
 
 
 def _engraves(entry: Entries, lines: list[Removal], alone: bool) -> np.ndarray:

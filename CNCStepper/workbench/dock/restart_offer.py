@@ -12,7 +12,7 @@ from PySide import QtGui
 from CNCStepper.control.journal.store import unfinished_at
 from CNCStepper.control.session.status import error_from_json
 from CNCStepper.errors import CNCStepperError
-from CNCStepper.workbench.dock.model.controller_state import WAITING, Moment
+from CNCStepper.workbench.dock.model.controller_state import WAITING, ControllerSnapshot
 from CNCStepper.workbench.dock.model.unfinished_job import NAMES, Reading, program_of, why_not_now
 from CNCStepper.workbench.dock.views import widgets
 from CNCStepper.workbench.document import program_file
@@ -20,11 +20,11 @@ from CNCStepper.workbench.features.base import JOB, proxy_type
 from CNCStepper.workbench.features.program import Program
 from CNCStepper.workbench.services import messages
 from CNCStepper.workbench.services.message_translation import translated
-from CNCStepper.workbench.services.request_queue import Questioner
+from CNCStepper.workbench.services.request_queue import RequestQueue
 from CNCStepper.workbench.services.translation import later, tr
 
 if TYPE_CHECKING:
-    from CNCStepper.control.journal.replay import Story
+    from CNCStepper.control.journal.replay import JobReplay
     from CNCStepper.workbench.dock.connection import Link
     from CNCStepper.workbench.proving.latest_proof import Sender
 
@@ -35,7 +35,7 @@ DOES = {
 WORKER = "CNCStepper.workers.unfinished_job"
 
 
-class RecoveryView(QtGui.QWidget):
+class RestartOfferView(QtGui.QWidget):
     """Two buttons, and above them the offer, "" for none."""
 
     def __init__(self, restart: Callable[[], None], unfinished: Callable[[], None]):
@@ -57,7 +57,7 @@ class RecoveryView(QtGui.QWidget):
         self.offer.setText(text)
         self.offer.setVisible(bool(text))
 
-    def lock(self, moment: Moment) -> None:
+    def lock(self, moment: ControllerSnapshot) -> None:
         """Enable the buttons while nothing is cut."""
         for name, button in self.buttons.items():
             widgets.lock(button, why_not_now(moment), DOES[name])
@@ -65,15 +65,15 @@ class RecoveryView(QtGui.QWidget):
             self.show_offer("")
 
 
-class Recovery:
+class RestartOffer:
     """What the view's two buttons do; the offer is looked for whenever a controller was met."""
 
     def __init__(self, link: Link, send: Sender):
         self._link, self._send, self._reading = link, send, Reading()
         self._met = False
-        self.view = RecoveryView(self._restart, self._ask)
+        self.view = RestartOfferView(self._restart, self._ask)
         lost = CNCStepperError("unfinished-lost", "the process that reads the last job has ended", advice="try again")
-        self._questions = Questioner(WORKER, lost, parent=self.view)
+        self._questions = RequestQueue(WORKER, lost, parent=self.view)
         self._questions.answered.connect(messages.guarded(self._answered))
         self._questions.failed.connect(messages.guarded(self._failed))
 
@@ -109,7 +109,7 @@ class Recovery:
         port, programs = self._link.address if self._met else "", [obj.Program for obj in _programs() if obj.Program]
         self._questions.ask({"port": port, "programs": programs})
 
-    def _offer(self, story: Story | None) -> None:
+    def _offer(self, story: JobReplay | None) -> None:
         if story is not None:
             text = tr(
                 "The last job of this machine, {0}, was not cut to its end. Unfinished job… says how far it came."

@@ -17,7 +17,7 @@ from CNCStepper.workbench.services.message_translation import translated
 from CNCStepper.workbench.services.translation import tr
 
 if TYPE_CHECKING:
-    from CNCStepper.recovery.restart.places import Where
+    from CNCStepper.recovery.restart.places import RequestedPlace
     from CNCStepper.workbench.proving.proof_process import ProofResult
 
 NAME = "CNCStepper_Restart_"
@@ -27,7 +27,7 @@ MOST_RUNS = 9999
 FINDINGS_PX = 110
 
 
-class EnteringFields(QtCore.QObject):
+class EntryFields(QtCore.QObject):
     """The rows of a form; `changed` is sent when a value of theirs is another one."""
 
     changed = QtCore.Signal()
@@ -127,7 +127,7 @@ class RestartPanel(QtGui.QWidget):
         )
         self._more.setVisible(bool(more))
 
-    def show_choice(self, where: Where) -> None:
+    def show_choice(self, where: RequestedPlace) -> None:
         """Say which place is chosen, and mark it where it stands in the list."""
         text, values = chosen(where, self.places.rows)
         self._choice.setText(tr(text).format(*values))
@@ -178,7 +178,7 @@ class RestartPanel(QtGui.QWidget):
         form.addRow(tr("Line"), self.line)
         self._time_label = QtGui.QLabel(tr("Time that it is run"))
         form.addRow(self._time_label, self.time)
-        self.entering = EnteringFields(form, self)
+        self.entering = EntryFields(form, self)
         self.entering.changed.connect(self.entering_chosen)
         self.ask_time(False)
         return form

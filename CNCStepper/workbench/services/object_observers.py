@@ -24,7 +24,7 @@ def announce(obj: Any) -> None:
         observer(obj)
 
 
-class ProgramWatch:
+class ProgramObserver:
     """Calls `changed` when the program of `obj` changes, `deleted` before it goes, `closing` before a document goes.
 
     obj: what is watched, None for nothing; it may be another one later.

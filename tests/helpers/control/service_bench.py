@@ -10,8 +10,8 @@ from unittest.mock import patch
 from CNCStepper.control.journal import writer
 from CNCStepper.control.program.send_job import SendJob, write_job
 from CNCStepper.control.protocol.grbl.timeouts import Timing
-from CNCStepper.control.service.connection_service import Desk
-from CNCStepper.control.service.position_trust_file import BeliefFile
+from CNCStepper.control.service.connection_service import ConnectionService
+from CNCStepper.control.service.position_trust_file import PositionTrustFile
 from CNCStepper.control.session.command import Command
 from CNCStepper.control.session.status import Outcome
 from CNCStepper.errors import CNCStepperError, LinkError
@@ -111,7 +111,7 @@ class Visit:
         *,
         timing: Timing | None = None,
         journals: Path | None = None,
-        kept: BeliefFile | None = None,
+        kept: PositionTrustFile | None = None,
         **table,
     ):
         self.table = Table(**table)
@@ -120,7 +120,7 @@ class Visit:
         self.outcomes: list[Outcome] = []
         self.alone_s = 0.0
         self._file = tmp_path / "a job ç.json"
-        self.desk = Desk(
+        self.desk = ConnectionService(
             "table",
             job_file=tmp_path / "desk ç.wire",
             opener=lambda name, baud: self.table,

@@ -7,7 +7,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 from CNCStepper.control.program.send_job import SendJob
-from CNCStepper.control.service.position_trust_file import BeliefFile
+from CNCStepper.control.service.position_trust_file import PositionTrustFile
 from CNCStepper.control.service.sender import Sender
 from CNCStepper.control.session.status import Outcome
 from CNCStepper.machine.profile import load_machine
@@ -25,9 +25,9 @@ class Workshop:
         self.board = Grbl(load_machine("table-a"), homing=homing)
 
     @property
-    def kept(self) -> BeliefFile:
+    def kept(self) -> PositionTrustFile:
         """What the next one finds."""
-        return BeliefFile.of_port(self.folder, "table")
+        return PositionTrustFile.of_port(self.folder, "table")
 
     def visit(self, person: Callable[[Visit], Person]) -> Visit:
         """Let a person come to a desk of their own."""

@@ -29,7 +29,7 @@ class Here:
         for question in questions:
             self.questions.put(question)
 
-    def hear(self, steps: int = 1) -> list[dict[str, Any]]:
+    def on_message(self, steps: int = 1) -> list[dict[str, Any]]:
         """Let it work and return what it told meanwhile."""
         self.told.clear()
         for _ in range(steps):

@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 
 from CNCStepper.control.journal.writer import Journal
-from CNCStepper.control.service.position_trust_file import BeliefFile
+from CNCStepper.control.service.position_trust_file import PositionTrustFile
 from CNCStepper.control.stream.path_watch import PathWatch
 from CNCStepper.control.stream.position_trust import LOST
 from CNCStepper.virtual.faults.plan import KINDS, Fault, FaultPlan
@@ -74,8 +74,8 @@ def forgets(bench: FaultBench, run: Run) -> str:
     """Return what is wrong with what the next connection finds of the position after a job, "" where nothing is."""
     if bench.folder is None or bench.journal.path is None or run.claim.refused:
         return ""
-    belief = BeliefFile.of_port(bench.folder, bench.link.name).belief
-    return f"kept is {belief}, told {run.claim}" if (belief == LOST) == run.claim.position_known else ""
+    trust = PositionTrustFile.of_port(bench.folder, bench.link.name).trust
+    return f"kept is {trust}, told {run.claim}" if (trust == LOST) == run.claim.position_known else ""
 
 
 @pytest.mark.slow

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 from CNCStepper.control.program.send_job import write_job
-from CNCStepper.control.service.connection_service import Desk
+from CNCStepper.control.service.connection_service import ConnectionService
 from CNCStepper.control.session.command import Command
 from CNCStepper.control.session.status import DONE, STOPPED, Outcome
 from helpers.control.retract_bench import ROUNDING_MM, STANDS, STEP_MM, Cut, path_of, polyline, worst_distance_mm
@@ -32,12 +32,12 @@ class DeskCut(Cut):
         self.outcomes: list[Outcome] = []
         self._job_file = folder / "a job ç.json"
         write_job(self._job_file, self.job)
-        self.sender = Desk(
+        self.sender = ConnectionService(
             "table",
             job_file=folder / "desk.wire",
             opener=lambda name, baud: self.table,
             clock=self.table.clock,
-            tell=self._hear,
+            tell=self._on_message,
             refuse=lambda command, error: self.refused.append(error),
             ended=self.outcomes.append,
         )

@@ -16,7 +16,7 @@ import pytest
 from CNCStepper.control.program.bundle import LINE_MAP, WIRE, array_bytes, head_bytes, line_bytes, write_bundle
 from CNCStepper.control.program.certificate import FORMAT, VERSION, Certificate, digest_of_lines
 from CNCStepper.control.program.send_job import SendJob
-from CNCStepper.control.stream.path_retract import LEG, OWN_MAP, REST, Retrace, read_held
+from CNCStepper.control.stream.path_retract import LEG, OWN_MAP, REST, PathRetract, read_held
 from CNCStepper.errors import JobError, Place
 from CNCStepper.state import Start
 
@@ -48,7 +48,7 @@ def write_leg(path: Path, lines: Sequence[str], **more: Any) -> Path:
 
 
 def test_the_job_is_the_proven_one_at_the_programs_lines(tmp_path: Path) -> None:
-    retrace = Retrace(PROGRAM)
+    retrace = PathRetract(PROGRAM)
     leg = retrace.read(write_leg(tmp_path / "leg ç.zip", LINES), "held")
     job = leg.job
     assert tuple(job.lines) == LINES and job.place(1) == Place("peça.nc", 41) and job.messages == {1: "turn it"}
@@ -60,13 +60,13 @@ def test_the_job_is_the_proven_one_at_the_programs_lines(tmp_path: Path) -> None
 
 
 def test_what_is_kept_for_the_next_client_holds_no_lines(tmp_path: Path) -> None:
-    kept = Retrace(PROGRAM).read(write_leg(tmp_path / "leg.zip", LINES, parts=[None]), "held").content
+    kept = PathRetract(PROGRAM).read(write_leg(tmp_path / "leg.zip", LINES, parts=[None]), "held").content
     assert set(kept) == {"kind", "heads", "parts", "certificate"} and set(kept["certificate"]) == {"start"}
     assert json.dumps(kept)
 
 
 def test_the_lines_of_the_leg_under_way_stay_and_those_before_go(tmp_path: Path) -> None:
-    retrace, file = Retrace(PROGRAM), write_leg(tmp_path / "leg.zip", LINES)
+    retrace, file = PathRetract(PROGRAM), write_leg(tmp_path / "leg.zip", LINES)
     refused, under_way = (retrace.read(file, "held") for _ in range(2))
     retrace.start(under_way)
     coming = retrace.read(write_leg(file, LINES[:1]), "held")
@@ -88,7 +88,7 @@ def test_the_lines_of_the_leg_under_way_stay_and_those_before_go(tmp_path: Path)
 )
 def test_what_is_no_leg_is_refused(tmp_path: Path, more: dict[str, Any], code: str) -> None:
     with pytest.raises(JobError) as refused:
-        Retrace(PROGRAM).read(write_leg(tmp_path / "leg.zip", LINES, **more), "held")
+        PathRetract(PROGRAM).read(write_leg(tmp_path / "leg.zip", LINES, **more), "held")
     assert refused.value.code == code
 
 
@@ -96,24 +96,24 @@ def test_what_is_no_leg_is_refused(tmp_path: Path, more: dict[str, Any], code: s
 def test_a_file_that_is_no_bundle_is_refused(tmp_path: Path, data: bytes) -> None:
     (tmp_path / "leg.zip").write_bytes(data)
     with pytest.raises(JobError) as refused:
-        Retrace(PROGRAM).read(tmp_path / "leg.zip", "held")
+        PathRetract(PROGRAM).read(tmp_path / "leg.zip", "held")
     assert refused.value.code == "retreat-file"
 
 
 def test_what_is_told_is_read_back(tmp_path: Path) -> None:
     driver = SimpleNamespace(settings={100: 80.0}, mpos_mm=(1.0, 2.0, 3.0))
-    Retrace(PROGRAM).tell(driver, "held", tmp_path / "held.zip", jogged=False)
+    PathRetract(PROGRAM).tell(driver, "held", tmp_path / "held.zip", jogged=False)
     told = read_held(tmp_path / "held.zip")
     assert told["program"]["lines"] == list(PROGRAM.lines) and told["leg_lines"] == [] and told["leg"] is None
     assert told["position_mm"] == [1.0, 2.0, 3.0] and told["steps_per_mm"] == [80.0, None, None]
     with pytest.raises(JobError, match="cannot be written"):
-        Retrace(PROGRAM).tell(driver, "held", tmp_path / "nowhere" / "held.zip", jogged=False)
+        PathRetract(PROGRAM).tell(driver, "held", tmp_path / "nowhere" / "held.zip", jogged=False)
 
 
 @pytest.mark.slow
 def test_memory_does_not_grow_with_the_leg(tmp_path: Path) -> None:
     def most_bytes(count: int) -> int:
-        file, retrace = write_leg(tmp_path / f"{count}.zip", ["G1X10.123Y20.456"] * count), Retrace(PROGRAM)
+        file, retrace = write_leg(tmp_path / f"{count}.zip", ["G1X10.123Y20.456"] * count), PathRetract(PROGRAM)
         tracemalloc.start()
         retrace.read(file, "held")
         most = tracemalloc.get_traced_memory()[1]

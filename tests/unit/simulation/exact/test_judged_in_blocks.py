@@ -24,7 +24,7 @@ from CNCStepper.simulation.exact import (
     voronoi_corners,
 )
 from CNCStepper.simulation.exact.segment_blocks import Blocks
-from CNCStepper.simulation.exact.stored_cuts import KeptCuts
+from CNCStepper.simulation.exact.stored_cuts import StoredCuts
 from CNCStepper.simulation.exact.swept_area import Judgement, judge
 from CNCStepper.simulation.stock import HeightField, Stock
 from CNCStepper.simulation.tip_segments import Segments
@@ -221,7 +221,7 @@ def test_gouges_beyond_those_that_are_ranked_at_once(monkeypatch: pytest.MonkeyP
 def test_parts_of_a_path_are_read_as_blocks_of_each_cutter(monkeypatch: pytest.MonkeyPatch) -> None:
     program = case(3).program
     monkeypatch.setattr(stored_cuts, "BLOCK", 40)
-    kept = KeptCuts()
+    kept = StoredCuts()
     (path,) = [cutting_path.cutting_path(program.toolpath(), TOOLS, 0.0, STOCK)]
     for first in range(0, max(len(pieces) for _, pieces in path), 9):  # blocks of the cutters by turns
         kept.add([(cutter, pieces[first : first + 9]) for cutter, pieces in path])
